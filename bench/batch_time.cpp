@@ -1,5 +1,5 @@
-// What the library's batches take for a million pairs, for bench/python_batches.py: prints seconds of
-// processor time, the best of rounds.
+// Times the library's batches for a million pairs, for bench/python_batches.py. Prints seconds of processor
+// time, the best of all rounds.
 //   batch_time FORM double|float ROUNDS
 #include <algorithm>
 #include <cstdio>

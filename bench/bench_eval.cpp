@@ -1,6 +1,7 @@
-// Evaluations against each other and against the machine, all interleaved in one run, best of 7 rounds:
-// textbook scalar code, the library's template as scalar code, its batches on one and on two threads (by the
-// clock), and the limit that the processor's divider and arithmetic units set. `bench_eval [FORM...]`.
+// Compares evaluations with each other and with the machine, all interleaved in one run, best of 7 rounds:
+// textbook scalar code, the library's template as scalar code, its batches on one and on two threads
+// (elapsed time), and the limit set by the processor's divider and arithmetic units. Usage: bench_eval
+// [FORM...]
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -25,11 +26,11 @@
 namespace brdf::bench {
 namespace {
 
-constexpr std::size_t kPairs = 512;  // stay in the first-level cache
+constexpr std::size_t kPairs = 512;  // fits in the first-level cache
 constexpr int kRounds = 7;
 
-// Keeps the calling thread on the k-th processor that the program may use, until destroyed: a thread woken by
-// another may otherwise share its processor. Nothing where the system has no such call.
+// Keeps the calling thread on the k-th permitted processor during its lifetime: a thread that another thread
+// wakes may otherwise share its processor. Does nothing if the system has no such call.
 class OnProcessor {
  public:
 #ifdef __linux__
@@ -67,7 +68,7 @@ class Pair {
     stop_ = true;
     start_.arrive_and_wait();
   }
-  // Several meetings: in some of them a neighbour leaves both processors free.
+  // Runs several meetings: in some of them, other programs leave both processors free.
   void operator()() {
     const OnProcessor first(0);
     for (int meeting = 0; meeting < kMeetings; ++meeting) {
@@ -78,12 +79,13 @@ class Pair {
       best_ = std::min(best_, wall / double(turns_));
     }
   }
-  // Seconds on the clock from the first start to the last end in the best meeting, for one pass of both.
+  // Returns the elapsed seconds from the first start to the last end in the best meeting, for one pass of
+  // both threads.
   double best() const { return best_; }
 
  private:
   static constexpr int kMeetings = 8;
-  static constexpr double kMeeting = 2e-3;  // s: waking the other thread takes 1 % of that
+  static constexpr double kMeeting = 2e-3;  // s; waking the other thread takes 1 % of this time
   void turn(int thread) {
     start_time_[thread] = timing::seconds_now(timing::Clock::wall);
     for (long k = 0; k < turns_; ++k) pass_(thread);
@@ -119,7 +121,7 @@ DirectionArrays<T> random_directions() {
   return directions;
 }
 
-// Nanoseconds per evaluation; the textbook's is 0 where it has no such form.
+// Nanoseconds per evaluation. `textbook` is 0 if there is no textbook code of the form.
 struct Row {
   Reflectance form;
   double textbook, scalar, batch, limit, two_threads;
@@ -153,7 +155,7 @@ Row measure(const Reflectance& form) {
   const auto t = timing::interleaved(calls, {.rounds = kRounds});
   const auto ns = [](double seconds, double count) { return 1e9 * seconds / count; };
   const Operations n = operations(form, std::is_same_v<T, double>);
-  // The divider takes divisions and roots in turn; one fused multiply-add is two arithmetic operations.
+  // The divider processes divisions and roots in turn. One fused multiply-add is two arithmetic operations.
   const double divider =
       n.divides * ns(t[3].best, kThroughputCount) + n.roots * ns(t[4].best, kThroughputCount);
   const double arithmetic = n.arithmetic * ns(t[5].best, 2.0 * kFmaPerValue * kThroughputCount);
@@ -180,7 +182,7 @@ void print(const Row& r) {
   std::fflush(stdout);
 }
 
-// The first form with these facets.
+// Returns the row of the first form with these facets, or null.
 const Row* find(const std::vector<Row>& rows, const FacetFacts& facets) {
   for (const Row& r : rows)
     if (r.form.info().facets == &facets) return &r;

@@ -1,9 +1,9 @@
-// Seconds to fit 1.46 million RGB samples with Cook-Torrance, for our solvers and for what users would pick
-// instead, interleaved in one run: the ratios are the result (docs/fitting.md).
+// Times fits of Cook-Torrance to 1.46 million RGB samples, for the solvers of this library and for the usual
+// alternatives, interleaved in one run. The ratios are the result (docs/fitting.md).
 //
 //   bench_fit [--quick] [--repeats N] [--no-python]
 //
-// --quick takes every 16th sample and leaves out nothing else. The scipy and numpy baselines of
+// --quick takes every 16th sample and has no other effect. The scipy and numpy baselines of
 // bench/fit_baselines.py run on the same samples unless --no-python is given; they take most of the minute.
 #include <ceres/ceres.h>
 #include <sys/resource.h>
@@ -34,12 +34,13 @@
 namespace brdf::fit {
 namespace {
 
-// Processor time: every method runs on one thread, and other programs must not count.
+// Returns the processor time: every method runs on one thread, and other programs must not count.
 double now() {
   return timing::seconds_now(timing::Clock::process);
 }
 
-// Largest resident size so far, MB: what a method adds is the growth while it runs.
+// Returns the largest resident size so far, in MB. The memory of a method is the growth while the method
+// runs.
 double peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -55,7 +56,8 @@ Reflectance form_to_fit() {
       .value();
 }
 
-// Half-difference cells of a measured table, 90 x 90 x 180, with 5 % noise on Cook-Torrance.
+// Returns the half-difference cells of a measured table, 90 x 90 x 180, with Cook-Torrance values and 5 %
+// noise.
 FitData samples(bool quick) {
   Material truth = make_material(form_to_fit());
   truth.terms[0].shape[0] = {kAlpha, kAlpha};
@@ -76,7 +78,8 @@ FitData samples(bool quick) {
         const double c = std::cos(th), s = std::sin(th);
         const Vec3<double> wi{diff.x * c + diff.z * s, diff.y, diff.z * c - diff.x * s};
         const Vec3<double> wo{-diff.x * c + diff.z * s, -diff.y, diff.z * c + diff.x * s};
-        // Cells below the horizon or too steep are turned into others, so that the count stays 1.46 million.
+        // Cells below the horizon, or too steep, are replaced by other directions to keep the number of 1.46
+        // million.
         const double lowest = std::min(wi.z, wo.z);
         const Vec3<double> a = lowest > 0.17 ? wi : direction(radians(th), radians(pd));
         const Vec3<double> b = lowest > 0.17 ? wo : direction(radians(std::min(td, 1.39)), radians(2 * pd));
@@ -120,7 +123,7 @@ double fit_streamed(const FitData& data, const Model& model) {
   return model.shape(solve(objective, start, model.low(), model.high(), o).p, 0, 0)[0];
 }
 
-// What a user of Ceres writes first: one residual block per sample, automatic derivatives.
+// The usual first solution by a user of Ceres: one residual block per sample, automatic derivatives.
 struct SampleResidual {
   Vec3<double> wi, wo;
   double g[3];
@@ -174,15 +177,15 @@ void write_binary(const FitData& data, const std::filesystem::path& path) {
               std::streamsize(column->size() * sizeof(double)));
 }
 
-// The first of `python3` and Debian's that has scipy; empty where neither has.
+// Returns the first of `python3` and Debian's python3 that has scipy, or an empty string if neither has.
 std::string python_with_scipy() {
   for (const std::string python : {"python3", "/usr/bin/python3"})
     if (std::system((python + " -c 'import numpy, scipy' 2>/dev/null").c_str()) == 0) return python;
   return {};
 }
 
-// Runs bench/fit_baselines.py, which prints one row per method, and returns their seconds in its order:
-// numpy, scipy. Throws std::runtime_error where the script fails.
+// Runs bench/fit_baselines.py, which prints one row per method, and returns the seconds of the methods in
+// the same order: numpy, scipy. Throws std::runtime_error if the script fails.
 std::vector<double> run_python(const std::string& python, const FitData& data, double ours) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("bench_fit_" + std::to_string(getpid()) + ".bin");

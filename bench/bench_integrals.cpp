@@ -1,5 +1,6 @@
-// Our rule for the directional albedo against product Gauss-Legendre, adaptive cubature and Monte Carlo with
-// visible normals, on the isotropic cases of `brdf validate --integrators`: bench_integrals [CASES] [SEED]
+// Compares this library's rule for the directional albedo with product Gauss-Legendre, adaptive cubature and
+// Monte Carlo with visible normals, on the isotropic cases of `brdf validate --integrators`.
+// Usage: bench_integrals [CASES] [SEED]
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -25,13 +26,13 @@ constexpr Method kMethods[] = {{"our rule", pole_adapted},
 constexpr std::size_t kCount = std::size(kMethods);
 
 struct Account {
-  long wrong = 0;  // claimed and not met
+  long wrong = 0;  // number of results that claimed the tolerance and missed it
   long said_so = 0;
   double evaluations = 0, seconds = 0;
 };
 
-// All methods on one case in turn, starting with another one each round; the quick ones seven times, of which
-// the best time counts.
+// Runs all methods on one case in turn, starting with a different method each round. Fast methods run seven
+// times, and the best time counts.
 std::array<Results, kCount> interleaved(const Lobe& lobe, std::size_t number) {
   constexpr double kQuick = 2e-3;  // seconds
   std::array<Results, kCount> best;

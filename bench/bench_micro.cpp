@@ -1,4 +1,5 @@
-// Rays per second on a traced microsurface: 2 million triangles, light from 60 degrees, all bounces.
+// Measures rays per second on a traced microsurface: 2 million triangles, light from 60 degrees, all
+// bounces.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Times of the renderer, as medians of interleaved runs: a frame against the least that the same targets
-// cost, forward against deferred, first frame, memory. Usage: bench_render [RUNS]
+// Times the renderer, as medians of interleaved runs: a frame compared with the least cost of the same
+// targets, forward compared with deferred rendering, first frame, memory. Usage: bench_render [RUNS]
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -25,13 +25,13 @@ double milliseconds(const std::function<void()>& work) {
   return 1e3 * timing::seconds_of(work, 1, timing::Clock::wall);
 }
 
-// Time on the processor, of all threads: the device is the processor, and other programs do not count.
+// Returns the processor time of all threads: the device is the processor, and other programs must not count.
 double processor_milliseconds() {
   return 1e3 * timing::seconds_now(timing::Clock::process);
 }
 
-// Runs the works one after the other, `runs` times after one warm-up; medians in milliseconds, by the clock
-// and on the processor.
+// Runs the works one after the other, `runs` times after one warm-up. Returns medians in milliseconds of
+// elapsed time and of processor time.
 struct Medians {
   double wall, processor;
 };
@@ -63,8 +63,8 @@ PreparedScene sphere(int width, int height) {
   return prepare(std::move(scene));
 }
 
-// The least that a frame with seven targets costs: a pass that clears them and runs the vertex shader on
-// every triangle, and a pass that copies them pixel by pixel.
+// The lower bound for a frame with seven targets: a pass that clears the targets and runs the vertex shader
+// on every triangle, and a pass that copies the targets pixel by pixel.
 class Floor {
  public:
   Floor(Device& device, const PreparedScene& scene)
@@ -187,7 +187,7 @@ void frames(int runs) {
       "copies them\n");
 }
 
-// Layers of spheres behind each other: forward rendering lights what is then hidden.
+// Layers of spheres behind each other: forward rendering lights surfaces that are hidden later.
 Scene crowd(int lights) {
   Scene scene;
   scene.camera = {{0, 0, 12}, {0, 0, 0}, {0, 1, 0}, 30, 640, 360};
@@ -220,7 +220,7 @@ void forward_against_deferred(int runs) {
   }
 }
 
-// Of the lobe alone.
+// Returns the largest pixel value of the lobe alone.
 float highlight_peak(Device& device, const Reflectance& form, double exponent) {
   const ReflectanceInfo& about = form.info();
   Material material = make_material(form);
@@ -241,7 +241,7 @@ float highlight_peak(Device& device, const Reflectance& form, double exponent) {
 
 void highlight_peaks() {
   Device device;
-  // A cosine's power about the mirror direction, and of the half vector.
+  // A power of the cosine about the mirror direction, and of the half vector.
   const auto form = [](bool about_mirror) {
     return find_form_if([&](const ReflectanceInfo& f) {
              return f.canonical && f.shape_index(brdf::Role::exponent) >= 0 &&

@@ -1,6 +1,6 @@
-// Time per evaluation in float, in one run: five shaders through the interpreter, on the Vulkan driver and
-// compiled natively; then all exported forms through the interpreter beside the library's compiled batch;
-// then the shaders named.
+// Measures the time per evaluation in float, in one run: five shaders by the interpreter, on the Vulkan
+// driver and compiled natively; then all exported forms by the interpreter, compared with the library's
+// compiled batch; then the named shaders.
 //   bench_shader [SHADER...]
 #include <chrono>
 #include <cmath>
@@ -29,7 +29,7 @@ DirectionArrays<float> directions(std::size_t count) {
   return d;
 }
 
-// The best of some runs, nanoseconds per evaluation of `count`.
+// Returns the best time of several runs, in nanoseconds per evaluation of `count`.
 double best_time(std::size_t count, const std::function<void()>& work) {
   double best = HUGE_VAL;
   for (int run = 0; run < 15; ++run) {
@@ -45,7 +45,7 @@ double time_of(const Term& term, const DirectionArrays<float>& d) {
   return best_time(d.size(), [&] { eval_batch(term, 0, d.view(), out.data()); });
 }
 
-// f_r and f_r cos_i of three channels are two evaluations.
+// f_r and f_r cos_i of three channels count as two evaluations.
 double driver_time(render::Device& device, const Material& material, const DirectionArrays<float>& d) {
   const Term term = render::with_room(material).terms.front();
   std::vector<render::ProofConfiguration> all(d.size());
@@ -88,7 +88,7 @@ void five(const DirectionArrays<float>& d) {
     print(file, *model, time_of(m.terms[0], d), driver_time(device, m, d),
           best_time(d.size(), [&] { native(d.view(), out.data()); }));
   }
-  // Two of the catalogue as they are exported: the first that have facets.
+  // Two exported forms of the catalogue: the first two with facets.
   int shown = 0;
   for (const Reflectance& form : catalogue()) {
     if (!form.info().facets || shown++ >= 2) continue;

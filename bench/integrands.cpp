@@ -22,14 +22,14 @@ class Stopwatch {
   double start_ = timing::seconds_now(timing::Clock::wall);
 };
 
-// f cos_o sin(theta_o), a block of directions at a time.
+// Evaluates f cos_o sin(theta_o), a block of directions at a time.
 class Block {
  public:
   static constexpr std::size_t kMost = 1024;
   explicit Block(const Lobe& lobe)
       : lobe_(lobe), directions_(kMost), light_(direction(radians(lobe.theta), radians(kPi))) {}
 
-  // trig(k) gives sine and cosine of the polar angle, then of the azimuth.
+  // trig(k) returns sine and cosine of the polar angle, then of the azimuth.
   template <class Trig>
   void evaluate(std::size_t count, double* out, Trig&& trig) {
     for (std::size_t first = 0; first < count; first += kMost) {
@@ -81,7 +81,8 @@ int cubature_block(unsigned, std::size_t count, const double* x, void* data, uns
   return 0;
 }
 
-// A method that goes on from coarse to fine meets the tolerances one after the other.
+// Records the results of a method that refines its estimate and therefore meets the tolerances one after the
+// other.
 class Milestones {
  public:
   void at(double value, double error, long evaluations) {

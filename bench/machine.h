@@ -1,4 +1,4 @@
-// What a benchmark says about the machine it ran on.
+// Facts about the machine that a benchmark prints.
 #pragma once
 
 #include <cstdio>
@@ -8,7 +8,7 @@
 
 namespace brdf::bench {
 
-// One line: processor, cores, widest vectors that the batches use, compiler, load.
+// Returns one line: processor, cores, widest vectors that the batches use, compiler, load.
 inline std::string machine() {
   std::string cpu = "unknown processor";
   std::ifstream info("/proc/cpuinfo");
@@ -30,7 +30,7 @@ inline std::string machine() {
          ", compiler " + __VERSION__ + ", load " + std::to_string(load).substr(0, 4);
 }
 
-// A goal of the project beside what this run measured.
+// Prints a goal of the project with the value that this run measured.
 inline void print_goal(const std::string& what, double measured, bool at_least, double wanted) {
   const bool met = at_least ? measured >= wanted : measured <= wanted;
   std::printf("  %-64s %7.2f  (goal %s %.2f)%s\n", what.c_str(), measured, at_least ? ">=" : "<=", wanted,

@@ -17,7 +17,8 @@ void add(Operations& sum, const Operations& more) {
 
 using Calls = std::map<std::string, Operations, std::less<>>;
 
-// What is computed for `root` from inputs whose names start with w (directions) or x (a kernel's argument).
+// Counts the operations needed to compute `root` from inputs with names that start with w (directions) or
+// from x (a kernel's argument).
 Operations count(const Trace& trace, int root, const Calls& calls) {
   Operations sum;
   std::map<int, bool> varies;
@@ -44,7 +45,7 @@ Operations count(const Trace& trace, int root, const Calls& calls) {
   return sum;
 }
 
-// A traced kernel, and a longer polynomial in double.
+// Counts the operations of a traced kernel. In double the polynomial is longer.
 template <class Kernel>
 Operations kernel_operations(Kernel kernel, std::size_t float_terms, std::size_t terms) {
   Trace trace;

@@ -20,7 +20,7 @@ Vec3<T> normalised(const Vec3<T>& v) {
   return {v.x * s, v.y * s, v.z * s};
 }
 
-// Tangent frame and the cosines that every shader starts with.
+// The tangent frame and the cosines with which every shader begins.
 template <class T>
 struct Shading {
   Vec3<T> n{0, 0, 1}, t{1, 0, 0}, b{0, 1, 0};
@@ -133,7 +133,7 @@ void evaluate(std::span<const T> weights, std::span<const T> shape, const Direct
     out[i] = kShade(weights.data(), shape.data(), Shading<T>(d.wi(i), d.wo(i)));
 }
 
-// The textbooks' models by the catalogue's names.
+// The models of textbooks, by the catalogue's names.
 template <class T>
 struct Known {
   std::string_view name;

@@ -4,7 +4,7 @@
 
 #include "brdf/clones.h"
 
-// Compiled as the batches are.
+// Compiled with the same settings as the batches.
 namespace brdf::bench {
 
 template <class T>
@@ -15,7 +15,7 @@ template <class T>
 void Throughput<T>::square_root(const T* a, T* out) {
   repeat([=](std::size_t i) { out[i] = std::sqrt(a[i]); }, kThroughputCount);
 }
-// Four independent chains per value, so that latency does not limit.
+// Four independent chains per value, to hide the latency.
 template <class T>
 void Throughput<T>::fused_multiply_add(const T* a, T* out) {
   const auto chains = [=](std::size_t i) {

@@ -1,9 +1,9 @@
-// The machine's limits: how fast it divides, takes roots and multiplies and adds, with its widest vectors.
+// The limits of the machine: its rate of divisions, roots, and multiply-adds with its widest vectors.
 #pragma once
 
 namespace brdf::bench {
 
-// One pass over kThroughputCount values that stay in the first-level cache.
+// One pass over kThroughputCount values, which stay in the first-level cache.
 inline constexpr int kThroughputCount = 1024;
 inline constexpr int kFmaPerValue = 32;
 template <class T>

@@ -10,14 +10,14 @@
 namespace brdf::cli {
 namespace {
 
-// A line of a command, with a backslash where it goes on.
+// Folds a line of a command and ends each folded line, except the last, with a backslash.
 std::string folded_command(const std::string& line, int columns) {
   std::string text = folded(line, columns - 2), out;
   for (const char c : text) out += c == '\n' ? std::string(" \\\n") : std::string(1, c);
   return out;
 }
 
-// "brdf fit samples.csv ...": the first command of a footer.
+// Returns the first command of a footer, for example "brdf fit samples.csv ...".
 std::string first_example(const std::string& footer) {
   const std::size_t begin = footer.find("brdf ", footer.find("Example"));
   return begin == footer.npos ? "" : footer.substr(begin, footer.find('\n', begin) - begin);
@@ -44,7 +44,7 @@ class Layout : public CLI::Formatter {
     return folded(Formatter::make_subcommand(verb), columns_) +
            (example.empty() ? "" : folded_command("      " + example, columns_) + "\n");
   }
-  // A group of options, which the base class indents.
+  // Formats a group of options, which the base class indents.
   std::string make_expanded(const CLI::App* group) const override {
     return folded(Formatter::make_expanded(group), columns_);
   }

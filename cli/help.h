@@ -1,4 +1,5 @@
-// The help's layout: folded to the terminal, verbs by what they are for, an example beside each.
+// Layout of the help: folded to the terminal's width, verbs grouped by purpose, with an example for each
+// verb.
 #pragma once
 
 #include <memory>
@@ -11,11 +12,12 @@ class FormatterBase;
 
 namespace brdf::cli {
 
-// For `columns` characters in a line. Commands go on after a backslash, so that they can be pasted.
+// Returns a layout for lines of `columns` characters. Folded commands end with a backslash so that they can
+// be pasted.
 std::shared_ptr<CLI::FormatterBase> help_layout(int columns);
 
-// What was wrong with a command line: an option or a verb that there is not, with what was probably meant;
-// else the parser's words.
+// Returns a message about a faulty command line. For an unknown option or verb the message names the likely
+// intention; otherwise the message is the parser's.
 std::string usage_fault(const CLI::App& app, const std::string& parsers_words, const std::string& first_word);
 
 }  // namespace brdf::cli

@@ -40,22 +40,23 @@ int report(std::string_view message, Exit code, std::string_view before = "") {
   try {
     const std::string text = io::printable(message);
     std::cerr << (isatty(STDERR_FILENO) ? folded(text, columns_of(STDERR_FILENO)) : text);
-  } catch (const std::bad_alloc&) {  // memory may be what is missing
+  } catch (const std::bad_alloc&) {  // memory may be exhausted
     std::cerr << "not enough memory";
   }
   std::cerr << '\n';
   return static_cast<int>(code);
 }
 
-// Files would take the places of closed standard streams, and be written to as if they were these. What
-// stands in for stdout cannot be written, so that output is not lost unnoticed.
+// Opens substitutes for closed standard streams. Otherwise files would get the descriptors of these streams,
+// and output would be written into them. The substitute for stdout cannot be written, which makes the loss
+// of output visible.
 void fill_standard_descriptors() {
   for (const int k : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(k, F_GETFD) < 0 && errno == EBADF)
       ::open(k == STDOUT_FILENO ? "/dev/full" : "/dev/null", k == STDERR_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-// stdout while it lives; finish() says whether all that was printed arrived.
+// Redirects std::cout during its lifetime. finish() checks that all output was written.
 class StandardOutput {
  public:
   StandardOutput() : buffer_(STDOUT_FILENO, isatty(STDOUT_FILENO) != 0), before_(std::cout.rdbuf(&buffer_)) {}
@@ -63,7 +64,7 @@ class StandardOutput {
   StandardOutput& operator=(const StandardOutput&) = delete;
   ~StandardOutput() { std::cout.rdbuf(before_); }
 
-  // The program's exit code: a result that nobody received is not good.
+  // Returns the exit code of the program. If output was lost, the exit code reports a failure.
   int finish(int code) {
     std::cout.flush();
     if (buffer_.error() == 0 || code > static_cast<int>(Exit::failed)) return code;
@@ -84,7 +85,8 @@ int run(int argc, char** argv) try {
   app.set_version_flag("--version", "brdf " BRDF_VERSION);
   app.require_subcommand(1);
   const int columns = columns_of(STDOUT_FILENO);
-  app.formatter(help_layout(columns ? columns : 80));  // before the verbs, which take it over
+  // Must precede the verbs, which inherit the formatter.
+  app.formatter(help_layout(columns ? columns : 80));
   add_verbs(app);
   require_plain_numbers(app);
   io::record_command_line(argc, argv);
@@ -95,7 +97,7 @@ int run(int argc, char** argv) try {
   std::vector<std::string> words = in_new_spelling({argv + 1, argv + argc});
   const std::string first = words.front();
   try {
-    std::ranges::reverse(words);  // as CLI11 takes them
+    std::ranges::reverse(words);  // CLI11 expects the words in reverse order
     app.parse(std::move(words));
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {

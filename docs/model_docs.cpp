@@ -1,6 +1,6 @@
 // ctest: style.model_docs label=style @build@/docs/model_docs --check
 // Writes docs/models.md and docs/models/<form>.svg from the catalogue, the headers' comments and
-// measurements. With --check it writes nothing and fails where a file is not current.
+// measurements. With --check, writes nothing and fails if a file is not current.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -37,12 +37,12 @@ std::string formatted(const char* format, double x) {
   std::snprintf(text, sizeof text, format, x);
   return text;
 }
-// As many decimals as a picture needs.
+// Returns x with the decimals that a picture needs.
 std::string pixels(double x) {
   return formatted("%.1f", x);
 }
 
-// The comment above `struct <form>` in one of the forms' headers.
+// Returns the comment above `struct <form>` in one of the forms' headers.
 std::string comment_of(const ReflectanceInfo& form) {
   for (const auto& header : fs::directory_iterator(kSource / "libbrdf/brdf/forms")) {
     std::istringstream in(read(header.path()));
@@ -64,7 +64,7 @@ void add_parameters(std::string& text, std::span<const ParameterInfo> table, con
             " | " + number(p.initial) + " | " + std::string(p.unit) + " | " + std::string(p.doc) + " |\n";
 }
 
-// Operations of the generated shader function for one RGB value of f: what a device executes.
+// Returns the operations of the generated shader function for one RGB value of f, as a device executes them.
 std::string cost_of(const Reflectance& form) {
   const std::string glsl = form->glsl();
   const std::string eval_only = glsl.substr(0, glsl.find("vec3 brdf_eval_cos_"));
@@ -101,7 +101,7 @@ std::string section_of(const Reflectance& form) {
   return text + "\n";
 }
 
-// Which forms the page is about: all, or (checking) those that it has.
+// The forms that the page covers: all forms or, when checking, the forms that the page already has.
 using Forms = std::vector<Reflectance>;
 
 std::string forms_text(const Forms& forms) {
@@ -193,7 +193,8 @@ std::map<fs::path, std::string> all_files(const Forms& forms) {
   return files;
 }
 
-// The forms that have a section; the others are named. (A form can be tried before its page is written.)
+// Returns the forms that have a section, and prints the names of the others. (A form can be tried before its
+// page is written.)
 Forms forms_of_page() {
   const std::string page = read(kSource / "docs/models.md");
   Forms forms;

@@ -1,4 +1,4 @@
-// Models solved side by side, before they are ranked.
+// Solves a list of candidate models before they are ranked.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 namespace brdf::fit {
 
 struct Candidates {
-  FitResult about;          // of the samples: no ranking yet
-  std::vector<Solved> all;  // in the models' order; fewer where the run is interrupted
+  FitResult about;          // facts about the samples; the ranking is still empty
+  std::vector<Solved> all;  // in the order of the models; fewer if the run is interrupted
 };
 
-// Every model's solution, its intervals by the curvature, and what its refits say. As fit() otherwise.
+// Solves every model. Each solution has intervals from the curvature of the cost, and the results of its
+// refits. The arguments are as in fit().
 Candidates solve_candidates(const Prepared& prepared, const std::vector<std::vector<Reflectance>>& models,
                             const FitOptions& options, const Progress& progress = {},
                             const RefitSolutions* refits = nullptr);

@@ -12,7 +12,7 @@
 namespace brdf::fit {
 namespace {
 
-// A loss, or a loss and its scale: "huber", "cauchy:0.1".
+// Parses a loss, or a loss and its scale: "huber", "cauchy:0.1".
 void parse_robust(const std::string& text, FitOptions& options) {
   const std::size_t colon = text.find(':');
   const auto loss = find_named<Loss>(text.substr(0, colon));
@@ -24,7 +24,7 @@ void parse_robust(const std::string& text, FitOptions& options) {
     throw InputError("--robust " + text + ": the scale must be a number above 0");
 }
 
-// name=low:high
+// Parses name=low:high.
 NamedRange parse_range(const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.find(':', equals == std::string::npos ? 0 : equals);
   if (equals == std::string::npos || colon == std::string::npos)
@@ -38,7 +38,7 @@ NamedRange parse_range(const std::string& text) {
 
 constexpr int kUsualDegree = 2;
 
-// Shapes over the channels.
+// Parses the variation of shapes over the channels.
 void parse_shape(const std::string& text, FitOptions& f) {
   const std::string smooth = "smooth", given = "--shape " + text;
   double degree = kUsualDegree;
@@ -58,7 +58,8 @@ void parse_shape(const std::string& text, FitOptions& f) {
   f.smooth = int(degree);
 }
 
-// What stands behind the equals sign: "gold.yml", "metals.csv:Au"; empty where that is numbers.
+// Returns the text after the equals sign if it names a file: "gold.yml", "metals.csv:Au". Returns "" if it
+// holds numbers.
 std::string file_in(const std::string& text, const char* option) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) return "";
@@ -71,7 +72,7 @@ std::string file_in(const std::string& text, const char* option) {
   throw InputError(std::string(option) + " " + text + ": " + file + " is neither a number nor a file");
 }
 
-// name=value,... or name=FILE, a table of refractive indices.
+// Adds name=value,... or name=FILE, a table of refractive indices.
 void add_values(const std::vector<std::string>& texts, const char* option, std::vector<NamedValues>& out) {
   std::vector<std::string> numbers;
   for (const std::string& text : texts) {

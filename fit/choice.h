@@ -1,4 +1,4 @@
-// What somebody asks of a fit in words: on the command line, or from another language.
+// The choices of a fit as text, as given on the command line or by a caller in another language.
 #pragma once
 
 #include <string>
@@ -12,19 +12,21 @@ struct FitChoice {
   std::string form = "all", robust;
   std::vector<std::string> fix, start, bounds;
   bool physical = false;
-  std::string
-      shape;  // over the channels: "shared", "free", "smooth", "smooth:DEGREE"; "": as the options say
+  // Variation over the channels: "shared", "free", "smooth" or "smooth:DEGREE". "" leaves the setting of
+  // `options`.
+  std::string shape;
   FitOptions options{.metric = Metric::automatic};
 };
 
-// What the words mean. Throws InputError.
+// Returns the options that the texts describe. Throws InputError.
 FitOptions options_of(const FitChoice& choice);
-// "all", "every", "ward" or "oren_nayar+ward"; none for "auto", which chooses by itself. Throws InputError.
+// Returns the models for "all", "every", "ward" or "oren_nayar+ward". Returns an empty list for "auto", for
+// which fit() builds the model itself. Throws InputError.
 std::vector<std::vector<Reflectance>> models_of(const std::string& form);
-// The choice as a shell takes it, those left out that are as they were: " --form ward --fix ks=0". With the
-// version it is everything that decides a result.
+// Returns the choice in the syntax of a shell, without the options that have their default values: " --form
+// ward --fix ks=0". Together with the version, this text contains everything that determines a result.
 std::string words_of(const FitChoice& choice);
-// The same word by word.
+// Returns the same choice as one string per argument.
 std::vector<std::string> arguments_of(const FitChoice& choice);
 
 }  // namespace brdf::fit

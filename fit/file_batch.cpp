@@ -28,12 +28,12 @@ using io::Json;
 
 constexpr const char* kSummaries[] = {"summary.csv", "summary.html"};
 
-// What the results of a file of this name are called.
+// Returns the names of the results of a file with this name.
 std::vector<std::string> outputs_of(const std::string& name) {
   return {name + ".json", name + ".fit.json", name + ".html", name + ".png"};
 }
 
-// Refuses a folder that cannot be written, or where a result would replace one of the files.
+// Rejects a folder that cannot be written, or in which a result would replace one of the files.
 void check_outputs(const std::vector<std::string>& files, const std::vector<std::string>& names,
                    const fs::path& folder) {
   std::vector<std::string> outputs(std::begin(kSummaries), std::end(kSummaries));
@@ -42,7 +42,8 @@ void check_outputs(const std::vector<std::string>& files, const std::vector<std:
   io::check_folder_target({"-o", folder}, outputs, {files.begin(), files.end()});
 }
 
-// Of what a report was made of, and of itself: one that was edited is made anew.
+// The key of a report's seal, a fingerprint of the inputs and of the report itself. A report that was
+// edited is made again.
 constexpr const char* kSeal = "batch_key";
 std::string sealed(const std::string& key, const Json& report) {
   return io::fingerprint({key, io::to_text(report)});
@@ -53,7 +54,8 @@ std::string recommended_in(const Json& report) {
   return form.is_null() ? "" : form.get<std::string>();
 }
 
-// What readers say of a file names it, and mostly the line.
+// Returns whether a message begins with the name of the file. Messages of readers do, mostly followed by
+// the line.
 bool begins_with_name(const std::string& message, const std::string& file) {
   return message.starts_with(file + ": ") || message.starts_with(file + ", ");
 }
@@ -125,7 +127,7 @@ class Batch {
     j[kSeal] = sealed(key, j);
     row.best = j["ranking"][0];
     row.recommended = recommended_in(j);
-    io::write_file_atomically(report, io::to_text(j));  // last: it says that the others are there
+    io::write_file_atomically(report, io::to_text(j));  // written last: it marks the files as complete
   }
 
   bool reuse(BatchRow& row, const fs::path& report, const std::string& key) const {
@@ -134,7 +136,7 @@ class Batch {
     Json j;
     try {
       j = io::read_json(report);
-    } catch (const InputError&) {  // not ours: it is written again
+    } catch (const InputError&) {  // not a report of ours: written again
     }
     if (!j.is_object() || !j.contains(kSeal)) return false;
     const Json seal = j[kSeal];
@@ -162,7 +164,7 @@ class Batch {
   const FitOptions& options_;
   const BatchOptions& batch_;
   std::vector<std::string> names_;
-  std::size_t first_ = 0;  // of names_, whose row is the first
+  std::size_t first_ = 0;  // index in names_ of the first row
   std::vector<BatchRow> rows_;
   std::mutex mutex_;
   std::size_t done_ = 0;
@@ -186,8 +188,8 @@ std::string first_finding(const BatchRow& row) {
 
 }  // namespace
 
-// "copper.csv" and "copper.fit" differ in suffix only: the whole name is kept where that happens, and where a
-// result would be called like another file's or like the summary.
+// "copper.csv" and "copper.fit" differ only in their suffix. The whole file name is kept in such a case,
+// and if a result would have the name of another file's result or of the summary.
 std::vector<std::string> batch_names(const std::vector<std::string>& files) {
   std::map<std::string, std::string> taken;
   for (const char* summary : kSummaries) taken.emplace(summary, "the summary");

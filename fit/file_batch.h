@@ -1,4 +1,4 @@
-// Many files: fitted side by side, resumable, with one summary.
+// Fits many files in parallel. Runs can be resumed, and one summary covers all files.
 #pragma once
 
 #include <filesystem>
@@ -14,47 +14,50 @@ namespace brdf::fit {
 struct BatchOptions {
   std::filesystem::path folder;
   unsigned jobs = 1;
-  // Everything that decides the result, as text: a finished file is kept only if it was made with the same.
+  // Everything that determines the result, as text. A finished file is kept only if it was made with the
+  // same text.
   std::string settings;
-  // Only these are done, and have rows; results are called as if all were.
+  // Only files `first` to `first + count - 1` are processed and have rows. Output names are chosen from the
+  // whole list, so partial runs agree.
   std::size_t first = 0, count = std::size_t(-1);
-  // Called, one at a time, when a file is done.
+  // Called when a file is finished, never from two threads at once.
   std::function<void(const std::string& message)> progress;
-  bool spheres = true;  // on each file's page, which take longer than the fit
+  bool spheres = true;  // draw a sphere on each file's page; a sphere takes longer than the fit
 };
 
 // The error of a file that was not fitted because the run was interrupted.
 inline constexpr const char* kInterrupted = "interrupted";
 
 struct BatchRow {
-  std::string file, name;           // name.json (material), name.fit.json, name.html in the folder
-  std::string error;                // why there is no fit; empty where there is one
-  bool environment_failed = false;  // not the file's fault
+  std::string file, name;           // the folder holds name.json (material), name.fit.json and name.html
+  std::string error;                // the reason why there is no fit; empty if there is a fit
+  bool environment_failed = false;  // the environment caused the error, not the file
   bool reused = false;
-  std::vector<std::string> assumptions =
-      {};         // of the reader, on which the values rest; of a file that is not kept
-  io::Json best;  // first of the ranking
+  // Assumptions of the reader on which the values rest; filled only if the file was fitted in this run.
+  std::vector<std::string> assumptions = {};
+  io::Json best;  // the first entry of the ranking
   std::string recommended;
 };
 
-// What the results of each file are called. Throws InputError where two would have the same name.
+// Returns the name of the results of each file. Throws InputError if two files would have the same name.
 std::vector<std::string> batch_names(const std::vector<std::string>& files);
 
-// Fits every file into the folder. A file whose name.fit.json was written by the same settings from the same
-// content is kept, so that a run that was killed redoes only what was in flight. What goes wrong with a file
-// is its row's error. Throws InputError where the folder cannot be written, a result would replace one of the
-// files, or two would have the same name.
+// Fits every file into the folder. A file is kept if its name.fit.json was written with the same settings
+// from the same content, so a run that was killed repeats only the files in progress. An error in a file is
+// recorded in its row. Throws InputError if the folder cannot be written, if a result would replace one of
+// the files, or if two results would have the same name.
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
                                 const std::vector<std::vector<Reflectance>>& models,
                                 const FitOptions& options, const BatchOptions& batch);
 
-// summary.csv and summary.html in the folder; a picture name.png beside a material is shown.
+// Writes summary.csv and summary.html to the folder. The page shows the picture name.png of a material if
+// the picture exists.
 void write_summary(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);
 
-// `{"files": [{"file", "material", "kept", "best"} or {"file", "error"}]}`.
+// Returns `{"files": [{"file", "material", "kept", "best"} or {"file", "error"}]}`.
 io::Json to_json(const std::vector<BatchRow>& rows, const std::filesystem::path& folder);
 
-// A row whose fit can be used.
+// Returns whether the row has a fit that can be used.
 bool usable(const BatchRow& row);
 
 }  // namespace brdf::fit

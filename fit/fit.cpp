@@ -19,9 +19,10 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kRoundingShare = 1e-18;  // of a squared residual, as a share of that of a black surface
+constexpr double kRoundingShare = 1e-18;  // of a squared residual, relative to that of a black surface
 
-// The solutions of a model's refits `numbers`, in their order; none where the run was interrupted.
+// Returns the solutions of a model's refits `numbers`, in order, or std::nullopt if the run was
+// interrupted.
 std::optional<RefitSolutions> refits_of(const Solved& s, const SampleStream& stream, RowRange numbers,
                                         const FitOptions& options) {
   RefitSolutions out(numbers.rows);
@@ -35,7 +36,7 @@ std::optional<RefitSolutions> refits_of(const Solved& s, const SampleStream& str
   return out;
 }
 
-// What a solved model's refits say of it.
+// Evaluates the refits of a solved model.
 void judge_by(RefitSolutions solutions, const SampleStream& stream, double loss_scale,
               const FitOptions& options, Solved& s) {
   const std::size_t folds = count_folds(stream.data().groups, options);
@@ -50,9 +51,9 @@ void judge_by(RefitSolutions solutions, const SampleStream& stream, double loss_
                s.fit.estimates);
 }
 
-// Every form's left-out values, and its bootstrap. A robust loss estimates its scale form by form: to be
-// compared they are judged by one, that of the form with the least. `known`: of all models one after another,
-// or null.
+// Computes the held-out values and the bootstrap of every form. A robust loss estimates its scale form by
+// form. For a fair comparison all forms are judged with one scale, the smallest of these. `known` holds the
+// refits of all models one after another, or is null.
 void refit_all(const FitData& data, const FitOptions& options, const RefitSolutions* known,
                std::vector<Solved>& all, FitResult& result) {
   double scale = std::numeric_limits<double>::infinity();
@@ -141,11 +142,11 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
 
 namespace {
 
-// Profiles take longer than many fits: those have them that are reported in full, which are ranked by what
-// they say.
+// Profiles take longer than many fits. Therefore only the forms that are reported in full get profiles; the
+// ranking then uses the results.
 void rank_and_profile(const FitData& data, const FitOptions& options, const Progress& progress,
                       Candidates& candidates, FitResult& result) {
-  std::vector<std::size_t> number = rank(result);  // of each of the ranking, among the candidates
+  std::vector<std::size_t> number = rank(result);  // index among the candidates of each entry of the ranking
   for (bool found = true; found;) {
     found = false;
     for (const std::size_t k : {std::size_t(0), result.recommended}) {

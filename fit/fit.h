@@ -1,4 +1,4 @@
-// From samples to parameters with honest uncertainty.
+// Fits reflectance models to samples and estimates the uncertainty of their parameters.
 #pragma once
 
 #include <vector>
@@ -11,33 +11,38 @@
 
 namespace brdf::fit {
 
-// The solver's parameters of each refit (fit/assess/refits.h); empty of a model that has no solution.
+// The solver's parameters of each refit (fit/assess/refits.h). The vector of a refit is empty if its model
+// has no solution.
 using RefitSolutions = std::vector<std::vector<double>>;
 
-// Fits each model (a form, or several that are summed). Without any it chooses one step by step
-// (fit/stepwise.h). `progress` hears each before it is fitted. `refits`: those of all models, which
-// solve_refits() gave, and which are then not solved again. Throws InputError on options that do not fit. The
-// result holds the samples' sheet, and judges lack of fit by the scatter that the sheet found.
+// Fits each model, which is one form or a sum of several forms. If `models` is empty, fit() builds a model
+// step by step (fit/stepwise.h). `progress` is called with the name of each model before the model is
+// fitted. `refits` holds the results of solve_refits() for all models; they are reused instead of solved
+// again. The result contains the data sheet of the samples, and lack of fit is judged against the noise
+// that the data sheet found. Throws InputError if the options are not valid for these models.
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);
-// The same of a table that a program made, which needs no sheet.
+// Does the same for a table that a program computed, which needs no data sheet.
 FitResult fit(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);
-// Of what is prepared, with options that differ from its own in starts and ties at most.
+// Does the same for a prepared table. `options` may differ from the options of the preparation only in the
+// starting points and in `tie`.
 FitResult fit(const Prepared& prepared, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);
 
-// How many refits a fit has: the folds of a cross-validation and the bootstrap's replicates, of each model.
+// Returns the number of refits of a fit: the folds of the cross-validation and the replicates of the
+// bootstrap, for each model.
 std::size_t count_refits(const io::SampleTable& table, std::size_t models, const FitOptions& options);
-// Those with the numbers from `first` on, those of the first model before those of the second: bit by bit
-// what fit() solves. The models they are of are fitted before. None where the run is interrupted.
+// Solves refits `first` to `first + count - 1`, numbered model by model. The results are bit-identical to
+// the results inside fit(). Fits the models concerned first. Returns an empty vector if the run is
+// interrupted.
 RefitSolutions solve_refits(const io::SampleTable& table, const std::vector<std::vector<Reflectance>>& models,
                             const FitOptions& options, std::size_t first, std::size_t count);
 
-// The canonical forms, or all that can be fitted.
+// Return the canonical forms, or all forms that can be fitted, each as a model of its own.
 std::vector<std::vector<Reflectance>> canonical_models();
 std::vector<std::vector<Reflectance>> every_model();
 

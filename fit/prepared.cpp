@@ -11,7 +11,7 @@ Prepared prepared(const io::SampleTable& table, const FitOptions& asked) {
   out.metric = choose_metric(table, out.data, out.noise.value, out.options);
   if (out.options.metric != out.metric.metric) {
     out.options.metric = out.metric.metric;
-    out.data = prepare(table, out.options);  // rows without a residual under this one are left out
+    out.data = prepare(table, out.options);  // excludes rows that have no residual under this metric
   }
   return out;
 }

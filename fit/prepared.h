@@ -1,4 +1,4 @@
-// What is known of a fit before any model is.
+// Facts about the samples that are known before any model is fitted.
 #pragma once
 
 #include <string>
@@ -11,24 +11,27 @@
 
 namespace brdf::fit {
 
-// A table's rows, their residual, their noise.
+// The rows of a table, their residual and their noise.
 struct Prepared {
   FitOptions options;  // with the metric that was chosen
   FitData data;
   io::Noise noise;
   MetricChoice metric;
-  const sheet::Agreement* agreement =
-      nullptr;  // of rows that a symmetry makes equal, where it shows more than the noise
+  // Agreement of rows that a symmetry makes equal, if their deviation exceeds the noise; otherwise null.
+  const sheet::Agreement* agreement = nullptr;
 
-  bool interpolated = false;  // the scatter is an instrument's software's
+  bool interpolated = false;  // the noise is that of an instrument's software, which interpolated rows
 
-  // Relative, of one value: the larger of the two; none where neither is known.
+  // Returns the relative noise of one value, the larger of the two estimates. Returns std::nullopt if
+  // neither is known.
   std::optional<double> scatter() const {
     if (agreement && agreement->value > noise.value.value_or(0)) return agreement->value;
     return noise.value;
   }
 };
 
+// Prepares the table for fits: selects the rows, estimates the noise, and chooses the metric if the options
+// leave the choice open. Throws InputError if no rows remain to be fitted.
 Prepared prepared(const io::SampleTable& table, const FitOptions& asked);
 
 }  // namespace brdf::fit

@@ -1,4 +1,4 @@
-// The samples of a fit: a table as it is fitted, and what its data sheet says of it as it was read.
+// The samples of a fit: the table that is fitted, and the data sheet of the table as it was read.
 #pragma once
 
 #include "fit/model/options.h"
@@ -12,9 +12,10 @@ struct Samples {
   sheet::DataSheet sheet;
 };
 
-// The sheet is made of the table as it was read. Rows that hold a fill value are then left out, unless the
-// options keep them, and polarisations and repeats are arranged and the scale divided out as the options ask.
-// What was done stands in the table's warnings. Throws InputError as io::arrange and io::make_relative do.
+// Makes the data sheet of the table as it was read, then prepares the table for a fit. Rows that hold a
+// fill value are removed unless the options keep them. Polarisations and repeats are arranged, and the
+// scale is divided out, according to the options. Each change is listed in the warnings of the table.
+// Throws InputError under the conditions of io::arrange and io::make_relative.
 Samples arranged(io::SampleTable read, const FitOptions& options);
 
 }  // namespace brdf::fit

@@ -31,8 +31,8 @@ std::string energy_text(const LargestAlbedo& a, const Extent& interval, const Fi
          (options.physical == Physical::off ? "; --physical bounds the weights" : "");
 }
 
-// The interval of the albedo at the angle where the most of the light is reflected; the value where it is not
-// known.
+// Returns the interval of the albedo at the angle of the largest albedo, or the value itself if the
+// interval is unknown.
 Extent interval_of_albedo(const FormFit& f, const LargestAlbedo& a) {
   const std::vector<double> value{a.value};
   const auto found = intervals(f.material, knowledge_of(f), value, [&](const Material& m) {
@@ -41,8 +41,8 @@ Extent interval_of_albedo(const FormFit& f, const LargestAlbedo& a) {
   return found ? found->front() : Extent{a.value, a.value};
 }
 
-// A material that gives off more than it receives where it was measured is none, if its interval says so,
-// too.
+// Rejects a material that reflects more light than it receives at a measured angle, if the interval of the
+// albedo confirms this.
 void judge_energy(const FitOptions& options, FormFit& out) {
   if (out.has_free_scale || !out.largest_measured_albedo->breaks_energy()) return;
   const Extent interval = interval_of_albedo(out, *out.largest_measured_albedo);
@@ -57,7 +57,7 @@ double information_criterion(const SampleStream& stream, const Minimum& m) {
   return n * std::log(std::max(2 * m.cost / n, 1e-300)) + free * std::log(n);
 }
 
-// Two unknowns of one weight may each be as large as the weight may be.
+// Clamps the weights to their ranges. Two unknowns of one weight can each reach the maximum of the weight.
 void keep_in_range(Material& m) {
   for (Term& term : m.terms)
     for (std::vector<double>& weights : term.weights)
@@ -67,7 +67,7 @@ void keep_in_range(Material& m) {
       }
 }
 
-// What the uncertainty of a solution says of its form.
+// Draws the conclusions about a form from the uncertainty of its solution.
 void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
   FormFit& out = s.fit;
   if (out.verdict != Verdict::interrupted) out.verdict = verdict_of(s.minimum, u, s.misfit);
@@ -147,8 +147,8 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   return solved;
 }
 
-// What refits and other metrics say of a parameter stays when its interval changes, and stays no narrower
-// than that.
+// Keeps the results of refits and of other metrics for a parameter when its interval changes. The interval
+// with lack of fit becomes at least as wide as the new interval.
 void keep_movement(const Estimate& from, Estimate& to) {
   to.left_out = from.left_out;
   to.other_metrics = from.other_metrics;
@@ -159,7 +159,8 @@ void keep_movement(const Estimate& from, Estimate& to) {
   if (std::isnan(from.with_lack_of_fit.low)) to.with_lack_of_fit = {};
 }
 
-// The weights of a dielectric where the samples do not speak against them, else those whose sum is bounded.
+// Fits the weights of a dielectric if the samples do not contradict them, otherwise weights with a bounded
+// sum.
 Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& given,
                     std::optional<double> noise) {
   FitOptions options = given;

@@ -1,4 +1,4 @@
-// Every model's solution and what it is worth.
+// The solution of every model and its assessment.
 #pragma once
 
 #include <optional>
@@ -13,30 +13,31 @@
 
 namespace brdf::fit {
 
-// A form's fit and what refits and profiles need of it.
+// The fit of a form, with the data that refits and profiles need.
 struct Solved {
   FormFit fit;
   Model model;
   Residual residual;
   std::vector<double> p;
   Minimum minimum;
-  std::vector<std::vector<double>> other_minima;  // the solver's parameters
-  std::vector<std::string> before, after;         // findings beside those of the uncertainty
+  std::vector<std::vector<double>> other_minima;  // in the solver's parameters
+  std::vector<std::string> before, after;         // findings in addition to the findings of the uncertainty
   Misfit misfit;
 };
 
-// In the models' order; the first and those that were begun where the run is interrupted. `noise`: relative,
-// where it is known.
+// Fits the models and returns the solutions in the order of the models. If the run is interrupted, only the
+// first model and the models already begun are returned. `noise` is relative; std::nullopt if unknown.
 std::vector<Solved> fit_models(const FitData& data, const std::vector<std::vector<Reflectance>>& models,
                                const FitOptions& options, std::optional<double> noise,
                                const Progress& progress);
 
-// What --physical costs this form: it is tried.
+// Returns a sentence on the cost of --physical for this form, which is fitted with the option to find out.
 std::string physical_in_words(const FitData& data, const FitOptions& options, const Solved& solved);
 
-// Replaces the intervals of the curvature by those of the cost's profile, and what follows from them: which
-// parameters the samples tell, and the verdict. False, and nothing changes, where it has them already, where
-// there are too many rows (the intervals stay approximate), or where the run is interrupted.
+// Replaces the intervals of the curvature by intervals of the cost's profile, and updates the results that
+// depend on them: which parameters the samples identify, and the verdict. Returns false and changes nothing
+// if the solution already has such intervals, if there are too many rows (the intervals stay approximate),
+// or if the run is interrupted.
 bool profile_intervals(const FitData& data, const FitOptions& options, const Progress& progress,
                        Solved& solved);
 

@@ -17,7 +17,7 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kSignificant = 0.05;
-constexpr double kLeastGain = 0.01;  // of the left-out value: less is not worth a parameter
+constexpr double kLeastGain = 0.01;  // relative to the held-out value; less is not worth a parameter
 constexpr int kStartsOfSums = 6;
 
 using Forms = std::vector<Reflectance>;
@@ -38,21 +38,21 @@ bool has_lobe(const ReflectanceInfo& f) {
   return f.weight_index(Role::specular) >= 0;
 }
 
-// Canonical forms without a lobe, the simplest first.
+// Returns the canonical forms without a lobe, the simplest first.
 Forms diffuse_forms() {
   Forms out = fittable_forms([](const ReflectanceInfo& f) { return f.canonical && !has_lobe(f); });
   std::ranges::stable_sort(out, {}, [](const Reflectance& form) { return info(form).shape.size(); });
   return out;
 }
 
-// What a step may put in the place of the model it starts from.
+// The candidates of a step to replace the current model.
 struct Stage {
   const char* adds;
   std::vector<Forms> candidates;
-  std::vector<NamedValues> start = {};  // of one of its starts, where the user gives none
+  std::vector<NamedValues> start = {};  // of one of its starts, unless the user gives starts
 };
 
-// Facets whose slopes have a parameter besides their widths.
+// Returns whether the slope distribution of the microfacets has a parameter in addition to its widths.
 bool shapes_its_tail(const ReflectanceInfo& f) {
   return is_sound(f) && f.facets && f.weight_index(Role::f0) >= 0 && f.shape_index(Role::other) >= 0;
 }
@@ -68,8 +68,8 @@ Stage one_lobe() {
   return stage;
 }
 
-// A sum has one diffuse term: that of the first form, in the place of the lobe's own. Where there is no lobe
-// it stands alone.
+// Proposes better diffuse terms. A sum has one diffuse term, that of its first form, which replaces the
+// diffuse term of the lobe's form. If the model has no lobe, the diffuse form is used alone.
 Stage better_diffuse_term(const Forms& model) {
   Stage stage{"a diffuse term with a shape", {}};
   for (const Reflectance& form : diffuse_forms()) {
@@ -91,9 +91,9 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
-// One f0 for all channels: what a dielectric has, and what colours that differ from lobe to lobe cannot tell.
-// Every start of a sum is tried again with each lobe at every width, so that a few starts do where a grid
-// would take minutes.
+// Returns the options for a stage. f0 is one value for all channels, as for a dielectric; colours of f0
+// that differ from lobe to lobe cannot be identified. Every start of a sum is tried again with each lobe at
+// every width, so a few starts suffice, while a grid would take minutes.
 FitOptions options_for(const Stage& stage, std::size_t channels, const FitOptions& options) {
   const Forms& model = stage.candidates.front();
   FitOptions out = options;
@@ -113,7 +113,7 @@ FitOptions options_for(const Stage& stage, std::size_t channels, const FitOption
   return out;
 }
 
-// The shapes of what was found, as starts of a sum that begins with the same forms.
+// Returns the shapes of the fit as starts of a sum that begins with the same forms.
 std::vector<NamedValues> starts_at(const FormFit& found, const Forms& forms, const FitOptions& options) {
   const Model model(forms, found.material.channels, options);
   std::vector<NamedValues> out;
@@ -139,7 +139,8 @@ class Stepwise {
   FitResult run() {
     const Forms diffuse = diffuse_forms();
     if (diffuse.empty()) throw InputError("--form auto needs a canonical form without a lobe to start from");
-    // Together: a robust loss is then judged by one scale, which the sums are given.
+    // The lobes and the simplest diffuse form are fitted together. A robust loss is then judged with one
+    // scale, which the sums use too.
     Stage first = one_lobe();
     first.candidates.push_back({diffuse.front()});
     std::vector<Solved> tried = try_all(first);
@@ -165,7 +166,7 @@ class Stepwise {
 
   const FormFit& chosen() const { return solved_->fit; }
 
-  // In the candidates' order; fewer where the run was interrupted.
+  // Returns the solutions in the order of the candidates; fewer if the run was interrupted.
   std::vector<Solved> try_all(const Stage& stage) {
     if (progress_) progress_("trying " + std::string(stage.adds));
     FitOptions options = options_for(stage, result_.channels.size(), options_);
@@ -181,15 +182,16 @@ class Stepwise {
   bool comparable(const FormFit& f) const {
     return f.solved() && f.left_out && std::isfinite(f.left_out->value);
   }
-  // Below rounding all are 0.
+  // Values below the rounding error count as equal.
   double value(const FormFit& f) const { return std::max(f.left_out->value, result_.left_out_rounding); }
 
-  // Of b's values below a's as much as they are, where they are no better.
+  // Returns the probability that the values of b are this far below the values of a if b is no better.
   double chance(const FormFit& a, const FormFit& b) const {
     return paired_ratio_test(a.left_out->by_group, b.left_out->by_group, result_.left_out_rounding);
   }
 
-  // The one with the fewest parameters that is as good as the best; null where none was solved.
+  // Returns the candidate with the fewest parameters that is as good as the best, or null if no candidate
+  // was solved.
   Solved* simplest_of(std::vector<Solved>& tried) const {
     Solved *best = nullptr, *simplest = nullptr;
     for (Solved& s : tried)
@@ -227,7 +229,7 @@ class Stepwise {
     for (Solved& s : tried) others_.push_back(std::move(s.fit));
   }
 
-  // The chosen model first, then the others by their left-out values.
+  // Returns the result: the chosen model first, then the others by their held-out values.
   FitResult finished(std::vector<Solved> more) {
     for (Solved& s : more) others_.push_back(std::move(s.fit));
     std::ranges::stable_sort(others_, {}, [&](const FormFit& f) {
@@ -249,7 +251,7 @@ class Stepwise {
   FitResult result_;
   double loss_scale_ = 0;
   Forms model_;
-  std::optional<Solved> solved_;  // the model so far
+  std::optional<Solved> solved_;  // the current model
   std::vector<FormFit> others_;
 };
 

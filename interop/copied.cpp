@@ -7,13 +7,14 @@
 namespace brdf::interop {
 namespace {
 
-// What one channel of the wanted material says.
+// Quantities of one channel of the wanted material, by role.
 struct Said {
   double diffuse = 0, lobe = 0, f0 = 1;
-  double index = 0, extinction = 0;  // index 0: not said
-  double slope = 0;                  // of the diffuse part's facets
+  double index = 0, extinction = 0;  // index 0: not given
+  double slope = 0;                  // slope of the diffuse part's facets
 
-  double normal() const { return std::min(lobe * f0, 1.0); }  // the lobe's reflectance along the normal
+  // The lobe's reflectance along the normal.
+  double normal() const { return std::min(lobe * f0, 1.0); }
 };
 
 Said said_of(const Wanted& wanted, std::size_t channel) {
@@ -50,12 +51,12 @@ struct Copy {
   const CopyRules& rules;
   std::vector<Said> said;
 
-  // Nothing is diffuse: a metal.
+  // Returns true for a metal: the material has a lobe and no diffuse part.
   bool metal() const {
     return wanted.lobe >= 0 && std::ranges::all_of(said, [](const Said& s) { return s.diffuse == 0; });
   }
   double most_lobe() const { return std::min(std::ranges::max(said, {}, &Said::lobe).lobe, rules.most_lobe); }
-  // By which a lobe that is above its limit is more reflecting instead.
+  // Factor by which the reflectance along the normal grows because the lobe's weight is cut to most_lobe.
   double excess() const {
     const double lobe = std::ranges::max(said, {}, &Said::lobe).lobe;
     return rules.most_lobe < 1 && lobe > rules.most_lobe ? lobe / rules.most_lobe : 1;
@@ -65,7 +66,8 @@ struct Copy {
     for (const Said& s : said) sum += s.*of;
     return sum / double(said.size());
   }
-  // For parameters of one value for all colours. Indices of refraction that differ have no mean.
+  // Values for parameters that are shared by all colours. If indices of refraction differ, they have no mean
+  // and are marked as not given.
   Said of_all() const {
     Said all = said.front();
     all.diffuse = mean(&Said::diffuse);
@@ -75,12 +77,14 @@ struct Copy {
       if (s.index != all.index || s.extinction != all.extinction) all.index = all.extinction = 0;
     return all;
   }
-  // Reflectance along the normal that the target's Fresnel term has: the colours' where those have one each.
+  // Reflectance along the normal in the target's Fresnel term, per colour if the target has coloured
+  // indices.
   double f0_of(const Said& s) const {
     if (!rules.grey_lobe) return std::min((has_coloured_index() ? s.f0 : mean(&Said::f0)) * excess(), 1.0);
     return most_lobe() > 0 ? s.normal() / most_lobe() : s.f0;
   }
-  // The reflectance along the normal of each colour stands in its index, none of it in the lobe's weight.
+  // Returns true if the index of each colour carries the reflectance along the normal and the lobe's weight
+  // carries no part of that reflectance.
   bool has_coloured_index() const {
     return std::ranges::find(rules.coloured, Role::index) != rules.coloured.end();
   }
@@ -91,10 +95,10 @@ struct Copy {
     const double f0 = std::min(mean(&Said::f0) * excess(), 1.0);
     return !has_fresnel ? s.normal() : f0 > 0 ? s.normal() / f0 : s.lobe;
   }
-  // The lobe's weight stands beside its index where that can be one of a dielectric; a lobe of a higher
-  // reflectance is all index.
+  // Returns true if the target has a lobe weight in addition to its index, and if the reflectance is low
+  // enough for a dielectric. A more reflecting lobe is expressed by the index alone.
   bool weighs_lobe() const {
-    constexpr double kMostOfADielectric = 0.25;  // of index 3
+    constexpr double kMostOfADielectric = 0.25;  // index 3
     return target.shape_index(Role::specular) >= 0 && mean(&Said::f0) <= kMostOfADielectric;
   }
 
@@ -107,7 +111,7 @@ struct Copy {
         return lobe_of(s);
       case Role::diffuse:
         return one_colour && metal() ? s.normal() : s.diffuse;
-      // No weight has these roles in a target yet.
+      // No target has a weight with these roles yet.
       case Role::width:
       case Role::width_across:
       case Role::exponent:
@@ -125,7 +129,8 @@ struct Copy {
   double shape(const ParameterInfo& p, const Said& s) const {
     const bool has_lobe = wanted.lobe >= 0, conductor = target.shape_index(Role::extinction) >= 0;
     const Widths widths = has_lobe ? widths_of(wanted.material.terms[std::size_t(wanted.lobe)]) : Widths();
-    const double f0 = std::min(f0_of(s), 0.9999);  // as pbrt's "reflectance"
+    // Clamped below 1, as pbrt clamps "reflectance".
+    const double f0 = std::min(f0_of(s), 0.9999);
     if (p.map == Map::metallic) return metal() ? 1 : 0;
     switch (p.role) {
       case Role::width:
@@ -156,7 +161,7 @@ struct Copy {
     return p.initial;
   }
 
-  // Of this colour's reflectance along the normal, over that of all.
+  // Reflectance along the normal of this colour, divided by that of all colours.
   double tint(const Said& s) const {
     const double all = weighs_lobe() ? mean(&Said::lobe) * mean(&Said::f0) : of_all().normal();
     return all > 0 ? s.normal() / all : 1;
@@ -167,7 +172,8 @@ double in_range(const ParameterInfo& p, double value) {
   return std::clamp(value, p.min, p.max);
 }
 
-// The material as it is, where it is in the target's own form and the program's files can say it.
+// Returns true if the material has one term in the target's own form and the program's files can hold that
+// term unchanged.
 bool is_its_own(const Wanted& wanted, const Reflectance& target, const CopyRules& rules) {
   const std::vector<Term>& terms = wanted.material.terms;
   if (terms.size() != 1 || !(terms[0].form == target)) return false;
@@ -215,7 +221,7 @@ Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules
       const bool by_colour = std::ranges::find(rules.coloured, p.role) != rules.coloured.end();
       term.shape[s][k] = in_range(p, copy.shape(p, by_colour ? copy.said[s] : copy.of_all()));
     }
-  // What is the same for all colours is one: a refit has fewer parameters then.
+  // A shape that is equal for all colours is stored once: a refit then has fewer parameters.
   if (std::ranges::adjacent_find(term.shape, std::not_equal_to<>()) == term.shape.end()) term.shape.resize(1);
   return out;
 }

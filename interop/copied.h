@@ -1,25 +1,30 @@
-// A material's parameters as people copy them into another program.
+// Copies the parameters of a material into the form of another program, as users do by hand.
 #pragma once
 
 #include "interop/wanted.h"
 
 namespace brdf::interop {
 
-// What a program's scene files can say of a target's lobe.
+// Limits of a program's scene files for the lobe of a target form.
 struct CopyRules {
-  bool grey_lobe = false;        // its weight is one for all colours, at most 1
-  std::vector<Role> coloured{};  // shape parameters that have a value for each colour
-  double most_lobe = 1;  // a lobe above it gets a lower weight and a higher reflectance along the normal
+  bool grey_lobe = false;        // one lobe weight for all colours, at most 1
+  std::vector<Role> coloured{};  // shape parameters with one value per colour
+  // A lobe weight above this limit is lowered, and the reflectance along the normal is raised in return.
+  double most_lobe = 1;
 };
 
-// A shape parameter that another one makes superfluous: the index where a tint by colour moves the same
-// reflectance, else the tint; -1: the target has no tint.
+// Returns the index of the shape parameter that another one makes superfluous: the index of refraction if
+// the shape is given per colour and that index exceeds 1, since a tint per colour then scales the same
+// reflectance; otherwise the tint. Returns -1 if the target has no tint or no index of refraction.
 int superfluous(const Term& of_target);
 
-// The target's parameters from the roles of the material's: widths and weights as they are; the reflectance
-// along the normal as an index of refraction where the target takes one (complex: eta 1, as pbrt's
-// "reflectance"); of a target of one colour the lobe's where nothing is diffuse (a metal), else the diffuse
-// one. What is out of the target's range is brought to its end.
+// Returns the target's parameters, derived from the roles of the material's parameters.
+// - Widths and weights are copied unchanged.
+// - The reflectance along the normal becomes an index of refraction if the target has one. For a complex
+//   index, eta is 1, as for pbrt's "reflectance".
+// - A target with a single colour gets the lobe's colour if no part is diffuse (a metal), otherwise the
+//   diffuse colour.
+// Values outside the target's range are clamped.
 Material copied(const Wanted& wanted, const Reflectance& target, const CopyRules& rules);
 
 }  // namespace brdf::interop

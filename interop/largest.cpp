@@ -10,7 +10,7 @@
 namespace brdf::interop {
 namespace {
 
-// Both materials at a pair of directions.
+// Evaluates both materials at a pair of directions.
 class Difference {
  public:
   Difference(const Material& wanted, const Material& carried)
@@ -36,8 +36,8 @@ class Difference {
   std::vector<double> f_, g_;
 };
 
-// A point of the unit cube that the climbs move in: both polar angles, the azimuth between them, and of
-// anisotropic materials the light's.
+// A point of the unit cube in which the climbs move: both polar angles, the azimuth between the directions,
+// and for materials that may change as the sample is turned also the azimuth of incidence.
 struct Cube {
   bool turned;
 
@@ -62,7 +62,7 @@ Largest Comparison::largest_of(const Material& carried) const {
   const Cube cube{may_turn(wanted_)};
   const Directions<double> net = net_.view();
   const std::vector<std::vector<double>> values = values_at(carried, net);
-  // The climbs' own choice among these keeps them apart.
+  // validate::maximise() itself selects starting points that are apart from each other.
   std::vector<std::pair<double, std::size_t>> worst(net.count);
   for (std::size_t k = 0; k < net.count; ++k) {
     worst[k] = {0, k};

@@ -10,9 +10,9 @@
 namespace brdf::interop {
 namespace {
 
-constexpr double kThetas[] = {0, 30, 60, 75};  // of the albedos
+constexpr double kThetas[] = {0, 30, 60, 75};  // degrees, for the albedos
 
-// Of what integrals and searches leave open.
+// Tolerances for the errors that integrals and searches leave.
 bool no_more(double a, double b) {
   return a <= b * (1 + 1e-3) + 1e-9;
 }

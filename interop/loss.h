@@ -1,4 +1,4 @@
-// What a program's formula or a table loses of a material.
+// The loss of accuracy when a material is carried into a program's formula or into a table.
 #pragma once
 
 #include <optional>
@@ -11,79 +11,86 @@
 
 namespace brdf::interop {
 
-// Relative differences are of |f_r| + kDark, so that what is black anyway does not count.
+// Relative differences are divided by |f_r| + kDark, which keeps dark directions from dominating.
 inline constexpr double kDark = 1e-3;  // 1/sr
-// Infinite where one of them is no number.
+// Returns |carried - wanted| / (|wanted| + kDark), or infinity if the quotient is not finite.
 double relative_difference(double wanted, double carried);
 
-// The largest relative difference that a search found, at most 80 degrees from the normal: the true one is no
-// smaller.
+// The largest relative difference found by a search over angles of at most 80 degrees from the normal. The
+// true maximum is not smaller.
 struct Largest {
   double difference = 0;
   double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;  // degrees, in the surface's frame
-  double wanted = 0, carried = 0;                         // f_r there, 1/sr
+  double wanted = 0, carried = 0;                         // BRDF values there, 1/sr
   std::string channel{};
 
-  // In the half circle, from the light's azimuth.
+  // Azimuth between both directions, 0 to 180 degrees.
   double phi() const;
 };
 
+// The loss of a carried material compared with the wanted one.
 struct Loss {
-  double rms = 0;                       // of ln(1 + f cos_i) - ln(1 + g cos_i), over the judged pairs
-  double median = 0;                    // relative difference, over the same pairs
-  Largest largest{};                    // by a search
-  double albedo = 0, albedo_theta = 0;  // largest difference of directional albedos, and its angle
+  double rms = 0;                       // RMS of ln(1 + f cos_i) - ln(1 + g cos_i), over the judged pairs
+  double median = 0;                    // median relative difference, over the same pairs
+  Largest largest{};                    // found by a search
+  double albedo = 0, albedo_theta = 0;  // largest difference of directional albedos, and its angle in degrees
 
   bool exact() const { return largest.difference < 1e-9; }
 };
 
-// f_r of every channel at these directions: [channel][row].
+// Returns the BRDF values of every channel at these directions, indexed [channel][row].
 std::vector<std::vector<double>> values_at(const Material& material, const Directions<double>& directions);
 
-// Relative to the wanted values; with the rms.
+// Root mean square, median and largest difference. Median and largest are relative to the wanted values.
 struct Figures {
   double rms = 0, median = 0, largest = 0;
 };
+// Returns the figures over these directions. The values are indexed [channel][row].
 Figures figures_of(const std::vector<std::vector<double>>& wanted,
                    const std::vector<std::vector<double>>& carried, const Directions<double>& directions);
 
-// A material that others are compared with: its values are computed once.
+// Compares materials with a wanted material. The values of the wanted material are computed once.
 class Comparison {
  public:
   explicit Comparison(Material wanted, const AlbedoOptions& albedos = {.tolerance = 1e-5});
 
   const Material& wanted() const { return wanted_; }
-  // Of `carried`, on pairs up to 80 degrees that no fit has seen; albedos at 0, 30, 60 and 75 degrees.
+  // Returns the loss of `carried`, measured at pairs up to 80 degrees that no fit has used. Albedos are
+  // compared at 0, 30, 60 and 75 degrees.
   Loss loss_of(const Material& carried) const;
-  // The same where it is a better one than both (below); the dear figures only as far as that is open.
+  // Returns the loss of `carried` if `carried` has a lower rms than `best` and is_better() than `copy`
+  // (below), otherwise std::nullopt. Expensive figures are computed only while the decision is open.
   std::optional<Loss> better_loss_of(const Material& carried, const Loss& best, const Loss& copy) const;
 
  private:
   void add_pairs(const Material& carried, Loss& loss) const;
   void add_albedos(const Material& carried, Loss& loss) const;
-  // Searched from a net of directions (theta in steps of 4 degrees to 80, azimuths close together at the
-  // mirror direction, the lobes at their own widths; of anisotropic materials along, across and between their
-  // axes) by climbs from its worst places.
+  // Searches the largest relative difference. The climbs start from the worst directions of a net: theta in
+  // steps of 4 degrees up to 80 degrees, azimuths dense near the mirror direction, and the lobes sampled at
+  // their own widths. For anisotropic materials the net has incidence along, across and between the axes.
   Largest largest_of(const Material& carried) const;
 
   Material wanted_;
   AlbedoOptions albedo_options_;
   DirectionArrays<double> pairs_, net_;
   std::vector<std::vector<double>> at_pairs_, at_net_;
-  std::vector<std::vector<double>> albedos_;  // by angle, of each channel
+  std::vector<std::vector<double>> albedos_;  // by angle, then by channel
 };
 
-// Of two formulas: what is bright at grazing light decides the rms, and a picture shows the others, so the
-// median is at most 2 %, or twice the other's.
+// Compares the losses of two formulas: returns true if `one` has the lower rms and an acceptable median.
+// Bright values at grazing incidence dominate the rms, whereas a picture shows all other directions. The
+// median must therefore be at most 2 %, or at most twice the median of `other`.
 bool is_nearer(const Loss& one, const Loss& other);
 
-// Of a refit and the copied parameters: a lower rms that is paid for with another stated figure is none.
+// Compares a refit with the copied parameters: returns true if the rms is lower and no other stated figure
+// is worse.
 bool is_better(const Loss& one, const Loss& other);
 
-// "largest at least 2.1 % (theta_i 80, theta_o 76, phi 180, r), median 0.03 %, albedo within 0.002 (at 75),
-// rms 0.0012".
+// Returns the loss as text: "largest at least 2.1 % (theta_i 80, theta_o 76, phi 180, r), median 0.03 %,
+// albedo within 0.002 (at 75), rms 0.0012".
 std::string in_words(const Loss& loss);
 
+// Returns the loss as JSON.
 io::Json to_json(const Loss& loss);
 
 }  // namespace brdf::interop

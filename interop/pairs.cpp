@@ -10,9 +10,9 @@ namespace {
 
 struct Steps {
   std::vector<double> theta_i;  // degrees
-  std::vector<double> radii;    // of the half vector's slope, in widths
-  double azimuth;               // degrees, where the turns begin
-  double theta_o;               // degrees, first of the even grid
+  std::vector<double> radii;    // slope of the half vector, in widths
+  double azimuth;               // degrees, first azimuth of each turn
+  double theta_o;               // degrees, first angle of the even grid
 };
 
 const Steps& steps_of(Pairs which) {
@@ -21,7 +21,7 @@ const Steps& steps_of(Pairs which) {
   return which == Pairs::fitted ? fitted : judged;
 }
 
-// Of an isotropic material half of the circle is enough.
+// Half of the circle is enough for an isotropic material.
 double circle_of(bool turned) {
   return turned ? 360 : 181;
 }
@@ -42,12 +42,12 @@ void add_about(io::SampleTable& table, const LobePlace& lobe, const Steps& steps
     }
 }
 
-// From the mirror direction, degrees.
+// Degrees from the mirror direction.
 constexpr double kAzimuths[] = {0, 1, 3, 6, 9, 14, 20, 35, 50, 70, 90, 110, 130, 145, 160, 170, 176, 180};
-constexpr double kStep = 4;  // of polar angles
+constexpr double kStep = 4;  // step of polar angles, degrees
 constexpr double kRadii[] = {0, 0.3, 0.7, 1.2, 2, 3.5};
 
-// The azimuths of light that the net has: with the axes, across them and between.
+// Azimuths of incidence in the net, in degrees: along the axes, across the axes and between them.
 std::vector<double> light_azimuths(const Material& material) {
   std::vector<double> out;
   if (may_turn(material))

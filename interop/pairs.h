@@ -1,5 +1,5 @@
-// Pairs of directions that see a material's lobes: around each at its own widths, and evenly over the
-// hemisphere.
+// Pairs of directions that sample a material's lobes: around each lobe at its own widths, and evenly over
+// the hemisphere.
 #pragma once
 
 #include <span>
@@ -9,32 +9,34 @@
 
 namespace brdf::interop {
 
-// Two sets that share no direction: what is fitted to and what the loss is measured on.
+// Two sets of pairs without common directions: one for the fit, the other to measure the loss.
 enum class Pairs { fitted, judged };
 
-inline constexpr double kMostTheta = 80;  // degrees from the normal: no pair goes beyond
+inline constexpr double kMostTheta = 80;  // degrees from the normal; limit of all pairs
 
-// A lobe's widths along and across its axis, and that axis's azimuth.
+// A lobe's widths along and across its axis, and the azimuth of this axis.
 struct LobePlace {
   Widths widths{};
   double tangent = 0;  // degrees
 };
 
-// Whether values may change as the sample is turned: of two widths, and of code that is not in the catalogue.
+// Returns true if values may change as the sample is turned: for anisotropic materials, and for code outside
+// the catalogue.
 bool may_turn(const Material& material);
 
-// Of a material's terms; one of the usual widths where no term has a lobe.
+// Returns the lobes of a material's terms. If no term has a lobe, returns one lobe with the default widths.
 std::vector<LobePlace> lobe_places(const Material& material);
 
-// Rows of directions, without values.
+// Returns rows of directions without values.
 io::SampleTable pairs_about(const Material& material, Pairs which);
 
-// Rows from which a search for the largest difference from a material begins: theta in steps of 4 degrees to
-// 80, azimuths close together at the mirror direction, its lobes at their own widths.
+// Returns starting rows for a search of the largest difference from a material: theta in steps of 4 degrees
+// up to 80 degrees, azimuths dense near the mirror direction, and the lobes sampled at their own widths.
 io::SampleTable net_about(const Material& material);
 
-// The light of theta_i, phi_i mirrored at a half vector: its slopes along and across the lobe's axis, in
-// widths. False where that lies beyond kMostTheta.
+// Adds the row of incidence theta_i, phi_i (degrees) mirrored at a half vector. The half vector is given by
+// its slopes along and across the lobe's axis, in widths. Returns false, without a new row, if theta_o
+// exceeds kMostTheta.
 bool add_mirrored(io::SampleTable& table, const LobePlace& lobe, double theta_i, double phi_i, double along,
                   double across);
 

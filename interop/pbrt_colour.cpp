@@ -13,11 +13,11 @@ namespace {
 using Rgb = std::array<double, 3>;
 
 constexpr double kShortest = 380, kLongest = 780, kApart = 5;  // nm
-constexpr double kFrom = 360, kTo = 830;                       // pbrt's range
+constexpr double kFrom = 360, kTo = 830;                       // nm, pbrt's range
 
 struct Band {
-  double wavelength, place;  // nm; 0 to 1 of pbrt's range
-  Rgb weight;                // of a reflectance there in linear sRGB under D65
+  double wavelength, place;  // nm; position in pbrt's range, 0 to 1
+  Rgb weight;                // contribution of this wavelength's reflectance to linear sRGB under D65
 };
 
 const std::vector<Band>& bands() {
@@ -49,7 +49,7 @@ Eigen::Vector3d colour_of(const Eigen::Vector3d& c, Eigen::Matrix3d* slope) {
   return sum;
 }
 
-// Towards the target in steps, each by Gauss and Newton's method with halved steps.
+// Approaches the target in steps. Each step uses the Gauss-Newton method with step halving.
 Eigen::Vector3d coefficients_of(const Eigen::Vector3d& target) {
   const double grey = std::clamp(target.mean(), 0.02, 0.98),
                q = (2 * grey - 1) / (2 * std::sqrt(grey * (1 - grey)));
@@ -73,9 +73,9 @@ Eigen::Vector3d coefficients_of(const Eigen::Vector3d& target) {
   return c;
 }
 
-constexpr std::size_t kNodes = 257;  // of the cosine between a direction and the half vector
+constexpr std::size_t kNodes = 257;  // nodes over the cosine between a direction and the half vector
 
-// Fresnel's reflectance as a colour, between nodes linear (to 4e-5).
+// Fresnel reflectance as a colour, interpolated linearly between nodes (error 4e-5).
 class FresnelColour {
  public:
   FresnelColour(const Rgb& n, const Rgb& k) : nodes_(kNodes) {
@@ -98,7 +98,7 @@ class FresnelColour {
   std::vector<Rgb> nodes_;
 };
 
-// The form with that colour in place of its own Fresnel factor.
+// The form with this colour in place of its own Fresnel factor.
 class ShownByPbrt : public ReflectanceModel {
  public:
   ShownByPbrt(Reflectance form, FresnelColour fresnel)
@@ -113,7 +113,7 @@ class ShownByPbrt : public ReflectanceModel {
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
     const std::size_t kd = std::size_t(info_.weight_index(Role::diffuse)),
                       ks = std::size_t(info_.weight_index(Role::specular));
-    // A lobe whose Fresnel factor is known.
+    // The lobe is evaluated with a known Fresnel factor, which is divided out below.
     constexpr double kIndex = 1, kExtinction = 20;
     std::vector<double> shape(p.shape.begin(), p.shape.end()), weights(p.weights.size(), 0.0);
     shape[std::size_t(info_.shape_index(Role::index))] = kIndex;

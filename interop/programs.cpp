@@ -22,33 +22,34 @@
 
 namespace brdf::interop {
 
-// A file for each, write_NAME.cpp; its row in the table below is all that others need to know.
-// A Python script that makes the node material: make_material(name, tangent).
+// Each program has a file of its own, write_NAME.cpp. Other code needs only the program's row in the table
+// below.
+// Returns a Python script that makes the node material: make_material(name, tangent).
 std::string write_blender(const Written& w);
 std::string write_blender_3_4(const Written& w);
-// A scene with the bsdf, to be included.
+// Returns a scene with the bsdf, for inclusion.
 std::string write_mitsuba(const Written& w);
-// MakeNamedMaterial.
+// Returns a MakeNamedMaterial.
 std::string write_pbrt(const Written& w);
-// A file with one material and its extensions.
+// Returns a file with one material and its extensions.
 std::string write_gltf(const Written& w);
-// A nodegraph of pbrlib with its surface and material.
+// Returns a nodegraph of pbrlib with its surface and material.
 std::string write_materialx(const Written& w);
-// A surface shader of OSL that adds closures.
+// Returns an OSL surface shader that adds closures.
 std::string write_osl(const Written& w);
 
 namespace {
 
 constexpr double kAnyWeight = std::numeric_limits<double>::infinity();
 
-// What the index controls of a principled model reach: named by the target's own table.
+// Range of a principled model's index control. The name comes from the target's own parameter table.
 fit::NamedRange index_up_to(const Reflectance& target, double high) {
   const ReflectanceInfo& form = info(target);
   const ParameterInfo& p = form.shape[std::size_t(form.shape_index(Role::index))];
   return {std::string(p.name), p.min, high};
 }
 
-// The projected material as other verbs take it: brdf eval --form NAME --set ...
+// Returns the projected material as options of other verbs: brdf eval --form NAME --set ...
 std::string as_command(const Term& term, Angle tangent) {
   const ReflectanceInfo& form = info(term.form);
   std::string text = "--form " + std::string(form.name);
@@ -73,22 +74,22 @@ Limits limits_of(const Program& program) {
   return limits;
 }
 
-// In the surface's frame.
+// Places the term in the surface's frame.
 Term in_place(Term term, Angle tangent) {
   term.tangent_phi = tangent;
   return term;
 }
 
-// A material on its way to one program.
+// The export of a material to one program.
 struct Attempt {
   const Program& program;
   const std::vector<Wanted>& parts;
   const Comparison whole;  // their sum
   const std::string& name;
-  std::optional<Loss> copied{};  // of what --naive writes
+  std::optional<Loss> copied{};  // loss of the text that --naive writes
   std::vector<Refusal> refused{};
 
-  // Throws InputError for what the program's controls do not reach.
+  // Throws InputError for values outside the range of the program's controls.
   Exported with(const TargetRules& rules, bool naive) const {
     std::vector<Projection> projections;
     for (const Wanted& part : parts) projections.push_back(project(part, within_shares(rules, part), naive));
@@ -115,7 +116,8 @@ struct Attempt {
     return made;
   }
 
-  // Of the program's targets the nearest that can be written; what cannot be is kept with its reason.
+  // Returns the export with the nearest writable target of the program. Refused targets are recorded with
+  // the reason.
   std::optional<Exported> best(bool naive) {
     std::optional<Exported> best;
     refused.clear();
@@ -132,7 +134,7 @@ struct Attempt {
   }
 
  private:
-  // Where shaders are mixed, the lobes of several parts share what the diffuse parts leave.
+  // If the program mixes shaders, the lobes of several parts share the weight that the diffuse parts leave.
   TargetRules within_shares(TargetRules rules, const Wanted& part) const {
     if (!rules.mixes || parts.size() < 2) return rules;
     double diffuse = 0, lobes = 0;
@@ -171,8 +173,8 @@ struct Attempt {
     header.insert(header.end(), program.conventions.begin(), program.conventions.end());
     return header;
   }
-  // The pair of the largest difference; where one command has the program's values, that which prints f
-  // there.
+  // Describes the pair of the largest difference. If a single command reproduces the program's values, the
+  // text includes the command that prints f at this pair.
   static std::string worst_place(const Exported& made) {
     const Largest& l = made.loss.largest;
     std::string pair;
@@ -193,7 +195,7 @@ std::string in_words(const Exported& made) {
   if (made.exact()) return "exact";
   if (!made.refitted) return "copied: " + in_words(made.loss);
   const std::string words = "refitted: " + in_words(made.loss);
-  // Copied parameters that the program cannot hold have no loss of their own.
+  // If the program cannot hold the copied parameters, they have no loss of their own.
   return made.copied.rms == made.loss.rms ? words : words + "; copied parameters: " + in_words(made.copied);
 }
 

@@ -1,4 +1,4 @@
-// The programs that materials are written for.
+// The programs that materials can be exported to.
 #pragma once
 
 #include <span>
@@ -10,61 +10,69 @@
 
 namespace brdf::interop {
 
-// A projected term, seen from the frame of its wider axis.
+// A projected term, in the frame of its wider axis.
 struct WrittenPart {
   const Term& term;
-  Angle tangent;  // azimuth of that axis in the surface's frame
-  Angle given;    // azimuth of the axis of alpha_x, as the material has it
+  Angle tangent;  // azimuth of the wider axis in the surface's frame
+  Angle given;    // azimuth of the material's alpha_x axis
 };
 
-// What a writer is given: the projected material's parts, whose sum it is, and what the file begins with.
+// Input of a writer: the parts, which add up to the projected material, and the header of the file.
 struct Written {
   std::vector<WrittenPart> parts;
-  std::string name;                 // of the material
-  std::vector<std::string> header;  // lines: where it comes from, loss, conventions
+  std::string name;                 // name of the material
+  std::vector<std::string> header;  // lines: source, loss, conventions
 };
 
+// A program, with the limits of its files and the formulas that it offers.
 struct Program {
-  std::string_view name;   // as --to takes it
-  std::string_view title;  // for people
-  double most, most_lobe;  // a weight above, or one of the lobe, is clamped by the program
-  bool adds;               // its files hold sums of any number of lobes
-  bool run_here;           // a test runs the program on what is written; else its formula is checked, not run
+  std::string_view name;   // value of --to
+  std::string_view title;  // title for messages
+  // Upper limits of weights, and of the lobe's weight: the program clamps larger ones.
+  double most, most_lobe;
+  bool adds;  // files of the program hold sums of any number of lobes
+  // True if a test runs the program on the files. Otherwise tests only check the program's formula.
+  bool run_here;
   std::vector<std::string> conventions;
-  std::vector<TargetRules> targets;  // the one of least loss is written
-  // Throws InputError for what the program's controls do not reach.
+  std::vector<TargetRules> targets;  // the target with the smallest loss is written
+  // Throws InputError for values outside the range of the program's controls.
   std::string (*write)(const Written&);
 };
 
+// Returns all programs.
 std::span<const Program> programs();
-// By its name; null where there is none.
+// Returns the program with this name, or null if there is no such program.
 const Program* find_program(std::string_view name);
 
+// A target that was refused, with the reason.
 struct Refusal {
   std::string target, reason;
 };
 
+// A material written for a program.
 struct Exported {
   std::string text;
-  Material carried;   // what the program computes of the text, in the surface's frame
-  Loss loss, copied;  // of that, and of what --naive writes
+  Material carried;   // the material that the program computes from the text, in the surface's frame
+  Loss loss, copied;  // loss of `carried`; loss of the copied parameters (--naive)
   bool refitted = false;
-  std::string target;               // its name
-  std::vector<std::string> header;  // as in the text
-  // The projected material as other verbs take it, a term each: --form NAME --set ...; the values add up.
+  std::string target;               // name of the target form
+  std::vector<std::string> header;  // same lines as in the text
+  // Options that make other verbs evaluate the projected material: "--form NAME --set ...", one entry per
+  // term. The values of the terms add up.
   std::vector<std::string> words;
-  bool by_channel =
-      false;  // these words have the form's values, and the program shows others (TargetRules::shown)
-  std::vector<std::string> not_held{};  // what the target has no place for, a sentence each
-  std::vector<Refusal> refused{};       // of the program's other targets
+  // True if these options give the values of the form, but the program renders other values
+  // (TargetRules::shown).
+  bool by_channel = false;
+  std::vector<std::string> not_held{};  // properties that the target cannot hold, a sentence each
+  std::vector<Refusal> refused{};       // the other targets of the program that were refused
 
   bool exact() const { return loss.exact(); }
 };
 
-// "exact", or "refitted: largest ...; copied parameters: largest ...".
+// Returns "exact", or "refitted: largest ...; copied parameters: largest ...".
 std::string in_words(const Exported& made);
 
-// The material as this program's text. Throws Refused for what it cannot carry.
+// Writes the material as text for this program. Throws Refused if the program cannot carry the material.
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive);
 
 }  // namespace brdf::interop

@@ -33,7 +33,8 @@ bool has_no_diffuse(const Term& copy) {
   return target.weight_index(Role::specular) >= 0 && diffuse >= 0 && is_zero(copy, std::size_t(diffuse));
 }
 
-// The copy's values as the fit's first start; what is not there (a diffuse part, a lobe) stays at 0.
+// Uses the copy's values as the first starting point of the fit. Absent parts (a diffuse part, a lobe) stay
+// at 0.
 void start_at(const Term& copy, fit::FitOptions& options) {
   const ReflectanceInfo& target = info(copy.form);
   const bool several = copy.weights.size() > 1;
@@ -68,8 +69,8 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   const ReflectanceInfo& target = info(rules.target);
   fit::FitOptions options;
   options.cross_validation = options.profiles = false;
-  // The copy is near, and the values have no noise: a few starts besides it find what a grid of hundreds
-  // does.
+  // The copy is near, and the values have no noise. A few random starting points in addition to the copy
+  // find the same minima as a grid of hundreds.
   options.grid_starts = false;
   options.random_starts = 4;
   options.threads = io::all_processors();
@@ -99,7 +100,7 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   return options;
 }
 
-// What the program's controls do not reach is brought to where they end.
+// Clamps parameters to the ranges of the program's controls.
 void bring_within(const std::vector<fit::NamedRange>& bounds, Term& copy) {
   for (const fit::NamedRange& bound : bounds)
     if (const int k = info(copy.form).shape_index(bound.name); k >= 0)
@@ -124,7 +125,7 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   const io::SampleTable table = wanted_values(wanted);
   Refit refit(comparison, rules, table, out.material, of_copy);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
-  // Of f cos_i, then of its relative differences.
+  // Fits f cos_i first, then relative differences.
   for (const fit::Metric metric : {fit::Metric::log, fit::Metric::log_relative}) {
     options.metric = metric;
     if (metric == fit::Metric::log_relative) options.random_starts = 0;

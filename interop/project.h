@@ -1,4 +1,5 @@
-// A part of a material in another program's formula: exact, refitted or copied, each with its loss.
+// Projects a part of a material onto another program's formula: exact, refitted or copied, each with its
+// loss.
 #pragma once
 
 #include <functional>
@@ -11,30 +12,31 @@
 
 namespace brdf::interop {
 
-// A target as a program's files can hold it.
+// A target within the limits of a program's files.
 struct TargetRules {
   Reflectance target;
   CopyRules copy{};
-  bool sum_to_one = false;  // a refit's weights are at most 1 together
-  bool mixes = false;       // all weights are: the file mixes shaders by shares
-  std::vector<fit::NamedRange>
-      bounds{};  // of what the program's controls reach, besides the target's own ranges
-  // What the program shows of a material of one such term, where it is not the form channel by channel; null:
-  // it is.
+  bool sum_to_one = false;  // the weights of a refit add up to at most 1
+  bool mixes = false;       // the file mixes shaders by shares, hence all weights add up to at most 1
+  // Ranges of the program's controls, in addition to the target's own ranges.
+  std::vector<fit::NamedRange> bounds{};
+  // Maps a material of one target term to the material that the program renders. Null if the program renders
+  // the form itself, channel by channel.
   Material (*shown)(const Material&) = nullptr;
 };
 
-// As the program shows it.
+// Returns the material as the program renders it.
 Material shown_by(const TargetRules& rules, const Material& of_target);
 
+// The result of project().
 struct Projection {
-  Material material;  // of one term, in the frame of the wanted one
+  Material material;  // one term, in the frame of the wanted material
   bool refitted = false;
 };
 
-// Copied parameters where they are exact or `naive` asks for them; else the target's parameters of the least
-// rms that are worse than the copy in no stated figure, sought from fits to the wanted values and between
-// those and the copy.
+// Projects `wanted` onto the target. Returns the copied parameters if they are exact or if `naive` is true.
+// Otherwise returns the parameters with the smallest rms that are not worse than the copy in any stated
+// figure. Candidates come from fits to the wanted values and from points between these fits and the copy.
 Projection project(const Wanted& wanted, const TargetRules& rules, bool naive);
 
 }  // namespace brdf::interop

@@ -88,7 +88,7 @@ Material read_back_rgl(const io::Content& file) {
 }
 
 std::optional<Loss> loss_of_table(const Material& wanted, const Material& table) {
-  // What cells and squares leave is no smooth function.
+  // Cells and interpolation squares make the table's function non-smooth, hence the loose tolerance.
   const AlbedoOptions albedos{.tolerance = 1e-2, .max_evaluations = 100'000};
   Material of_one = table;
   if (wanted.channels.size() == 1) {

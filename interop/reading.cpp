@@ -103,8 +103,8 @@ std::string comments(const std::vector<std::string>& header, const std::string& 
 
 std::string xml_header(const std::vector<std::string>& header) {
   std::string text = comments(header, "");
-  // The instruction's end: in a command it stands in single quotes, and the shell joins what two of them
-  // hold.
+  // "?>" would end the instruction. The header's commands hold this text in single quotes, and the shell
+  // joins two adjacent quoted pieces.
   for (std::size_t at = 0; (at = text.find("?>", at)) != text.npos;) text.replace(at, 2, "?''>");
   return "<?brdf\n" + text + "?>\n";
 }

@@ -1,4 +1,4 @@
-// A projected term as writers read it: by roles, in red, green and blue.
+// A projected term as seen by writers: parameters by role, in red, green and blue.
 #pragma once
 
 #include <array>
@@ -14,14 +14,15 @@ namespace brdf::interop {
 using Colour = std::array<double, 3>;
 using io::identifier;
 
+// Access to the parameters of a written part.
 class Reading {
  public:
   explicit Reading(const WrittenPart& part) : part_(part), form_(info(part.term.form)) {}
 
-  // Of the three colours; of one channel all the same.
+  // Returns the three colours. A single channel gives three equal values.
   Colour weight(Role role) const;
   Colour shape_colours(Role role) const;
-  // Wherever it stands.
+  // Returns the colour of this role from the weights if the role is a weight, otherwise from the shape.
   Colour colour(Role role) const { return has_weight(role) ? weight(role) : shape_colours(role); }
   double shape(Role role) const { return shape_colours(role)[0]; }
   bool has_shape(Role role) const { return form_.shape_index(role) >= 0; }
@@ -30,22 +31,23 @@ class Reading {
   double alpha_x() const { return shape(Role::width); }
   double alpha_y() const { return shape(Role::width_across); }
   bool anisotropic() const { return alpha_x() != alpha_y(); }
-  // Square root of the widths' geometric mean.
+  // Returns the square root of the widths' geometric mean.
   double roughness() const;
   double turn() const { return anisotropic() ? part_.tangent.degrees() : 0; }
-  // The azimuth that the material gives to the axis of its alpha_x.
+  // Returns the azimuth of the material's alpha_x axis.
   double given_turn() const { return anisotropic() ? part_.given.degrees() : 0; }
-  // The wider axis lies along or across the mesh's tangent: where both widths are free they are written as
-  // they are.
+  // Whether the wider axis lies along or across the mesh's tangent. If a format sets both widths freely,
+  // they are written unchanged in both cases.
   bool along_tangent() const;
   bool crosswise() const;
-  // Of programs whose tangent is the mesh's: what must be true of the mesh, and how to export then.
+  // Throws for programs that use the mesh's tangent. The message states the condition on the mesh and the
+  // way to export then.
   [[noreturn]] void refuse_turn() const;
   std::pair<double, double> along_and_across() const {
     return crosswise() ? std::pair{alpha_y(), alpha_x()} : std::pair{alpha_x(), alpha_y()};
   }
 
-  // Refuses widths that the program takes for a mirror, or whose ratio its control does not reach.
+  // Throws if the program would treat the widths as a mirror, or if its control does not reach their ratio.
   void check_widths(double least, double most_ratio, const std::string& control) const;
 
  private:
@@ -53,30 +55,33 @@ class Reading {
   const ReflectanceInfo& form_;
 };
 
-// The parts as shares of one surface, for programs that mix: a diffuse colour of what the lobes leave, and
-// each lobe with its share and colour.
+// The parts as shares of one surface, for programs that mix: a diffuse colour for the share that the lobes
+// leave, and each lobe with its share and colour.
 struct Shares {
   struct Lobe {
     std::size_t part;
     double share;
-    Colour tint;  // at most 1
+    Colour tint;  // each component at most 1
   };
-  Colour diffuse{};  // of the diffuse share, which is what the lobes leave
+  Colour diffuse{};  // colour of the diffuse share
+  // The share that the lobes leave.
   double diffuse_share = 0;
   std::vector<Lobe> lobes{};
 };
-// Throws InputError where the weights are above 1 together; `mix` names the program's node.
+// Throws InputError if the weights add up to more than 1; `mix` names the program's node.
 Shares shares_of(const Written& w, const std::string& mix);
 
+// Return true if all three components are 0, or if all three are equal.
 bool is_black(const Colour& c);
 bool is_grey(const Colour& c);
-// Nine significant digits: a float as it stands.
+// Returns x with nine significant digits, which preserve a float.
 std::string number(double x);
-// "a, b, c".
+// Returns "a, b, c".
 std::string numbers(const Colour& c, const char* separator = ", ");
-// The header's lines as comments.
+// Returns the header's lines as comments.
 std::string comments(const std::vector<std::string>& header, const std::string& prefix);
-// The same in XML, as an instruction: in comments no two hyphens may meet, and commands could not be pasted.
+// Returns the header as an XML processing instruction. XML comments cannot hold two adjacent hyphens, and
+// commands from them could not be pasted.
 std::string xml_header(const std::vector<std::string>& header);
 
 }  // namespace brdf::interop

@@ -12,7 +12,7 @@ double blended(double a, double b, double t, bool logarithmic) {
   return logarithmic && a > 0 && b > 0 ? a * std::pow(b / a, t) : a + t * (b - a);
 }
 
-// The copy's parameters, this part of the way to the fitted ones.
+// Returns the parameters at fraction t of the way from the copy to the fitted parameters.
 Material blend(const Material& copy, const Material& fitted, double t) {
   Material out = copy;
   Term& term = out.terms[0];
@@ -29,7 +29,7 @@ Material blend(const Material& copy, const Material& fitted, double t) {
   return out;
 }
 
-// Parameters that move together, about where they are.
+// Parameters that move together, in a range around their present value.
 struct Knob {
   std::vector<double*> values;
   double low, high;
@@ -44,7 +44,7 @@ struct Knob {
   }
 };
 
-// About the value, within the range: where a climb looks.
+// Adds a knob around the present value and within the range. A climb searches this interval.
 void add_knob(std::vector<Knob>& knobs, std::vector<double*> values, const ParameterInfo& p, double low,
               double high) {
   const double x = *values[0];
@@ -59,7 +59,7 @@ bool is_coloured(const TargetRules& rules, Role role) {
   return std::ranges::find(rules.copy.coloured, role) != rules.copy.coloured.end();
 }
 
-// A weight that is 0 in all channels stays: there is no such part.
+// A weight of 0 in all channels stays 0: the part does not exist.
 std::vector<Knob> knobs_of(Term& term, const TargetRules& rules) {
   const ReflectanceInfo& form = info(term.form);
   std::vector<Knob> knobs;
@@ -99,7 +99,7 @@ std::vector<Knob> knobs_of(Term& term, const TargetRules& rules) {
   return knobs;
 }
 
-// A mix of shaders holds weights of 1 together.
+// A mix of shaders requires weights that add up to at most 1.
 double excess_of(const Term& term, const TargetRules& rules) {
   if (!rules.mixes) return 0;
   const ReflectanceInfo& form = info(term.form);

@@ -1,4 +1,4 @@
-// The search for a target's parameters that are nearer than the copied ones and worse in no stated figure.
+// Searches parameters of a target that are nearer than the copied ones and not worse in any stated figure.
 #pragma once
 
 #include "interop/project.h"
@@ -6,22 +6,23 @@
 
 namespace brdf::interop {
 
-// Whether the term's weights are above 1 together where the program mixes shaders.
+// Returns true if the program mixes shaders and the term's weights add up to more than 1.
 bool exceeds(const Term& of_target, const TargetRules& rules);
 
+// The search, which keeps the best parameters found so far.
 class Refit {
  public:
-  // `table` has the wanted values at the fitted pairs. A copy whose weights the program cannot hold together
-  // limits nothing.
+  // `table` has the wanted values at the fitted pairs. If the program cannot hold the weights of the copy
+  // together, the figures of the copy do not limit the search.
   Refit(const Comparison& wanted, const TargetRules& rules, const io::SampleTable& table,
         const Material& copy, const Loss& of_copy);
 
-  // Tries these parameters, and some between them and the copy: what is a little nearer is seldom worse in
-  // anything.
+  // Tries these parameters and some points between them and the copy: slightly nearer parameters are seldom
+  // worse in any figure.
   void between(const Material& fitted);
-  // Climbs from the best so far, and from half of the way to what was fitted, with the copy's figures at the
-  // fitted pairs as limits; tighter ones where the judged pairs or the search for the largest difference do
-  // not agree.
+  // Climbs from the best parameters so far, and from the midpoint between the copy and the fitted
+  // parameters. The figures of the copy at the fitted pairs are limits. The limits are tightened if the
+  // judged pairs or the search for the largest difference do not confirm the result.
   void polish();
 
   bool improved() const { return improved_; }
@@ -30,7 +31,7 @@ class Refit {
  private:
   Figures at_fitted_pairs(const Material& of_target) const;
   bool consider(const Material& candidate);
-  // By the objective and the share of the limits that it keeps to.
+  // Climbs by the objective; `share` is the fraction of the limits that the climb must keep.
   bool climb_from(Material candidate, const Figures& limits, double share);
 
   const Comparison& wanted_;

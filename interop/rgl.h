@@ -10,8 +10,9 @@ namespace brdf::interop {
 
 inline constexpr std::uint64_t kUsualTable = 4'000'000;  // bytes
 
-// An RGL file (io/formats/rgl_writer.h) of about this size. Throws Refused for an anisotropic material, whose
-// azimuths it would not hold, InputError for channels that it has no place for.
+// Returns an RGL file (io/formats/rgl_writer.h) of about this many bytes. Throws Refused for an anisotropic
+// material, since the file would not hold its azimuths. Throws InputError for channels that the format
+// cannot store.
 std::string rgl_of(const Material& material, const std::string& description,
                    std::uint64_t bytes = kUsualTable);
 

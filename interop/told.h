@@ -1,4 +1,4 @@
-// What `brdf export --json` says of an export (docs/export.schema.json).
+// The JSON of an export by `brdf export --json` (docs/export.schema.json).
 #pragma once
 
 #include "interop/programs.h"
@@ -6,8 +6,8 @@
 
 namespace brdf::interop {
 
-// kind, target, the loss and that of copied parameters, the words that give the same values here, what of the
-// program's targets was refused.
+// Returns the kind, the target, the loss, the loss of copied parameters, the options that reproduce the
+// values in brdf, and the refused targets of the program.
 io::Json to_json(const Program& program, const Exported& made);
 
 }  // namespace brdf::interop

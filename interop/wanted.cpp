@@ -19,7 +19,8 @@ struct Asked {
   }
 };
 
-// Whether the channels' shapes are the same but for the boundary's reflectance.
+// Returns true if the shapes of all channels agree, except for the diffuse colour and the Fresnel
+// reflectance.
 bool has_one_shape(const Term& term) {
   const ReflectanceInfo& form = info(term.form);
   for (std::size_t k = 0; k < form.shape.size(); ++k) {
@@ -31,7 +32,7 @@ bool has_one_shape(const Term& term) {
   return true;
 }
 
-// Red, green and blue, or the one channel.
+// Returns the material with channels in the order red, green, blue, or with its single channel.
 Material in_order(const Material& given, const Asked& asked) {
   const std::string count =
       std::to_string(given.channels.size()) + " channels: it takes one or three colours";
@@ -89,7 +90,7 @@ std::optional<Material> in_colours(const Material& given) {
 
 bool has_lobe(const Term& term) {
   const int specular = info(term.form).weight_index(Role::specular);
-  if (specular < 0) return info(term.form).anisotropic();  // targets of one colour
+  if (specular < 0) return info(term.form).anisotropic();  // targets with a single colour
   return std::any_of(term.weights.begin(), term.weights.end(),
                      [&](const std::vector<double>& w) { return w[std::size_t(specular)] != 0; });
 }
@@ -112,7 +113,7 @@ Widths widths_of(const Term& term) {
 
 namespace {
 
-// The lobe seen from the frame of its wider axis.
+// Rotates the frame so that the wider axis of the lobe lies along the tangent.
 void turn_to_axis(Wanted& part) {
   for (Term& term : part.material.terms) {
     const auto [along, across] = info(term.form).axes();

@@ -1,4 +1,4 @@
-// A material as other programs can take it.
+// A material in the form that other programs accept.
 #pragma once
 
 #include <optional>
@@ -11,58 +11,64 @@
 
 namespace brdf::interop {
 
-// What a program cannot carry, with the reason.
+// Thrown if a program cannot carry the material. The message gives the reason.
 class Refused : public InputError {
  public:
   using InputError::InputError;
 };
 
-// At most a diffuse part and one lobe, of one channel or red, green and blue, whose wider axis lies along the
-// tangent.
+// At most a diffuse part and one lobe, with one channel or with red, green and blue. The wider axis of the
+// lobe lies along the tangent.
 struct Wanted {
-  Material material;  // as seen from the frame of the wider axis
-  Angle tangent{};    // azimuth of that axis in the surface's frame
-  Angle given{};      // azimuth of the axis of alpha_x, as the material has it
-  int lobe = -1;      // the term that has one; -1: no term has
+  Material material;  // in the frame of the wider axis
+  Angle tangent{};    // azimuth of the wider axis in the surface's frame
+  Angle given{};      // azimuth of the material's alpha_x axis
+  int lobe = -1;      // index of the term with a lobe, or -1
 };
 
-// What a program's files can say, whichever of its targets is taken.
+// Limits of a program's files, whichever of its targets is chosen.
 struct Limits {
-  std::string_view program;        // as messages name it
-  double most = 1, most_lobe = 1;  // a weight above, or one of the lobe, is clamped
-  bool adds = false;               // sums of any number of lobes
+  std::string_view program;  // name for messages
+  // Upper limits of weights, and of the lobe's weight: the program clamps larger ones.
+  double most = 1, most_lobe = 1;
+  bool adds = false;  // the files hold sums of any number of lobes
   std::vector<Reflectance> targets{};
 };
 
-// The material in red, green and blue, or of its one channel, cut into parts of one lobe each whose sum it
-// is: the first has all terms without a lobe. Throws Refused for what no file of the program carries: other
-// channels, a second lobe where the program adds none, a shape per channel (but for what tells the boundary's
-// reflectance, which every program takes by colour in some way), a form that is not reciprocal or does not
-// fade out at grazing light and is none of the targets, weights above the most.
+// Splits the material into parts of one lobe each that add up to the material. The channels are red, green
+// and blue, or a single channel. The first part has all terms without a lobe.
+// Throws Refused for a material that no file of the program carries:
+// - other channels;
+// - a second lobe, if the program does not add lobes;
+// - a shape per channel, except for the Fresnel reflectance, which every program accepts by colour in some
+//   way;
+// - a form that is not among the targets and is not reciprocal or does not vanish at grazing incidence;
+// - weights above the limits.
 std::vector<Wanted> wanted(const Material& material, const Limits& limits);
 
-// The channels as red, green and blue; nothing where their names do not say which they are.
+// Returns the channels as red, green and blue, or std::nullopt if their names do not identify the colours.
 std::optional<Material> in_colours(const Material& material);
 
-// The sum of the parts, in the surface's frame.
+// Returns the sum of the parts, in the surface's frame.
 Material sum_of(const std::vector<Wanted>& parts);
 
-// What a target's lobe has for each colour.
+// Whether a target's lobe has one value per colour.
 struct Holds {
-  bool coloured_lobe = true;     // a weight
-  bool coloured_fresnel = true;  // the boundary's reflectance
+  bool coloured_lobe = true;     // of the weight
+  bool coloured_fresnel = true;  // of the Fresnel reflectance
 };
-// What it has no place for of the part: a sentence each.
+// Returns a sentence for each property of the part that the target cannot hold.
 std::vector<std::string> not_held(const Wanted& part, const Holds& target);
 
-// The widths of a term's lobe along and across the tangent, also of one with exponents (the slopes that
-// scatter as much: alpha^2 = 2/(n + 2)); 0.3 where it has neither.
+// The widths of a term's lobe along and across the tangent. Exponents n are converted to the slopes that
+// scatter equally, alpha^2 = 2/(n + 2). The widths are 0.3 if the term has neither widths nor exponents.
 struct Widths {
   double along = 0.3, across = 0.3;
 };
+// Returns the widths of a term's lobe.
 Widths widths_of(const Term& term);
 
-// Whether a term's form has a weight of a lobe that is not 0 in every channel.
+// Returns true if the term's form has a lobe weight and this weight is not 0 in every channel.
 bool has_lobe(const Term& term);
 
 }  // namespace brdf::interop

@@ -5,13 +5,13 @@
 namespace brdf::interop {
 namespace {
 
-// Cycles takes alpha_x alpha_y <= 1e-7 for a mirror.
+// Cycles treats alpha_x alpha_y <= 1e-7 as a mirror.
 constexpr double kLeastAlpha = 3.17e-4;
 
-// Statements of the function that makes the nodes.
+// Statements of the Python function that makes the nodes.
 class Script {
  public:
-  // A node with its enum properties and the values of its inputs.
+  // Adds a node with its enum properties.
   void node(const std::string& variable, const std::string& type, const std::string& properties = "") {
     line(variable + " = tree.nodes.new(\"ShaderNode" + type + "\")");
     if (!properties.empty()) line(variable + "." + properties);
@@ -26,7 +26,7 @@ class Script {
     line("tree.links.new(" + from + ".outputs[0], " + to + ".inputs[" + input + "])");
   }
   void line(const std::string& statement) { text_ += "    " + statement + "\n"; }
-  // The tangent's vector into a node that turns it by degrees about the normal.
+  // Links the tangent vector to a node that turns the vector by `degrees` about the normal.
   void tangent(const std::string& variable, const std::string& rotation, double degrees) {
     line("tree.links.new(tangent_of(tree, tangent), " + variable + ".inputs[\"Tangent\"])");
     set(variable, rotation, degrees / 360 - std::floor(degrees / 360));
@@ -67,7 +67,7 @@ std::string script(const Written& w, const Script& nodes, bool turned) {
          "if __name__ == \"__main__\":\n    make_material()\n";
 }
 
-// The shaders that make up the surface, added one after the other.
+// Adds the shaders of the surface one after the other.
 class Sum {
  public:
   explicit Sum(Script& script) : s_(script) {}
@@ -88,7 +88,7 @@ class Sum {
     s_.set(node, "Roughness", 0);
     add(node);
   }
-  // A surface of nothing is black.
+  // Completes the surface. A surface without shaders is black.
   void finish() {
     if (last_.empty()) add_diffuse("diffuse", {0, 0, 0});
     s_.link(last_, "output", "\"Surface\"");
@@ -100,13 +100,14 @@ class Sum {
   int sums_ = 0;
 };
 
-// The lobe's node; the surface's tangent turns its axis where the widths differ.
+// The node of a lobe. If the widths differ, the surface's tangent sets its axis.
 struct Lobe {
   std::string node;
   bool turned = false;
 };
 
-// Of one part: its lobe, none where that is black. `suffix` tells the parts' nodes apart.
+// Returns the lobe of one part; its node is empty if the lobe is black. `suffix` distinguishes the nodes of
+// different parts.
 using LobeOf = Lobe (*)(const Reading& r, Script& s, const std::string& suffix);
 
 std::string sum_of_parts(const Written& w, LobeOf lobe_of) {

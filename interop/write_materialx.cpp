@@ -3,7 +3,7 @@
 namespace brdf::interop {
 namespace {
 
-// The document's nodes, each after those that it takes.
+// The nodes of the document. Each follows the nodes that it uses.
 class Graph {
  public:
   explicit Graph(const Written& w) : name_(identifier(w.name)) {}
@@ -40,7 +40,7 @@ void diffuse_node(const Reading& r, Graph& graph, const std::string& name) {
   graph.end();
 }
 
-// Tworld turned about Nworld; the node turns clockwise.
+// Writes Tworld turned about Nworld; the node turns clockwise.
 void tangent_nodes(const Reading& r, Graph& graph, const std::string& number_of) {
   for (const char* vector : {"tangent", "normal"}) {
     graph.begin(vector, "vector3", vector + number_of);

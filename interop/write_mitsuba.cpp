@@ -36,7 +36,8 @@ std::string diffuse_bsdf(const std::string& attributes, const Colour& colour) {
   return bsdf("diffuse", attributes, element("rgb", "reflectance", numbers(colour)));
 }
 
-// blendbsdf: weight w takes 1 - w of its first child and w of its second, in the order of their names.
+// Blends the parts. A blendbsdf of weight w takes 1 - w of its first child and w of its second, in the order
+// of their names.
 std::string mixed(const Written& w, const std::string& id) {
   const Shares shares = shares_of(w, "a blendbsdf of diffuse and roughconductor");
   if (shares.lobes.empty()) return diffuse_bsdf(id, shares.diffuse);
@@ -44,7 +45,7 @@ std::string mixed(const Written& w, const std::string& id) {
     const Reading r(w.parts[shares.lobes.front().part]);
     return conductor(r, id, r.weight(Role::specular));
   }
-  // From the innermost blend outward: each takes the share of its last child.
+  // The blends are listed from the innermost outward. Each takes the share of its last child.
   struct Piece {
     double share;
     std::function<std::string(const std::string&)> text;

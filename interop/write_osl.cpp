@@ -8,7 +8,7 @@ std::string colour(const Colour& c) {
   return "color(" + numbers(c) + ")";
 }
 
-// The closure of the lobe that the form stands for; "" where it has none.
+// Returns the closure of the lobe that the form represents, or "" if the form has no lobe.
 std::string lobe_closure(const Reading& r, const std::string& tangent) {
   if (r.has_shape(Role::exponent)) return "phong(N, " + number(r.shape(Role::exponent)) + ")";
   if (!r.has_shape(Role::width)) return "";

@@ -16,7 +16,7 @@ std::string diffuse_material(const std::string& name, const Colour& colour) {
   return material(name, "diffuse", list("rgb", "reflectance", numbers(colour, " ")));
 }
 std::string conductor(const std::string& name, const Reading& r) {
-  // "eta" must not be 0.
+  // pbrt does not accept an "eta" of 0.
   Colour n = r.shape_colours(Role::index);
   for (double& x : n) x = std::max(x, 1e-3);
   const auto [along, across] = r.along_and_across();
@@ -34,7 +34,7 @@ std::string write_pbrt(const Written& w) {
     if (const Reading r(part); !r.along_tangent() && !r.crosswise()) r.refuse_turn();
   const std::string name = identifier(w.name);
   const Shares shares = shares_of(w, "a mix of diffuse and conductor");
-  // A share of the sum so far, then the next material: mix takes "amount" of its second.
+  // Each mix joins the sum so far with the next material; its "amount" is the share of the second.
   std::string text = comments(w.header, "# "), last;
   double sum = 0;
   const std::size_t pieces = shares.lobes.size() + (shares.diffuse_share > 0);

@@ -25,7 +25,7 @@ struct Texel {
   fit::Verdict verdict;
 };
 
-// Those whose residual is the largest, the unusable ones first.
+// Returns the texels with the largest residuals, unusable texels first.
 std::vector<Texel> worst_texels(const texel::Planes& maps) {
   std::vector<Texel> all;
   for (std::size_t k = 0; k < maps.width * maps.height; ++k)
@@ -42,7 +42,7 @@ std::vector<Texel> worst_texels(const texel::Planes& maps) {
   return all;
 }
 
-// The planes that hold parameters, not what is known of them.
+// Returns the planes that hold parameters, without planes about their uncertainty.
 std::vector<std::size_t> parameter_planes(const texel::Planes& maps) {
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < maps.names.size(); ++k)
@@ -50,7 +50,7 @@ std::vector<std::size_t> parameter_planes(const texel::Planes& maps) {
   return out;
 }
 
-// A plane without what is not identified.
+// Returns a plane in which unidentified values are replaced by NaN.
 std::vector<float> told(const texel::Planes& maps, std::size_t plane) {
   std::vector<float> values = maps.values[plane];
   if (const std::vector<float>* errors = maps.find(std::string(kErrorPrefix) + maps.names[plane]))
@@ -60,7 +60,7 @@ std::vector<float> told(const texel::Planes& maps, std::size_t plane) {
 }
 
 struct Range {
-  double low = 0, high = 0;  // the first and the last percentile; NaN of none
+  double low = 0, high = 0;  // the first and the last percentile; NaN if there are no values
   std::size_t count = 0;
 };
 
@@ -71,13 +71,13 @@ Range range_of(const std::vector<float>& values) {
   return {io::quantile(known, 0.01), io::quantile(known, 0.99), known.size()};
 }
 
-// Pixels that start transparent.
+// Pixels that are transparent at first.
 class Canvas {
  public:
   Canvas(std::size_t width, std::size_t height)
       : width_(width), height_(height), pixels_(4 * width * height) {}
 
-  // The colour of a share of the range.
+  // Sets the pixel to the colour of `share`, a fraction of the range.
   void set(std::size_t x, std::size_t y, double share) {
     unsigned char* pixel = &pixels_[4 * (y * width_ + x)];
     io::map_colour(share, pixel);
@@ -94,8 +94,8 @@ double share_of(double value, const Range& range) {
   return range.high > range.low ? (value - range.low) / (range.high - range.low) : 0.5;
 }
 
-// How often each share of the range occurs, over that of the most frequent; what is beyond is in the bins at
-// the ends.
+// Returns the frequency of each part of the range, relative to the most frequent part. Values outside the
+// range count in the first or last bin.
 std::vector<double> histogram(const std::vector<float>& values, const Range& range, std::size_t bins) {
   std::vector<double> counts(bins, 0);
   for (const float value : values)
@@ -106,8 +106,8 @@ std::vector<double> histogram(const std::vector<float>& values, const Range& ran
   return counts;
 }
 
-// The map, and below it its histogram in the same colours, from dark to bright. Transparent where there is no
-// value.
+// Returns a picture of the map and, below the map, its histogram in the same colours, from dark to bright.
+// Pixels without a value are transparent.
 std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
   const std::size_t larger = std::max(maps.width, maps.height),
                     step = (larger + kWidestPicture - 1) / kWidestPicture,
@@ -148,14 +148,14 @@ std::string counted(const Summary& summary) {
   return out;
 }
 
-// Version and command, as every output has them.
+// Returns version and command, as in every output.
 std::vector<std::pair<std::string, std::string>> fields_of(const Making& making) {
   io::Provenance made = io::provenance();
   made.command = making.command;
   return io::provenance_fields(made);
 }
 
-// Where what is shared has one value.
+// Returns the region in which a shared shape has one value, as text.
 std::string in_words_of_regions(const Making& making) {
   return making.regions.empty() ? ", one value for the stack"
                                 : ", one value in each region of " + making.regions;

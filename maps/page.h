@@ -1,4 +1,4 @@
-// What becomes of maps: files, a summary, a page.
+// The output of maps: files, a summary and a page.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +14,29 @@ namespace brdf::maps {
 inline constexpr const char* kMapsFile = "maps.exr";
 inline constexpr const char* kSummaryFile = "maps.json";
 
-// What maps were made of, as the files say it.
+// The origin of the maps, as recorded in the files.
 struct Making {
   const Settings& settings;
-  std::string normals;  // flat, fit or a file
+  std::string normals;  // "flat", "fit" or a file name
   std::string command;
   std::vector<std::string> shared{};  // shapes that the texels of a region have in common
-  std::string regions{};              // the file of these; empty: the whole stack
+  std::string regions{};              // file of the regions; empty: the whole stack
 };
 
-// maps.exr, which says in its attributes what was fitted and what the verdicts' numbers mean, and maps.json.
+// Writes maps.exr and maps.json. The attributes of maps.exr describe the fit and explain the numbers of the
+// verdicts.
 void write_maps(const std::filesystem::path& folder, const texel::Planes& maps, const Making& making,
                 const std::string& summary);
 
-// docs/fit.schema.json has its schema.
+// Returns the content of maps.json (schema: docs/fit.schema.json).
 std::string summary_json(const texel::Stack& stack, const Making& making, const Summary& summary,
                          const texel::Planes& maps);
 
+// Prints the summary as text. `seconds` is the duration of the fit, if known.
 void print(std::ostream& out, const texel::Stack& stack, const Making& making, const Summary& summary,
            const std::filesystem::path& folder, std::optional<double> seconds);
 
-// A page with every map as a picture above its histogram, and the worst texels.
+// Returns a page with every map as a picture above its histogram, and the worst texels.
 std::string html_page(const texel::Stack& stack, const Making& making, const Summary& summary,
                       const texel::Planes& maps);
 

@@ -14,11 +14,13 @@ namespace brdf::maps {
 namespace {
 
 constexpr int kMostSteps = 40;
-constexpr double kPromise = 1e-13;  // share of the cost that a step promises
+// Predicted decrease of the cost, relative to the cost, at which a region is settled.
+constexpr double kPromise = 1e-13;
 
 using Slots = std::vector<std::size_t>;
 
-// The shapes that the names stand for, as reports call them; in a sum also without the term.
+// Returns the shapes that the names denote. The names are those of reports; in a sum, the name of the term
+// may be omitted.
 Slots slots_of(const fit::Model& model, const std::vector<std::string>& names) {
   Slots out;
   std::vector<std::string> known;
@@ -40,7 +42,7 @@ Slots slots_of(const fit::Model& model, const std::vector<std::string>& names) {
   return out;
 }
 
-// A region's shared parameters on the solver's scale, and what its texels say of them.
+// A region's shared parameters on the solver's scale, and the sums of the terms that its texels contribute.
 struct Shared {
   std::vector<double> p, best;
   double cost = 0, best_cost = std::numeric_limits<double>::infinity();
@@ -78,7 +80,7 @@ class SharedFit {
         progress_(progress),
         model_(TexelFitter(stack, settings).model()),
         slots_(slots_of(model_, sharing.names)),
-        // Bands whose number does not depend on how many threads there are, nor do sums over them.
+        // The bands do not depend on the number of threads, and neither do sums over them.
         bands_(texel::divided({0, 0, stack.width, stack.height}, stack.width, kUnit)),
         regions_(sharing.count, Shared(slots_.size())) {}
 
@@ -98,7 +100,7 @@ class SharedFit {
   }
 
  private:
-  // Null in a texel that shares nothing.
+  // Returns the region of a texel, or null if the texel shares nothing.
   Shared* region_of(const texel::Region& band, std::size_t k) {
     const std::size_t texel = (band.y + k / band.width) * stack_.width + band.x + k % band.width;
     const std::size_t region = sharing_.regions[texel];
@@ -106,7 +108,7 @@ class SharedFit {
   }
   std::size_t index_of(const Shared& s) const { return std::size_t(&s - regions_.data()); }
 
-  // Work on every band, and its results one after another.
+  // Works on every band in parallel and consumes the results in order.
   template <class Work, class Consume>
   void for_each_band(Work&& work, Consume&& consume) {
     const std::size_t memory = resources_.memory / std::max(resources_.threads, 1u);
@@ -121,7 +123,7 @@ class SharedFit {
       fitter.hold({}, {});
   }
 
-  // Each region begins at the median of what its texels find for themselves.
+  // Starts each region at the median of the values that its texels find separately.
   void start() {
     using Values = std::vector<std::vector<double>>;  // [slot]
     std::map<std::size_t, Values> found;
@@ -180,7 +182,7 @@ class SharedFit {
         });
   }
 
-  // Whether the region is where it stays. A step that raises the cost is halved.
+  // Takes one step; returns true if the region has settled. A step that raises the cost is halved.
   bool take_step(Shared& s) const {
     if (!s.known || s.settled) return true;
     if (s.cost > s.best_cost) {
@@ -207,7 +209,7 @@ class SharedFit {
     return false;
   }
 
-  // The settings of a region's texels: what is shared is held.
+  // Returns the settings for the texels of a region, in which the shared shapes are held.
   Settings held_settings(const Shared& s) const {
     Settings out = settings_;
     std::map<std::string, std::vector<double>> values;
@@ -225,8 +227,8 @@ class SharedFit {
     Held(const texel::Stack& stack, Settings s) : settings(std::move(s)), fitter(stack, settings) {}
   };
 
-  // A texel's own parameters as a fit that holds the shared ones has them, with what the shared ones'
-  // uncertainty adds.
+  // Returns a texel's own parameters from a fit that holds the shared ones. The uncertainty of the shared
+  // parameters is added to the standard errors.
   TexelFit own_fit(TexelFitter& together, Held& held, const TexelPixels& pixels, const TexelFit& fit,
                    const Shared& shared) const {
     const fit::Profile profile = together.shared_terms(fit, slots_).profile;
@@ -237,7 +239,7 @@ class SharedFit {
     const std::vector<fit::Reported> reported = fit::reported_parameters(model_, fit.p);
     for (std::size_t k = 0; k < out.estimates.size(); ++k) {
       fit::Estimate& e = out.estimates[k];
-      fit::Matrix slope(slots_.size(), 1);  // of the reported parameter by the shared ones
+      fit::Matrix slope(slots_.size(), 1);  // derivatives of the reported parameter by the shared ones
       bool is_shared = false;
       for (const auto& [slot, by_slot] : reported[k].gradient) {
         is_shared = is_shared || std::ranges::find(slots_, slot) != slots_.end();

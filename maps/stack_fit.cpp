@@ -15,10 +15,11 @@
 namespace brdf::maps {
 namespace {
 
-constexpr std::size_t kMetricTexels = 9;  // that are asked for the metric
+constexpr std::size_t kMetricTexels = 9;  // number of texels that choose_metric() evaluates
 constexpr const char* kNormalNames[] = {"normal.x", "normal.y", "normal.z"};
 
-// The names of a fit's planes in their order; the estimates' come first, each with its standard error.
+// Returns the names of a fit's planes in order. The estimates come first, each followed by its standard
+// error.
 std::vector<std::string> plane_names(const fit::Model& model) {
   std::vector<std::string> names;
   for (const fit::Reported& r : fit::reported_parameters(model, model.initial())) {
@@ -31,7 +32,7 @@ std::vector<std::string> plane_names(const fit::Model& model) {
   return names;
 }
 
-// The pixels of a unit, a band of its rows at a time, read when they are asked for.
+// The pixels of a unit, read on demand in bands of rows.
 class Bands {
  public:
   Bands(const texel::Stack& stack, const texel::Region& region, std::size_t memory)
@@ -40,7 +41,7 @@ class Bands {
         rows_(std::clamp(memory / (texel::bytes_per_texel(stack) * region.width), std::size_t{1},
                          region.height)) {}
 
-  // [channel][image], until the next call.
+  // Returns the pixels of a texel, [channel][image]. The span is valid until the next call.
   std::span<const float> at(std::size_t x, std::size_t y) {
     const std::size_t first = y / rows_ * rows_, values = stack_.channels.size() * stack_.images.size();
     if (pixels_.empty() || first != first_) {
@@ -156,7 +157,8 @@ void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& 
 texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
                         const Resources& resources, const io::Progress& progress) {
   texel::Planes maps = empty_maps(stack, settings);
-  // As wide as the images, whose rows are read as a whole; narrower where there is not one for each thread.
+  // Units are as wide as the images, whose rows are read as a whole. They are narrower if there are fewer
+  // wide units than threads.
   const bool wide = (stack.height + kUnit - 1) / kUnit >= resources.threads;
   const std::vector<texel::Region> units =
       texel::divided({0, 0, stack.width, stack.height}, wide ? stack.width : kUnit, kUnit);

@@ -20,11 +20,13 @@
 namespace brdf::maps {
 namespace {
 
-constexpr std::size_t kCoarseRows = 4096;  // of more rows than twice these a start is solved on as many
-constexpr std::size_t kNearRows = 2048;    // the same of a neighbour's solution, which is near
-constexpr std::size_t kSolvedStarts = 6;   // of a grid, those that cost least
-constexpr double kJump = 2;                // of the cost per value, from one texel to the next
-constexpr double kExact = 1e-10;           // share of a black surface's cost below which there is no noise
+// If a texel has more than twice this number of rows, a starting point is first solved on this many rows.
+constexpr std::size_t kCoarseRows = 4096;
+// The same limit for starting at the neighbour's solution, which is near.
+constexpr std::size_t kNearRows = 2048;
+constexpr std::size_t kSolvedStarts = 6;  // number of grid points of lowest cost that are solved
+constexpr double kJump = 2;               // factor of the cost per value from one texel to the next
+constexpr double kExact = 1e-10;          // relative to a black surface's cost; below it there is no noise
 constexpr double kTolerance = 1e-12, kLoose = 1e-4;
 constexpr int kIterations = 100, kFewIterations = 30, kRowRounds = 4;
 
@@ -107,14 +109,14 @@ TexelFitter::TexelFitter(const texel::Stack& stack, const Settings& settings)
   data_.values.resize(stack.channels.size());
 }
 
-// The images that see the surface at usable angles, in the frame of its normal, or where that is fitted in
-// the stack's.
+// Selects the images that show the surface at usable angles. Directions are in the frame of the surface's
+// normal, or in the stack's frame if the normal is fitted.
 void TexelFitter::select_rows(const Vec3<double>& normal) {
   const Directions<double> all = arrays_.view();
   const std::size_t channels = stack_.channels.size();
   const double least = io::cos_degrees(settings_.options.max_theta) - 1e-12;
   const bool weighted = settings_.options.weighting == fit::Weighting::solid_angle;
-  // Columns of this length, whatever of it is used: rows are written where they belong.
+  // All columns get this length even if fewer rows are used, since rows are written in place.
   const auto resize = [&](std::size_t rows) {
     for (auto* column : {&data_.wi_x, &data_.wi_y, &data_.wi_z, &data_.wo_x, &data_.wo_y, &data_.wo_z})
       column->resize(rows);
@@ -164,7 +166,8 @@ fit::Solution TexelFitter::solve_from_neighbour(const TexelFit& neighbour) {
   return solve_from(data_, solve_from(few, neighbour.p, kLoose, kIterations).p, kTolerance, kIterations);
 }
 
-// Where a surface that scatters evenly would face, and where a mirror would that makes the brightest pixels.
+// Returns the normal of a surface that scatters evenly, and the normal of a mirror that produces the
+// brightest pixels.
 std::vector<Vec3<double>> TexelFitter::likely_normals() const {
   std::vector<Vec3<double>> out{normal_};
   const std::size_t rows = data_.rows();
@@ -184,7 +187,8 @@ std::vector<Vec3<double>> TexelFitter::likely_normals() const {
     mirror = mirror + h * (std::max(bright[order[k]], 0.0) / std::sqrt(dot(h, h)));
   }
   add(mirror);
-  // Photometric stereo (Woodham 1980) on what is neither highlight nor shadow: normal equations of v = n . l.
+  // Photometric stereo (Woodham 1980) on the pixels that are neither highlight nor shadow: normal equations
+  // of v = n . l.
   double a[3][4] = {};
   for (std::size_t k = rows / 8; k < rows - rows / 4; ++k) {
     const Vec3<double> l = data_.directions(order[k], 1).wi(0);
@@ -232,7 +236,7 @@ fit::Solution TexelFitter::solve_from_grid() {
   return best.p.empty() ? best : solve_from(data_, best.p, kTolerance, kIterations);
 }
 
-// The solver of a table's fit, for the few texels whose valley is too flat for quick steps.
+// Uses the solver of a table's fit, for the few texels with a valley too flat for quick steps.
 fit::Solution TexelFitter::solve_at_length(std::span<const double> start) const {
   const fit::SampleStream stream = stream_of(data_);
   fit::SolveOptions options;
@@ -240,7 +244,8 @@ fit::Solution TexelFitter::solve_at_length(std::span<const double> start) const 
   return fit::refine(stream, start, options);
 }
 
-// A fitted normal decides which images see the surface: solved again until these stay the same.
+// A fitted normal determines the images that see the surface. The fit is repeated until the selection is
+// stable.
 fit::Solution TexelFitter::settle_rows(fit::Solution s) {
   for (int round = 0; round < kRowRounds && model_.fits_normal() && !s.p.empty(); ++round) {
     const std::vector<std::uint32_t> before = data_.row;
@@ -260,8 +265,8 @@ bool TexelFitter::jumps(const fit::Solution& s, const TexelFit& neighbour) const
   return s.cost > kExact * black;
 }
 
-// As the texel's table has it, where the rows are in the stack's frame: data and `values` in that of the
-// normal.
+// Turns rows from the stack's frame to the frame of the normal, as in the texel's table: the data and
+// `values`.
 void TexelFitter::turn_rows(const Vec3<double>& normal, fit::FitData& data,
                             std::vector<std::vector<double>>& values) const {
   for (std::size_t k = 0; k < data.rows(); ++k) {
@@ -277,7 +282,7 @@ void TexelFitter::turn_rows(const Vec3<double>& normal, fit::FitData& data,
   }
 }
 
-// `values` of the model, turned with the rows.
+// `values` of the model are turned with the rows.
 fit::Misfit TexelFitter::judged(std::vector<std::vector<double>>& values, const Vec3<double>& normal) const {
   fit::FitData turned;
   if (model_.fits_normal()) {
@@ -287,7 +292,7 @@ fit::Misfit TexelFitter::judged(std::vector<std::vector<double>>& values, const 
   const fit::FitData& local = model_.fits_normal() ? turned : data_;
   fit::Misfit misfit = fit::judge(local, values, std::nullopt);
   if (!misfit.misfit) return misfit;
-  // Only now is it worth knowing how much the values scatter.
+  // The noise is computed only if it is needed.
   const io::SampleTable table = texel_table(stack_, texel_, normal);
   std::vector<std::uint32_t> used;
   for (std::size_t k = 0; k < table.rows(); ++k)
@@ -305,7 +310,7 @@ void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {
   if (!holds_) fit::canonicalise(model_, m);
   const std::vector<double> before = m.p;
   const fit::NormalEquations n = fit::drop_negligible_lobes(stream, m, &besides_);
-  // Without a loss the solver's matrices are those of the errors.
+  // Without a loss function, the solver's matrices are also the matrices for the errors.
   const bool same = m.p == before && residual_.loss.kind == fit::LossFunction::Kind::none;
   const fit::KnownMatrices known{n.hessian, besides_.expected_meat};
   const fit::Uncertainty u = fit::uncertainty(stream, m, fit::Detail::estimates, same ? &known : nullptr);

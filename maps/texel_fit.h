@@ -1,4 +1,4 @@
-// The fit of one texel after another: what all of them share is set up once.
+// Fits one texel after another. Everything that the texels share is set up once.
 #pragma once
 
 #include <memory>
@@ -17,59 +17,66 @@
 
 namespace brdf::maps {
 
+// Settings that all texels of a stack share.
 struct Settings {
-  std::vector<Reflectance> forms;  // one, or several that are summed
-  fit::FitOptions options;         // the metric is chosen already
+  std::vector<Reflectance> forms;  // one form, or several that are summed
+  fit::FitOptions options;         // the metric must be chosen already
   bool fits_normal = false;
 };
 
-// Throws InputError for what a fit of texels cannot do: choose a metric or a form, estimate a robust loss's
-// scale.
+// Throws InputError for settings that a fit of texels does not support, such as the automatic choice of a
+// form, a robust loss without a scale, a free scale, starting points, or --bootstrap.
 void check(const Settings& settings);
 
+// The fit of one texel.
 struct TexelFit {
-  std::vector<double> p;  // the solver's parameters; empty: no pixel says anything
+  std::vector<double> p;  // the solver's parameters; empty if no pixel has information
   Vec3<double> normal{0, 0, 1};
   double cost = 0;
-  std::size_t rows = 0;  // images that were used
+  std::size_t rows = 0;  // number of images used
   bool from_grid = false;
   fit::Verdict verdict = fit::Verdict::diverged;
   std::vector<fit::Estimate> estimates;  // in the order of fit/assess/reported.h
 
   bool empty() const { return p.empty(); }
-  // Root mean square of the residuals of `channels` channels.
+  // Returns the root mean square of the residuals of `channels` channels.
   double error(std::size_t channels) const;
 };
 
+// The pixels of one texel.
 struct TexelPixels {
   std::span<const float> pixels;  // [channel][image]
-  std::size_t x = 0, y = 0;       // in the stack
+  std::size_t x = 0, y = 0;       // position in the stack
 };
 
-// The texel's pixels as samples of f_r in the frame of its normal: what `brdf fit` takes. Images below
-// that horizon, and those without a value, are left out.
+// Returns the texel's pixels as samples of f_r in the frame of its normal, as `brdf fit` accepts them.
+// Images with directions below the horizon of this normal, and images without a value, are left out.
 io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel, const Vec3<double>& normal);
 
-// Not for several threads at once: each has its own.
+// Not thread-safe: each thread needs a fitter of its own.
 class TexelFitter {
  public:
   TexelFitter(const texel::Stack& stack, const Settings& settings);
 
   const fit::Model& model() const { return model_; }
 
-  // From the solution of a neighbour, and from a grid of shapes (and normals) where there is none or what it
-  // leads to costs more than the neighbour by more than noise explains. The minimum is that of fit::fit() on
-  // the texel's table. `normal` is the surface's, or where it is fitted a guess.
+  // Fits a texel, starting at the solution of a neighbour. A grid of shapes (and normals) is used if there
+  // is no neighbour, or if the cost exceeds the neighbour's cost by more than noise explains. The minimum is
+  // that of fit::fit() on the texel's table. `normal` is the surface's normal; if the normal is fitted, it
+  // is the initial guess.
   TexelFit fit(const TexelPixels& texel, const Vec3<double>& normal, const TexelFit* neighbour);
 
-  // From now on these of the solver's parameters have these values; none: all are free again.
+  // Holds these parameters of the solver at these values from now on. With empty spans all parameters are
+  // free again.
   void hold(std::span<const std::size_t> slots, std::span<const double> values);
 
-  // What the texel says of parameters that it shares with others, in the fit that was the last and is not
-  // empty.
+  // The contribution of a texel to parameters that it shares with other texels. `last` must be the most
+  // recent fit and must not be empty.
   struct SharedTerms {
     fit::Profile profile;
-    fit::Matrix meat;  // of the shared ones: the sum over rows of the outer product of what they feel of each
+    // For the shared parameters: the sum over rows of the outer product of each row's effect on these
+    // parameters.
+    fit::Matrix meat;
     double cost = 0;
   };
   SharedTerms shared_terms(const TexelFit& last, std::span<const std::size_t> slots) const;
@@ -94,7 +101,7 @@ class TexelFitter {
   const Settings& settings_;
   fit::Model model_;
   fit::Residual residual_;
-  DirectionArrays<double> arrays_;  // in this texel; in all of them where lights and viewers are far
+  DirectionArrays<double> arrays_;  // of this texel; of all texels if lights and viewers are far away
   DirectionArrays<double> turned_;  // the same in the frame of the surface's normal
   std::vector<double> low_, high_;
   bool holds_ = false;

@@ -1,4 +1,4 @@
-// Which channel of a material stands for which of a table's.
+// Assigns the channels of a material to the channels of a table.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace brdf::measured {
 
-// For each of the table's channels the material's of the same name, or else of the same colour; a material of
-// one channel stands for all. -1: none.
+// Returns, for each channel of the table, the index of the material's channel of the same name, or else of
+// the same colour. A material with one channel serves all. -1 means that there is no counterpart.
 std::vector<int> counterparts(const std::vector<std::string>& of_table,
                               const std::vector<std::string>& of_material);
 

@@ -11,12 +11,12 @@ namespace brdf::measured {
 namespace {
 
 constexpr double kKnownNoise =
-    0.02;  // of the samples that `known` is asked of: they need not agree to the last digit
+    0.02;  // variance assumed for the samples in `known`: they need not agree to the last digit
 constexpr double kMostNoise = 100;
-// No length is shorter than the longest over this: 200 rows of a million are too far apart to tell short from
-// none.
+// Lengths are at least the longest one divided by this. 200 rows out of a million are too far apart to
+// distinguish a shorter length from no correlation.
 constexpr double kShortest = 10;
-constexpr std::size_t kAsked = 16;  // of the nearest for it
+constexpr std::size_t kAsked = 16;  // number of nearest samples that determine `known`
 
 double correlation(double squared_distance) {
   const double a = std::sqrt(5 * squared_distance);
@@ -37,7 +37,7 @@ double squared_distance(const Place& a, const Place& b) {
 
 }  // namespace
 
-// The places over the lengths, as nanoflann asks for them.
+// The places in units of the lengths, with the interface that nanoflann requires.
 class Field::Tree {
  public:
   explicit Tree(std::vector<Place> places) : places_(std::move(places)), index_(kDimensions, *this) {}
@@ -99,7 +99,8 @@ Field::Weights Field::weights_at(const Place& place, double least_known) const {
     return out;
   }
   correlate(asked, n);
-  // Samples that come and go among the nearest leave no edge: the farthest is all noise.
+  // The noise grows towards the farthest sample, which has noise only. Samples that enter or leave the
+  // neighbourhood therefore cause no discontinuity.
   const double edge = squared[out.count - 1] * (1 + 1e-9) + 1e-12;
   for (Eigen::Index i = 0; i < n; ++i) {
     const double inside = 1 - squared[std::size_t(i)] / edge, taper = inside * inside;
@@ -157,12 +158,12 @@ double likelihood(const Scattered& samples, const Variation& v) {
   return sum;
 }
 
-// Step by step uphill from `start`, along one number at a time.
+// Climbs from `start` to a maximum, one parameter at a time.
 Variation likeliest(const Scattered& samples, const Variation& start, const Place& longest, double floor) {
   const auto worth = [&](const Variation& v) {
     double sum = likelihood(samples, v);
     for (std::size_t k = 0; k < kDimensions; ++k)
-      sum -= 2 * std::pow(std::log(longest[k] / v.lengths[k]), 2);  // lengths that say nothing stay long
+      sum -= 2 * std::pow(std::log(longest[k] / v.lengths[k]), 2);  // undetermined lengths stay long
     return sum;
   };
   Variation best = start;
@@ -201,7 +202,7 @@ Variation learn_variation(const Scattered& samples, const Place& longest, double
     for (const double y : values) variance += y * y / double(values.size() * samples.values.size());
   const double floor = std::clamp(least_noise * least_noise / variance, 1e-4, kMostNoise);
   Variation best = likeliest(samples, {longest, std::max(floor, 0.01), -HUGE_VAL}, longest, floor);
-  // Where there is nothing but noise: lengths say nothing then, and stay long.
+  // Also start from noise only. If the values are only noise, the lengths are undetermined and stay long.
   const Variation noisy = likeliest(samples, {longest, kMostNoise, -HUGE_VAL}, longest, floor);
   return noisy.likelihood > best.likelihood ? noisy : best;
 }

@@ -13,24 +13,25 @@
 namespace brdf::measured {
 namespace {
 
-constexpr double kHorizon = 1e-3;  // cosines below are not interpolated from
+constexpr double kHorizon = 1e-3;  // rows with smaller cosines are not used
 constexpr double kTilted =
     0.1;  // a half vector (of length 2) farther than this from the normal has an azimuth
-constexpr double kSame = 1e-3;  // of the coordinates: places nearer are one
+constexpr double kSame = 1e-3;  // in the coordinates: closer places are merged
 constexpr double kLeastRatio = 1e-3;
 const std::vector<std::string> kNoChannels;  // channels of no material
 constexpr std::size_t kLearntFrom = 200;
-constexpr double kCores[] = {0.03, 0.1, 0.3};  // of lobes, radians
-// By so much per channel it must be likelier (its logarithm) that azimuths matter: light from several
-// azimuths alone does not mean that the sample was turned (half vectors of one azimuth, as in MERL's files).
+constexpr double kCores[] = {0.03, 0.1, 0.3};  // widths of lobes' cores, radians
+// Azimuths of the sample are distinguished only if the log-likelihood per channel increases by this much.
+// Several azimuths of incidence alone do not mean that the sample was rotated: in MERL's files all half
+// vectors have the same azimuth.
 constexpr double kForAzimuths = 5;
-// So far at most the ratio is taken to vary slowly, whatever the samples say: radians (of theta_h at 40
-// degrees).
+// Upper bounds of the lengths over which the ratio varies, whatever the samples suggest. Radians; for
+// theta_h at 40 degrees.
 constexpr struct {
   double theta_h, theta_d, sines;
 } kLongest{0.35, 0.4, 0.2};
 
-// Of the values above 0; 1 where there is none.
+// Returns the geometric mean of the positive values; 1 if no value is positive.
 double geometric_mean(const std::vector<double>& values) {
   double sum = 0, count = 0;
   for (const double value : values) {
@@ -72,7 +73,7 @@ MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Mat
   keep(rows);
 }
 
-// There is no ratio to a fit that is black.
+// Removes the counterpart of channels for which the fit is black, because there is no ratio to a black fit.
 void MeasuredReflectance::leave_black_channels(const Directions<double>& d) {
   std::vector<bool> black(channels_.size(), true);
   std::vector<double> f(channels_.size());
@@ -92,7 +93,7 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
   rows.ratios.resize(channels_.size());
   std::vector<double> f(channels_.size());
   bool light_turns = false, half_turns = false;
-  double along_x = 0, along_y = 0;  // the first tilted half vector's azimuth
+  double along_x = 0, along_y = 0;  // the azimuth of the first tilted half vector
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (d.wi_z[k] < kHorizon || d.wo_z[k] < kHorizon) continue;
     fitted_values(d.wi(k), d.wo(k), f);
@@ -113,7 +114,7 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
   return rows;
 }
 
-// Rows at one place become their mean: repeated ones, and those that the symmetries make equal.
+// Replaces rows at the same place by their mean: repeats, and rows that the symmetries make equal.
 void MeasuredReflectance::keep(const Rows& rows) {
   const auto hash = [](const std::array<long, kDimensions>& cell) {
     std::size_t sum = 0;
@@ -158,7 +159,7 @@ MeasuredReflectance::Choice MeasuredReflectance::likeliest(const Rows& rows, dou
   };
   std::vector<std::size_t> all(rows.wi.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  // The same rows for all, so that likelihoods can be compared.
+  // All alternatives use the same rows, which makes their likelihoods comparable.
   const Turning most = rows.turned ? Turning::turned : Turning::isotropic;
   const std::vector<std::size_t> chosen =
       spread_out(places(all, most, kCores[1]), longest(kCores[1]), kLearntFrom);
@@ -225,7 +226,7 @@ Ratio MeasuredReflectance::ratio_of(const Field::Weights& w) const {
   return out;
 }
 
-// Whether light and viewer stand no lower than in the samples.
+// Returns whether the polar angles are within the range of the samples.
 bool MeasuredReflectance::scanned(const Vec3<double>& wi, const Vec3<double>& wo) const {
   constexpr double kBeyond = 2;  // degrees
   const auto polar = [](double cosine) { return radians(std::acos(std::min(cosine, 1.0))).degrees(); };

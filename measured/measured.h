@@ -1,5 +1,5 @@
-// Measured samples as a reflectance: what was measured, filled in between, and where it was not measured it
-// says so.
+// Measured samples as a reflectance. Values are interpolated between measured directions; directions
+// without samples nearby are marked.
 #pragma once
 
 #include <memory>
@@ -14,38 +14,43 @@
 
 namespace brdf::measured {
 
-// What is known of one pair of directions.
+// The value at one pair of directions, and how well it is known.
 struct Seen {
   std::vector<double> f;  // per channel, f_r in 1/sr
-  double known = 0;       // [0, 1]: the share of the ratio's variance that the samples near by leave known
-  bool measured = false;  // known to kLeastKnown or more, and within the polar angles that were scanned
+  double known = 0;       // [0, 1]: the share of the ratio's variance that nearby samples explain
+  bool measured = false;  // `known` is at least kLeastKnown, and the polar angles were scanned
 };
 
-// Measured over fitted at a place, per channel, and how well that is known.
+// The ratio of measured to fitted values at a place, per channel, and how well the ratio is known.
 struct Ratio {
   std::vector<double> of;
   double known = 0;
 };
 
-// Below this the samples are too far away to say what is there.
+// If less is known, the samples are too far away to determine the value.
 constexpr double kLeastKnown = 0.7;
 
-// f_r of a table's channels at any pair of directions: the fitted material's value times the ratio
-// measured/fitted, whose logarithm is interpolated (by the ratio itself where a sample near by is 0 or
-// below). The ratio is taken as the same for light and viewer exchanged, and as isotropic unless the samples
-// were turned (several azimuths of the light) and are likelier so. It is a Gaussian process about 1 in
-// half-vector coordinates (coordinates.h, field.h): lengths and noise are the likeliest, the noise not below
-// the sheet's (io/samples/noise.h). Away from all samples the ratio goes to 1, so the fitted value remains,
-// and `measured` is false. Channels without a counterpart in the material (of the same name, or the same
-// colour; a material of one channel serves all) or with a black one, and all where there is none, are
-// interpolated about their geometric mean instead: slowly where f_r is not smooth. Domain: unit vectors; 0
-// below the horizon.
+// f_r of the channels of a table at any pair of directions. The value is that of the fitted material times
+// the ratio measured/fitted. The logarithm of the ratio is interpolated, or the ratio itself if a sample
+// nearby is 0 or negative. The ratio is a Gaussian process about 1 in half-vector coordinates
+// (coordinates.h, field.h). Its lengths and noise have the highest likelihood; the noise is at least the
+// noise of the table (io/samples/noise.h).
+//
+// The ratio is assumed to be reciprocal. It is assumed to be isotropic unless the sample was rotated
+// (several azimuths of incidence) and the anisotropic ratio has the higher likelihood. Far from all samples
+// the ratio tends to 1, so the fitted value remains, and `measured` is false.
+//
+// A channel has a counterpart in the material if a channel there has the same name or the same colour; a
+// material with one channel serves all. Channels without a counterpart, or with a black counterpart, are
+// interpolated about their geometric mean instead; so are all channels without a material. With more
+// samples this converges slowly if f_r is not smooth. Domain: unit vectors; 0 below the horizon.
 class MeasuredReflectance final : public ReflectanceModel {
  public:
-  // Beside the fitted material; or beside it or without it, as the samples are likelier: a material that has
-  // little to do with them is no help.
+  // fit: interpolate the ratio of the samples to the fitted material. likeliest: with or without the
+  // material, whichever gives the samples the higher likelihood; a material that hardly resembles the
+  // samples does not help.
   enum class Beside { fit, likeliest };
-  // Throws InputError where the table has no row above the horizon with a value.
+  // Throws InputError if the table has no row above the horizon with a value.
   explicit MeasuredReflectance(const io::SampleTable& table, const Material* fitted = nullptr,
                                Beside beside = Beside::fit);
 
@@ -53,10 +58,12 @@ class MeasuredReflectance final : public ReflectanceModel {
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
   using ReflectanceModel::eval;
 
+  // Returns the value at a pair of directions, and how well it is known.
   Seen at(const Vec3<double>& wi, const Vec3<double>& wo) const;
-  // at() where it is `measured`; found out first, so that other pairs cost little.
+  // Returns at() if the pair is `measured`, otherwise std::nullopt. This is decided first, so other pairs
+  // cost little.
   std::optional<Seen> measured_at(const Vec3<double>& wi, const Vec3<double>& wo) const;
-  // The same in steps: where a pair is, the ratio there, and what that makes of the pair.
+  // The steps of at(): the place of a pair, the ratio at the place, and the resulting value.
   Place place(const Vec3<double>& wi, const Vec3<double>& wo) const {
     return place_of(wi, wo, chosen_.turning, chosen_.core);
   }
@@ -64,23 +71,23 @@ class MeasuredReflectance final : public ReflectanceModel {
   Seen seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const;
 
   const std::vector<std::string>& channels() const { return channels_; }
-  // How the ratio varies, and whether azimuths are told apart.
+  // The variation of the ratio, and whether azimuths of the sample are distinguished.
   const Variation& variation() const { return chosen_.variation; }
   Turning turning() const { return chosen_.turning; }
   double core() const { return chosen_.core; }
-  // The largest polar angles that were scanned: the smaller one of a pair is within `inner`, the larger
-  // within `outer`.
+  // The largest polar angles that were scanned. The smaller angle of a pair is at most `inner`, and the
+  // larger angle is at most `outer`.
   struct Range {
     double inner = 0, outer = 0;  // degrees
   };
   const Range& range() const { return range_; }
 
  private:
-  // Rows that can be used, and measured over fitted in [channel][row].
+  // The rows that can be used, with the ratios measured/fitted as [channel][row].
   struct Rows {
     std::vector<Vec3<double>> wi, wo;
     std::vector<std::vector<double>> ratios;
-    bool turned = false;  // light and half vector come from several azimuths
+    bool turned = false;  // incidence and half vector have several azimuths
   };
   Rows usable_rows(const io::SampleTable& table);
   void leave_black_channels(const Directions<double>& d);
@@ -98,15 +105,15 @@ class MeasuredReflectance final : public ReflectanceModel {
   std::vector<std::string> channels_;
   ReflectanceInfo info_;
   std::optional<Material> fitted_;
-  std::vector<int> counterpart_;                    // of each channel, in the fitted material; -1: none
-  std::vector<double> level_;                       // of each channel without one
+  std::vector<int> counterpart_;                    // of each channel, in the fitted material; -1: without
+  std::vector<double> level_;                       // of each channel without a counterpart
   std::vector<std::vector<double>> logs_, ratios_;  // [channel][place]
   Choice chosen_;
   Range range_;
   std::unique_ptr<const Field> field_;
 };
 
-// The same as a material: a term without parameters, for whoever takes materials.
+// Returns the reflectance as a material: a term without parameters.
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured);
 
 }  // namespace brdf::measured

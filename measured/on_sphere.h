@@ -1,4 +1,4 @@
-// A measurement for the sphere of a report.
+// Prepares a measurement for the sphere of a report.
 #pragma once
 
 #include <memory>
@@ -8,20 +8,20 @@
 
 namespace brdf::measured {
 
-// The samples as a picture shows them, beside a fitted material shown in the same way: a spectrum in colour
-// (io/colour/in_colour.h).
+// Returns the measurement in the colours of a picture, relative to the fitted material converted in the
+// same way. A spectrum is converted to colour (io/colour/in_colour.h).
 std::shared_ptr<const MeasuredReflectance> seen_in_colour(
     const io::SampleTable& table, const Material* fitted,
     MeasuredReflectance::Beside beside = MeasuredReflectance::Beside::fit);
 
-// What io::sphere::add asks of a measurement, for as long as the result lives; none where `measured` is
-// false:
+// Returns the function that io::sphere::add needs for a measurement. The function keeps the measurement
+// alive and returns std::nullopt if `measured` is false:
 //   io::sphere::add(report, {.title = "copper", .fitted = material, .measured = on_sphere(seen),
 //                            .table = table_size(*seen)});
-// Throws InputError for channels that are no colours (io/colour/channel_colours.h).
+// Throws InputError for channels that are not colours (io/colour/channel_colours.h).
 io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured);
 
-// Nodes that tell azimuths apart where the measurement does.
+// Returns a table size that distinguishes azimuths of the sample if the measurement does.
 io::sphere::TableSize table_size(const MeasuredReflectance& measured);
 
 }  // namespace brdf::measured

@@ -23,7 +23,8 @@ std::size_t cell_of(const Vec3<double>& wi, const Vec3<double>& wo) {
          along(std::atan2(std::hypot(g.h.x, g.h.y), g.h.z));
 }
 
-// The largest number of rows a cell may keep so that all keep no more than this; at least one.
+// Returns the largest number of rows per cell with which all cells together keep no more than `most` rows;
+// at least one.
 std::size_t most_of_a_cell(const std::vector<std::vector<std::size_t>>& rows, std::size_t most) {
   std::size_t low = 1, high = 1;
   for (const auto& cell : rows) high = std::max(high, cell.size());

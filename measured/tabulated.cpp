@@ -6,7 +6,7 @@
 namespace brdf::measured {
 namespace {
 
-constexpr std::array kNodesPerLength{16.0, 8.0, 8.0};  // a lobe's core is narrow
+constexpr std::array kNodesPerLength{16.0, 8.0, 8.0};  // the core of a lobe is narrow
 constexpr std::size_t kMostNodes = 3'000'000;
 
 }  // namespace
@@ -34,7 +34,7 @@ std::size_t Tabulated::node_at(std::size_t i, std::size_t j, std::size_t k) cons
     return axes_[axis].from + double(n) * axes_[axis].step;
   };
   const Ratio ratio = measured_->ratio_at({along(0, i), along(1, j), along(2, k), 0});
-  // Two threads may do this at once: they write the same.
+  // Two threads may do this at the same time; both write the same values.
   for (std::size_t c = 0; c + 1 < per_node_; ++c)
     values_[node * per_node_ + c].store(float(ratio.of[c]), std::memory_order_relaxed);
   values_[node * per_node_ + per_node_ - 1].store(float(ratio.known), std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-// The ratio of measured samples kept on a lattice, for pictures.
+// Tabulates the ratio of measured samples on a lattice, for pictures.
 #pragma once
 
 #include <atomic>
@@ -8,11 +8,12 @@
 
 namespace brdf::measured {
 
-// Answers as the reflectance does, within about 1 % (as much as its moving neighbourhood leaves open): the
-// ratio at the nodes of a lattice, 16 to a length of r, 8 to the others, linear between. A node is computed
-// when it is first asked for, so that a picture pays for the directions that it holds, and the next one
-// hardly at all. Several threads may ask at once. Where the samples were turned, or the lattice would have
-// too many nodes, every answer is computed anew.
+// Returns the values of the reflectance to within about 1 %, which is also the uncertainty due to its
+// moving neighbourhood. The ratio is tabulated at the nodes of a lattice, with 16 nodes to a length of r
+// and 8 nodes to the other lengths, and interpolated linearly. A node is computed on its first use, so a
+// picture costs only the directions that it contains, and the next picture costs almost nothing.
+// Thread-safe. If the sample was rotated, or if the lattice would have too many nodes, every value is
+// computed anew.
 class Tabulated {
  public:
   explicit Tabulated(std::shared_ptr<const MeasuredReflectance> measured);
@@ -24,11 +25,11 @@ class Tabulated {
     double from = 0, step = 1;
     std::size_t nodes = 1;
   };
-  std::size_t node_at(std::size_t i, std::size_t j, std::size_t k) const;  // computed
+  std::size_t node_at(std::size_t i, std::size_t j, std::size_t k) const;  // computes the node if necessary
 
   std::shared_ptr<const MeasuredReflectance> measured_;
   std::array<Axis, 3> axes_;
-  std::size_t per_node_ = 0;  // a ratio per channel, and what is known; 0: no lattice
+  std::size_t per_node_ = 0;  // a ratio per channel, and `known`; 0: no lattice
   std::unique_ptr<std::atomic<float>[]> values_;
   std::unique_ptr<std::atomic<bool>[]> ready_;
 };

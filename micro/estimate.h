@@ -7,10 +7,10 @@ namespace brdf::micro {
 
 struct Estimate {
   double mean = 0;
-  double standard_error = 0;  // of the mean, from the scatter between surfaces
+  double standard_error = 0;  // of the mean, from the variation between surfaces
 };
 
-// Collects one value per surface (Welford's update: no cancellation).
+// Collects one value per surface (Welford's update, which avoids cancellation).
 class Collector {
  public:
   void add(double value) {
@@ -19,7 +19,7 @@ class Collector {
     mean_ += difference / count_;
     squares_ += difference * (value - mean_);
   }
-  // Needs at least two values; the standard error of one is not a number.
+  // Returns the estimate. Requires at least two values; the standard error of a single value is NaN.
   Estimate estimate() const { return {mean_, std::sqrt(squares_ / (count_ * (count_ - 1)))}; }
 
  private:

@@ -19,8 +19,8 @@ Vec normal(const Facet& f) {
 }
 
 Vec cosine_direction(const Facet& facet, Random& random) {
-  // A uniform point on the unit sphere around the normal's
-  // tip, as seen from the facet, is cosine distributed.
+  // A uniform point on the unit sphere around the tip of the normal, as seen from the facet, is cosine
+  // distributed.
   const double z = 2 * random.uniform() - 1, phi = 2 * kPi * random.uniform();
   const double r = std::sqrt(std::max(1 - z * z, 0.0));
   const Vec sum = normal(facet) + Vec{r * std::cos(phi), r * std::sin(phi), z};

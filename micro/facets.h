@@ -1,4 +1,4 @@
-// What a facet does with a ray.
+// Reflection of a ray at a facet.
 #pragma once
 
 #include "micro/random.h"
@@ -10,24 +10,24 @@ enum class Reflection { mirror, lambert };
 
 struct FacetOptics {
   Reflection reflection = Reflection::mirror;
-  double eta = 0;  // mirrors: relative refractive index of a dielectric; 0: reflect everything
+  double eta = 0;  // mirrors: relative index of refraction of a dielectric; 0: perfect reflector
   double rho = 1;  // Lambertian facets: albedo
 };
 
-// v turned about the macroscopic normal by `azimuth` radians.
+// Returns v rotated about the macroscopic normal by `azimuth` radians.
 Vec turned(const Vec& v, double azimuth);
-// The facet's unit normal, pointing up.
+// Returns the unit normal of the facet, which points up.
 Vec normal(const Facet& facet);
 
 struct Scattered {
   Vec direction;
-  double weight;  // share of the power that goes on
+  double weight;  // share of the power that continues
 };
-// Where light that travels along `incoming` goes from a facet that faces it; Lambertian facets draw two
-// numbers.
+// Returns the direction of light that travelled along `incoming` and met the front of the facet. Lambertian
+// facets draw two random numbers.
 Scattered scatter(const FacetOptics& facets, const Facet& facet, const Vec& incoming, Random& random);
 
-// A direction about the facet's normal with density cos / pi.
+// Returns a random direction about the normal of the facet with density cos / pi.
 Vec cosine_direction(const Facet& facet, Random& random);
 
 }  // namespace brdf::micro

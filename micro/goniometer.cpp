@@ -78,8 +78,8 @@ std::vector<Estimate> estimates(const std::vector<Collector>& collectors) {
   return result;
 }
 
-// Radiance towards `view` of the path that starts with
-// `wo`, lit by each source in turn; [source][order class].
+// Radiance towards `view` of the path that starts with `wo`, for light from each source in turn:
+// [source][order class].
 using Shares = std::vector<std::array<double, kOrderClasses>>;
 
 void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::vector<Vec>& sources, double u,

@@ -17,7 +17,7 @@ namespace brdf::micro {
 
 using io::Progress;
 
-// Orders of reflection are kept apart as 1, 2, and 3 or more.
+// Orders of reflection are counted separately as 1, 2, and 3 or more.
 constexpr int kOrderClasses = 3;
 inline int order_class(int order) {
   return order < kOrderClasses ? order - 1 : kOrderClasses - 1;
@@ -30,17 +30,17 @@ struct Incidence {
 struct Simulation {
   std::variant<HeightField, Grooves> geometry;
   FacetOptics facets;
-  int surfaces = 8;           // independent surfaces; at least 8 for a standard error worth its name
+  int surfaces = 8;           // independent surfaces; at least 8 for a meaningful standard error
   std::int64_t rays = 65536;  // per surface and direction of incidence (or view)
   int max_bounces = 64;
   std::uint64_t seed = 1;
   int threads = int(io::all_processors());
 };
 
-// The surface with that index among the simulation's independent surfaces.
+// Returns the surface with this index among the independent surfaces of the simulation.
 Surface make_surface(const Simulation& simulation, int index);
 
-// Runs job(tracer, random) on every surface and hands the results to `consume` in order.
+// Runs job(tracer, random) on every surface and passes the results to `consume` in order.
 template <class Job, class Consume>
 void on_each_surface(const Simulation& s, Purpose purpose, const Progress& progress, const Job& job,
                      const Consume& consume) {
@@ -55,7 +55,7 @@ void on_each_surface(const Simulation& s, Purpose purpose, const Progress& progr
       consume);
 }
 
-// Light from one direction, the whole outgoing hemisphere: mean f_r over each cell (1/sr).
+// Mean f_r (1/sr) over each cell of the outgoing hemisphere, with light from one direction.
 struct Scatter {
   Incidence incidence;
   std::vector<Estimate> f[kOrderClasses];  // [order class][cell]
@@ -64,25 +64,25 @@ struct Scatter {
   Estimate albedo;
 };
 
-// Power of the rays that leave through a cell, divided by the incident power and by the cell's integral of
-// cos theta: the mean of f_r over the cell, weighted by cos theta, exactly. Azimuths of cells count from the
-// incidence's phi.
+// Measures the power of the rays that leave through a cell, divided by the incident power and by the cell's
+// integral of cos theta. The result is exactly the mean of f_r over the cell, weighted by cos theta.
+// Azimuths of cells are measured from the phi of the incidence.
 std::vector<Scatter> measure_scatter(const Simulation& simulation, const std::vector<Incidence>& incidences,
                                      const Cells& cells, const Progress& progress = {});
 
-// f_r (1/sr) between exact directions, for Lambertian facets only: rays from the viewer, and at each facet
-// the light that comes straight from every source.
+// f_r (1/sr) between exact directions, for Lambertian facets only. Rays start at the viewer; each facet on
+// their path adds the light that arrives directly from every source.
 struct Radiance {
   Estimate f[kOrderClasses];
   Estimate total;
 };
-// [incidence][view].
+// Returns the results as [incidence][view].
 std::vector<std::vector<Radiance>> measure_radiance(const Simulation& simulation,
                                                     const std::vector<Incidence>& incidences,
                                                     const std::vector<Incidence>& views,
                                                     const Progress& progress = {});
 
-// Mean f_r between two cells, in one direction and in the other: equal in a reciprocal world.
+// Mean f_r between two cells, in one direction and in the other. Both are equal if reciprocity holds.
 struct Exchange {
   Estimate forward, backward;
 };

@@ -11,7 +11,7 @@ double beckmann_slope(double alpha, Random& random) {
   return alpha * std::sqrt(-std::log1p(-random.uniform()));
 }
 
-// Candidates from exp(-t^2/(2 sigma^2)) t, accepted with probability sin t / t.
+// Draws candidates from exp(-t^2/(2 sigma^2)) t, accepted with probability sin t / t.
 double oren_nayar_slope(double sigma, Random& random) {
   for (;;) {
     const double angle = sigma * std::sqrt(-2 * std::log1p(-random.uniform()));
@@ -27,7 +27,7 @@ Surface make_grooves(const Grooves& settings, Random& random) {
   surface.nx = 2 * settings.count;
   surface.ny = 1;
   surface.dx = 0.5;
-  surface.dy = 16;  // grooves are uniform along y: the period only has to be long against their width
+  surface.dy = 16;  // grooves are uniform along y: the period only has to be long compared with their width
   surface.columns_per_frame = 2;
   surface.heights.reserve(surface.nx);
   surface.azimuths.reserve(settings.count);

@@ -31,7 +31,7 @@ void inverse_rows(Spectrum& s, int n) {
   }
 }
 
-// Wave number of index k in radians per cell, in [-pi, pi).
+// Returns the wave number of index k in radians per cell, in [-pi, pi).
 double wave_number(int k, int n) {
   return 2 * kPi * (k < n / 2 ? k : k - n) / n;
 }
@@ -42,15 +42,15 @@ Surface make_height_field(const HeightField& settings, Random& random) {
   const int n = settings.size;
   const double length = settings.correlation_length;
   Spectrum spectrum(static_cast<std::size_t>(n) * n);
-  // The real part of sum_k s_k e^{ikx} with independent complex normal s_k
-  // of variance 2 p_k per point has variance sum p_k, and differences of
-  // neighbours along x have sum p_k |e^{ikx} - 1|^2 = sum p_k 4 sin^2(kx/2).
+  // The real part of sum_k s_k e^{ikx} with independent complex normal s_k of variance 2 p_k per point has
+  // the variance sum p_k. Differences of neighbours along x have the variance
+  // sum p_k |e^{ikx} - 1|^2 = sum p_k 4 sin^2(kx/2).
   double difference_variance = 0;
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const double kx = wave_number(i, n), ky = wave_number(j, n);
       double power = std::exp(-(kx * kx + ky * ky) * length * length / 4);
-      if (i == 0 && j == 0) power = 0;  // the mean height means nothing
+      if (i == 0 && j == 0) power = 0;  // the mean height has no effect
       const double half_sine = std::sin(kx / 2);
       difference_variance += power * 4 * half_sine * half_sine;
       const double amplitude = std::sqrt(power), re = random.normal(), im = random.normal();

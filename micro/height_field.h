@@ -1,4 +1,4 @@
-// Gaussian random height fields of given slope.
+// Gaussian random height fields with given slopes.
 #pragma once
 
 #include "micro/random.h"
@@ -7,19 +7,20 @@
 namespace brdf::micro {
 
 struct HeightField {
-  // Widths of the slope distribution exp(-(sx/alpha_x)^2 - (sy/alpha_y)^2) / (pi alpha_x alpha_y): twice the
-  // variance of the slope is alpha^2 (Beckmann's distribution).
+  // Widths of the slope distribution exp(-(sx/alpha_x)^2 - (sy/alpha_y)^2) / (pi alpha_x alpha_y). Twice
+  // the variance of the slope is alpha^2 (Beckmann's distribution).
   double alpha_x = 0.3, alpha_y = 0.3;
-  // Cells along each side of the period; even.
+  // Number of cells along each side of the period. Must be even.
   int size = 512;
-  // Distance, in cells, at which the heights' Gaussian autocorrelation exp(-r^2/L^2) has fallen to 1/e.
+  // Distance, in cells, at which the Gaussian autocorrelation of the heights, exp(-r^2/L^2), has fallen to
+  // 1/e.
   double correlation_length = 8;
 };
 
-// A realisation: Gaussian heights by spectral synthesis on the periodic grid. The amplitude makes the
-// variance of the *mesh's facet slopes* over the ensemble exactly alpha^2/2 (the mesh is flatter than the
-// continuous surface whose vertices it takes). Anisotropy is an affine stretch: alpha_y/alpha_x is the ratio
-// of the cell's sides.
+// Generates a realisation: Gaussian heights by spectral synthesis on the periodic grid. The amplitude is
+// chosen to make the variance of the *mesh's facet slopes* over the ensemble exactly alpha^2/2. (The mesh
+// is flatter than the continuous surface through its vertices.) Anisotropy is an affine stretch:
+// alpha_y/alpha_x is the ratio of the sides of a cell.
 Surface make_height_field(const HeightField& settings, Random& random);
 
 }  // namespace brdf::micro

@@ -40,7 +40,7 @@ Counts look(Tracer& tracer, const Vec& w, std::int64_t points, Random& random) {
     const double x = u * tracer.surface().period_x(), y = v * tracer.surface().period_y();
     const Facet f = tracer.surface().facet_at(x, y);
     const double tilt = -f.slope_x * w.x - f.slope_y * w.y;
-    const double area = w.z + tilt;  // along w, per macroscopic area
+    const double area = w.z + tilt;  // area along w, per macroscopic area
     if (area <= 0) return;
     (tilt > 0 ? counts.towards : counts.away) += share;
     counts.facing_area += share * area;

@@ -1,5 +1,5 @@
-// Random numbers of the simulations: independent ones for each seed, surface and purpose, so that the work
-// can be shared among any number of threads.
+// Random numbers of the simulations. Each combination of seed, surface and purpose has independent numbers;
+// the work can therefore be distributed over any number of threads.
 #pragma once
 
 #include <cstdint>

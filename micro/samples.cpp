@@ -24,7 +24,7 @@ struct Kind {
   std::vector<Range> parameters;
 };
 
-// What the parameters of surfaces are called: as the forms for them call theirs.
+// Names of the parameters of surfaces. They equal the parameter names of the corresponding forms.
 struct Names {
   std::string width, along, across, slope, index, albedo;
 };
@@ -125,7 +125,8 @@ Simulation simulation(const SampleSettings& s, const Kind& kind) {
   result.facets.eta = parameter(s, names().index).value_or(0);
   result.facets.rho = parameter(s, names().albedo).value_or(1);
   result.surfaces = s.surfaces > 0 ? s.surfaces : kind.grooves && !kind.lambert ? 512 : 16;
-  // A mirror groove shines in two directions only, so that many grooves with few rays each are worth most.
+  // A mirror groove reflects into two directions only. Many grooves with few rays each are therefore most
+  // efficient.
   result.rays = s.rays > 0 ? s.rays : kind.lambert ? 1 << 12 : kind.grooves ? 1 << 13 : 1 << 18;
   result.max_bounces = s.bounces;
   result.seed = s.seed;
@@ -139,7 +140,8 @@ double cell_width(const SampleSettings& s, const Kind& kind, const Simulation& s
   const auto* field = std::get_if<HeightField>(&sim.geometry);
   const double alpha =
       field ? std::min(field->alpha_x, field->alpha_y) : std::get<Grooves>(sim.geometry).width;
-  return std::clamp(20 * alpha, 0.5, 5.0);  // a lobe's half width is about 2 alpha, 115 degrees times alpha
+  // The half width of a lobe is about 2 alpha, which is 115 degrees times alpha.
+  return std::clamp(20 * alpha, 0.5, 5.0);
 }
 
 double in_turn(double phi) {
@@ -163,21 +165,21 @@ class TableWriter {
     for (std::size_t c = 0; c < table.channels.size(); ++c) {
       const Estimate& e = orders_ ? f[c] : total;
       table.values[c].push_back(e.mean);
-      table.sigma[c].push_back(std::max(e.standard_error, 1e-300));  // the format wants sigma > 0
+      table.sigma[c].push_back(std::max(e.standard_error, 1e-300));  // the format requires sigma > 0
     }
   }
 
   io::SampleTable table;
 
  private:
-  // Centres are simple fractions of a degree; radians blur their last digits.
+  // Centres are simple fractions of a degree; the conversion to radians changes their last digits.
   static double rounded(double angle) { return std::round(angle * 1e9) / 1e9; }
 
   bool orders_;
   const Cells& cells_;
 };
 
-// One incidence: polar angle and azimuth in degrees, as the table has them.
+// One incidence: polar angle and azimuth in degrees, with the values of the table.
 struct Light {
   double theta, phi;
 };
@@ -208,7 +210,7 @@ void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vect
   }
 }
 
-// The cells are those of one azimuth of the light; a turned sample is seen from turned cells.
+// The cells belong to one azimuth of the light. A rotated sample is measured with rotated cells.
 void add_lambert(const Simulation& sim, const std::vector<Light>& lights, const Cells& cells,
                  const Progress& progress, TableWriter& writer) {
   for (std::size_t begin = 0, end = 0; begin < lights.size(); begin = end) {

@@ -1,4 +1,4 @@
-// Traced microsurfaces as samples of a measurement, for `brdf synth --microsurface`.
+// Traced microsurfaces as the samples of a measurement, for `brdf synth --microsurface`.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,36 @@
 namespace brdf::micro {
 
 struct SampleSettings {
-  // gaussian          height field of slope width alpha (or alpha_x, alpha_y);
-  //                   mirrors of index eta (none: perfect reflectors)
-  // lambert_gaussian  the same; Lambertian facets of albedo rho
-  // mirror_grooves    V-grooves with slopes of width alpha; mirrors of index eta
-  // lambert_grooves   V-grooves with Oren and Nayar's angles (sigma, radians); albedo rho
+  // Name of the surface:
+  //   gaussian          height field of slope width alpha (or alpha_x, alpha_y);
+  //                     mirrors of index eta (by default perfect reflectors)
+  //   lambert_gaussian  the same with Lambertian facets of albedo rho
+  //   mirror_grooves    V-grooves with slopes of width alpha; mirrors of index eta
+  //   lambert_grooves   V-grooves with Oren and Nayar's angles (sigma, radians); albedo rho
   std::string surface = "gaussian";
   std::vector<std::pair<std::string, double>> parameters;
   std::vector<double> theta_i = {0, 15, 30, 45, 60, 75};  // degrees
-  std::vector<double> azimuths = {0};                     // the sample is turned by these, degrees
-  double cell = 0;  // side of the outgoing cells, degrees; 0: fine against the lobe, 10 for Lambertian facets
-  int bounces = 64;         // reflections followed; 1: single reflection only
+  std::vector<double> azimuths = {0};                     // rotations of the sample, degrees
+  // Side of the outgoing cells, degrees. 0: small compared with the lobe, 10 for Lambertian facets.
+  double cell = 0;
+  int bounces = 64;         // reflections that are followed; 1: single reflection only
   bool orders = false;      // one channel for each order: order_1, order_2, order_3_up
-  double min_power = 1e-4;  // cells with less than this share of the incident power are left out (mirrors)
+  double min_power = 1e-4;  // cells with a smaller share of the incident power are omitted (mirrors)
   int surfaces = 0;         // independent surfaces, at least 8; 0: 16, for mirror_grooves 512
-  std::int64_t rays =
-      0;           // per surface and direction; 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12
+  // Rays per surface and direction. 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12.
+  std::int64_t rays = 0;
   int size = 512;  // cells along each side of a height field's period
   std::uint64_t seed = 1;
   int threads = int(io::all_processors());
 };
 
-// Traces the surface. Light comes from phi 180 before the sample is turned, as in the other grids. Each
-// row's value is the mean of f_r over a cell of the outgoing hemisphere (mirrors) or f_r at the cell's
-// centre (Lambertian facets), its sigma the standard error over independent surfaces; the direction is the
-// cell's centre. Throws InputError on a name or value out of range.
+// Traces the surface. Light comes from phi 180 before the sample is rotated, as in the other grids. For
+// mirrors the value of a row is the mean of f_r over a cell of the outgoing hemisphere; for Lambertian
+// facets it is f_r at the centre of the cell. sigma is the standard error over independent surfaces. The
+// direction is the centre of the cell. Throws InputError if a name or value is out of range.
 io::SampleTable trace_samples(const SampleSettings& settings, const Progress& progress = {});
 
-// The names that `surface` may have.
+// Returns the permitted names of `surface`.
 std::vector<std::string> surface_names();
 
 }  // namespace brdf::micro

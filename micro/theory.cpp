@@ -143,7 +143,8 @@ std::vector<TheoryRow> compare_with_theory(const TheoryOptions& options, const P
           [&, alpha, theta_i] { return compare_single_bounce(options, alpha, degrees(theta_i)); });
     }
   }
-  parts.push_back([&] { return compare_single_bounce(options, 1, 60_deg); });  // the retro direction is lit
+  // Illuminates the retro direction.
+  parts.push_back([&] { return compare_single_bounce(options, 1, 60_deg); });
   for (const double theta_i : {30.0, 60.0}) {
     parts.push_back([&, theta_i] { return compare_mirror_grooves(options, degrees(theta_i)); });
   }

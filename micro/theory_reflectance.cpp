@@ -1,4 +1,4 @@
-// Comparisons of f_r: height fields and grooves against the forms derived for them.
+// Comparisons of f_r: height fields and grooves with the forms derived for them.
 #include <algorithm>
 #include <cmath>
 
@@ -10,10 +10,10 @@
 namespace brdf::micro {
 namespace {
 
-constexpr double kLeastPower = 1e-4;  // cells with less are not judged
-constexpr Angle kRetro = 20_deg;      // about this direction masking and shadowing are one event
-constexpr double kApart = 0.05;       // relative difference that counts,
-constexpr double kSignificance = 2;   // by more than so many standard errors
+constexpr double kLeastPower = 1e-4;  // cells with less power are not judged
+constexpr Angle kRetro = 20_deg;      // masking and shadowing are one event within this angle
+constexpr double kApart = 0.05;       // relative difference that counts
+constexpr double kSignificance = 2;   // if it exceeds so many standard errors
 
 Simulation with(const TheoryOptions& options) {
   Simulation s;
@@ -22,7 +22,7 @@ Simulation with(const TheoryOptions& options) {
   return s;
 }
 
-// Cells whose side is small against the lobe's width (2 alpha in the outgoing angle).
+// Returns a cell side that is small compared with the width of the lobe (2 alpha in the outgoing angle).
 Angle cell_width(double alpha) {
   return degrees(std::clamp(alpha * 25, 2.0, 5.0));
 }
@@ -35,7 +35,7 @@ std::string in_plane(Angle theta_o, bool forward) {
   return "theta_o " + in_words(theta_o) + (forward ? " forward" : " backward");
 }
 
-// One row for every cell of the plane of incidence that holds enough power.
+// Adds one row for every cell of the plane of incidence with sufficient power.
 void add_in_plane(std::vector<TheoryRow>& rows, const std::string& surface, const Scatter& scatter,
                   const Cells& cells, const Material& form, bool exact, double least_power) {
   for (int c = 0; c < cells.size(); ++c) {
@@ -58,7 +58,7 @@ double model_albedo(const Material& form, const Incidence& from) {
   return sum;
 }
 
-// Single-reflection albedo with its standard error, from a simulation stopped after one reflection.
+// Returns the single-reflection albedo with its standard error, from a simulation limited to one reflection.
 TheoryRow albedo_row(const std::string& surface, const Scatter& scatter, const Material& form, bool exact) {
   return theory_row(surface, "albedo theta_i " + in_words(scatter.incidence.theta) + ", single",
                     scatter.albedo, model_albedo(form, scatter.incidence), exact);
@@ -160,7 +160,8 @@ std::vector<TheoryRow> compare_mirror_grooves(const TheoryOptions& options, Angl
 
 std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, Angle sigma) {
   constexpr double kRho = 0.9;
-  constexpr double kThin = 1e-6;  // so little albedo that interreflection vanishes: the form's direct term
+  // An albedo so small that interreflection vanishes. The form then gives its direct term.
+  constexpr double kThin = 1e-6;
   Simulation s = with(options);
   s.geometry = Grooves{GrooveAngles::oren_nayar, sigma.radians(), 1024};
   s.facets = {.reflection = Reflection::lambert, .rho = kRho};

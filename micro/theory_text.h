@@ -1,4 +1,4 @@
-// Names of surfaces and directions in the comparisons' rows.
+// Names of surfaces and directions in the rows of the comparisons.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline std::string gaussian_name(double alpha) {
   return "gaussian alpha " + io::short_number(alpha);
 }
 
-// Gives every row whose model is an approximation its cause.
+// Sets the cause of every row with an approximate model.
 void explain(std::vector<TheoryRow>& rows, const std::string& cause);
 
 }  // namespace brdf::micro

@@ -12,16 +12,16 @@
 namespace brdf::micro {
 namespace {
 
-// A ray at .01 degrees over the roughest surface crosses a few hundred periods.
+// A ray at 0.01 degrees over the roughest surface crosses a few hundred periods.
 constexpr int kMaxPeriods = 100000;
-// The mesh reaches one cell past the period, rays are wrapped this share of a cell past it.
+// The mesh extends one cell beyond the period. Rays are wrapped at this share of a cell beyond the period.
 constexpr double kMarginCells = 0.5;
-// Consecutive segments overlap by this share of a cell, so that no hit is missed between them.
+// Consecutive segments overlap by this share of a cell to avoid missed hits between them.
 constexpr double kOverlap = 1e-3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Vertices and triangles of the period and one more cell on every side, centred: floats are finest near zero.
-// False where the memory is lacking.
+// Fills the vertices and triangles of the period and of one more cell on every side. The mesh is centred
+// because floats are most accurate near zero. Returns false if memory is insufficient.
 bool fill_mesh(const Surface& s, RTCGeometry geometry) {
   const int columns = s.nx + 3, rows = s.ny + 3;
   auto* vertices =
@@ -140,8 +140,8 @@ double Tracer::clearance(const Facet& facet) const {
 }
 
 void Tracer::raise(Vec& point, const Facet& facet) const {
-  // Rounding may put the point under the neighbouring facet
-  // of a concave edge: the surface's own height decides.
+  // Rounding may place the point below the neighbouring facet of a concave edge. The height of the surface
+  // itself decides.
   const Facet here = surface_.facet_at(point.x, point.y);
   point.z = std::max(facet.height(point.x, point.y) + clearance(facet),
                      here.height(point.x, point.y) + clearance(here));
@@ -163,11 +163,11 @@ Fate Tracer::next(Vec& origin, const Vec& direction, Facet& facet) {
       facet = facet_of(query.hit.primID);
       origin = origin + direction * query.ray.tfar;
       raise(origin, facet);
-      // How fast the ray rises above the facet's plane: one that rises was below it.
+      // Speed at which the ray rises above the plane of the facet. A rising ray was below the plane.
       const double rise = direction.z - facet.slope_x * direction.x - facet.slope_y * direction.y;
       if (rise < 0) return Fate::hit;
       if (rise * query.ray.tfar > 4 * clearance(facet)) return Fate::lost;
-      continue;  // below by rounding only (it started almost along the facet): go on from above
+      continue;  // below by rounding only (the ray started almost along the facet): continue from above
     }
     if (s.limit == Segment::Limit::z) return direction.z > 0 ? Fate::escaped : Fate::lost;
     continue_past(origin, direction, s);

@@ -1,4 +1,4 @@
-// Rays on a periodic surface (Embree).
+// Ray tracing on a periodic surface (Embree).
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,34 @@ namespace brdf::micro {
 
 using Vec = Vec3<double>;
 
-// What a ray meets. `lost`: it slipped through the mesh, met a facet from below, or ran past the step limit;
-// none of these exist in exact arithmetic, so they are counted.
+// Result of tracing a ray. `lost`: the ray slipped through the mesh, met a facet from below, or exceeded
+// the step limit. These cases do not exist in exact arithmetic and are therefore counted.
 enum class Fate { hit, escaped, lost };
 
-// Intersects rays with one surface, continued periodically without end: a ray that leaves the period
-// reenters on the opposite side. One tracer serves one thread.
+// Intersects rays with one surface that is continued periodically without end: a ray that leaves the period
+// reenters on the opposite side. Use one tracer per thread.
 class Tracer {
  public:
-  // Builds the acceleration structure on the calling thread alone, so that it is the same for any number of
-  // threads.
+  // Builds the acceleration structure on the calling thread alone. The result is therefore the same for any
+  // number of threads. Throws EnvironmentError if Embree supports no processor of this machine or memory is
+  // insufficient.
   explicit Tracer(const Surface& surface);
   ~Tracer();
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
 
-  // A point of the plane that touches the highest vertex, over the share (u, v) in [0, 1)^2 of the period.
+  // Returns a point of the plane through the highest vertex, at the share (u, v) in [0, 1)^2 of the period.
   Vec entry(double u, double v) const;
-  // Follows the ray from `origin` along the unit vector `direction`. On a hit, `origin` becomes the point
-  // (raised by some roundings, so that a ray may start there) and `facet` the triangle.
+  // Follows the ray from `origin` along the unit vector `direction`. On a hit, `origin` becomes the
+  // intersection (raised by a few roundings, which permits a new ray to start there) and `facet` the
+  // triangle.
   Fate next(Vec& origin, const Vec& direction, Facet& facet);
-  // Does the ray leave the surface without a hit?
+  // Returns true if the ray leaves the surface without a hit.
   bool escapes(const Vec& origin, const Vec& direction);
-  // The surface's point over (x, y), raised in the same way.
+  // Returns the point of the surface over (x, y), raised in the same way.
   Vec on_surface(double x, double y) const;
   const Surface& surface() const { return surface_; }
-  // Rays followed so far (a ray that is continued in the next period counts once).
+  // Returns the number of rays followed (a ray that is continued in the next period counts once).
   std::uint64_t rays() const { return rays_; }
 
  private:

@@ -1,4 +1,4 @@
-// A ray's way over the surface, and the account of where the power went.
+// The path of a ray over the surface, and an account of the distribution of its power.
 #pragma once
 
 #include <numeric>
@@ -13,16 +13,16 @@ namespace brdf::micro {
 // Shares of the incident power; they sum to 1. Orders count reflections.
 struct Account {
   std::vector<double> escaped;  // [order - 1], up to the bounce limit
-  double absorbed = 0;          // taken by facets that do not reflect everything
+  double absorbed = 0;          // absorbed by facets that do not reflect everything
   double beyond = 0;            // still travelling after the last allowed reflection
-  double leaked = 0;            // slipped through the mesh (rounding)
+  double leaked = 0;            // lost through the mesh (rounding)
 
   double albedo() const { return std::accumulate(escaped.begin(), escaped.end(), 0.0); }
   double lost() const { return beyond + leaked; }
 };
 
-// Follows one ray of weight 1 that comes in from `wi` (unit, towards the source) over the share (u, v) of
-// the period; adds to the account, and calls leave(order, wo, weight) if it leaves the surface.
+// Follows one ray of weight 1 that arrives from `wi` (unit, towards the source) over the share (u, v) of
+// the period. Adds the result to the account. Calls leave(order, wo, weight) if the ray leaves the surface.
 template <class Leave>
 void walk(Tracer& tracer, const FacetOptics& facets, const Vec& wi, double u, double v, Random& random,
           Account& account, const Leave& leave) {

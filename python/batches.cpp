@@ -12,14 +12,14 @@
 namespace brdf::python {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // pairs, whose coordinates and values stay in the first-level cache
+constexpr std::size_t kBlock = 512;  // pairs; their coordinates and values stay in the first-level cache
 
-// A place in arrays of the same shape, walked in C's order.
+// A position in arrays of the same shape, advanced in C order.
 class Walk {
  public:
   explicit Walk(const std::vector<std::size_t>& shape) : shape_(shape), at_(shape.size(), 0) {}
 
-  // Calls visit(k, n) for the next `count` pairs in runs k to k + n - 1 along the innermost dimension.
+  // Calls visit(k, n) for the next `count` pairs, in runs k to k + n - 1 along the innermost dimension.
   template <class Visit>
   void next(std::size_t count, Visit&& visit) {
     for (std::size_t k = 0; k < count;) {
@@ -59,7 +59,7 @@ T load(const char* at) {
   return *reinterpret_cast<const T*>(at);
 }
 
-// Coordinates of one block, one array for each.
+// Coordinates of one block, one array for each coordinate.
 template <class T>
 struct Block {
   T coordinates[6][kBlock];
@@ -73,7 +73,7 @@ struct Block {
 
 }  // namespace
 
-// Reads `count` directions into three arrays, of arrays as numpy makes them or of any strides.
+// Reads `count` directions into three arrays. The source has numpy's default layout or any strides.
 template <class T>
 BRDF_CLONES void gather(const char* from, std::ptrdiff_t step, std::ptrdiff_t last, std::size_t count,
                         T* __restrict x, T* __restrict y, T* __restrict z) {
@@ -94,7 +94,7 @@ BRDF_CLONES void gather(const char* from, std::ptrdiff_t step, std::ptrdiff_t la
   }
 }
 
-// Whether all are unit vectors; NaN is none.
+// Returns true if all vectors are unit vectors. A vector with NaN is not a unit vector.
 template <class T>
 BRDF_CLONES bool are_unit(std::size_t count, const T* x, const T* y, const T* z) {
   std::uint32_t good = 0;
@@ -119,7 +119,7 @@ void scatter(const T* values, std::size_t count, char* to, std::ptrdiff_t step) 
   for (std::size_t k = 0; k < count; ++k) *reinterpret_cast<T*>(to + std::ptrdiff_t(k) * step) = values[k];
 }
 
-// The directions of the next `count` pairs.
+// Reads the directions of the next `count` pairs.
 template <class T>
 void read_block(const PairArrays<T>& arrays, Walk& walk, std::size_t first, std::size_t count,
                 Block<T>& block) {
@@ -137,7 +137,7 @@ void read_block(const PairArrays<T>& arrays, Walk& walk, std::size_t first, std:
   });
 }
 
-// One channel of a block: the sum over the terms, begun at 0 as brdf::eval does.
+// Computes one channel of a block: the sum over the terms, starting at 0 as brdf::eval does.
 template <class T>
 const T* sum_of_terms(const Material& material, std::size_t channel, Block<T>& block, std::size_t count,
                       bool cosine) {

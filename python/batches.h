@@ -1,4 +1,4 @@
-// Materials over arrays of any shape and stride: no pybind11 here, only addresses.
+// Evaluates materials over arrays of any shape and stride. This code uses addresses only, without pybind11.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,14 @@
 
 namespace brdf::python {
 
-constexpr double kUnitLength = 1e-4;  // by which a unit vector's squared length may be off
+constexpr double kUnitLength = 1e-4;  // tolerance of a unit vector's squared length
 
-// Throws InputError on a direction that is no unit vector, by its array's name and its place in it.
+// Throws InputError for a direction that is not a unit vector. The message names the array and the position
+// in it.
 [[noreturn]] void refuse_direction(const char* name, std::size_t pair, double x, double y, double z);
 
-// Where the elements of an array lie: bytes from one to the next along each dimension, 0 where it is
-// broadcast.
+// The memory layout of an array: bytes between neighbouring elements along each dimension, 0 for a broadcast
+// dimension.
 struct Strides {
   std::vector<std::ptrdiff_t> of_pair;  // one for each dimension of the pairs
   std::ptrdiff_t of_last = 0;           // along the last dimension: coordinates, or channels
@@ -22,7 +23,7 @@ struct Strides {
 
 template <class T>
 struct PairArrays {
-  std::vector<std::size_t> shape;  // of the pairs; empty: a single one
+  std::vector<std::size_t> shape;  // of the pairs; empty: a single pair
   const char* wi;
   const char* wo;
   char* out;
@@ -31,9 +32,10 @@ struct PairArrays {
   std::size_t count() const;
 };
 
-// f_r in 1/sr of every pair and channel (cosine: f_r cos_i), in blocks that stay in the cache; no array is
-// copied as a whole. The same bits as brdf::eval in double, within the forms' stated accuracy in float.
-// Throws InputError where a direction is no unit vector (within 1e-4), by its place.
+// Computes f_r in 1/sr of every pair and channel (with `cosine`, f_r cos_i), in blocks that stay in the
+// cache; no array is copied as a whole. In double the results are bit-identical to brdf::eval; in float they
+// are within the forms' stated accuracy. Throws InputError if a direction is not a unit vector (squared
+// length within 1e-4 of 1); the message gives its position.
 template <class T>
 void evaluate(const Material& material, const PairArrays<T>& arrays, bool cosine);
 

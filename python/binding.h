@@ -1,4 +1,4 @@
-// What the files of the extension share.
+// Declarations shared by the files of the extension.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,7 +18,8 @@ namespace brdf::python {
 
 namespace py = pybind11;
 
-// The values that Python holds; results are new ones. A table is shared with the fits that were made of it.
+// The values that Python objects hold. Operations return new objects. A table is shared with the fits made
+// from it.
 struct Samples {
   std::shared_ptr<const io::SampleTable> held;
 
@@ -29,7 +30,7 @@ struct Optics {
   io::MaterialFile file;
 };
 
-// An option's word.
+// Parses the word of an option. Throws InputError if the word is unknown.
 template <class Enum>
 Enum named(const char* option, const std::string& word) {
   const auto found = find_named<Enum>(word);
@@ -41,9 +42,9 @@ inline io::Arrangement arrangement_of(const std::string& polarisation, const std
   return {named<io::Polarisation>("--polarisation", polarisation), named<io::Repeats>("--repeats", repeats)};
 }
 
-// `quantity` is empty and `mirror_side` "auto" if nothing is supplied.
+// Returns the supplied facts. If nothing is supplied, `quantity` is empty and `mirror_side` is "auto".
 inline io::Supplied supplied_of(const std::string& quantity, const std::string& mirror_side) {
-  io::stated_by_option(quantity);  // refused before a file is read
+  io::stated_by_option(quantity);  // throws before any file is read
   return {quantity, named<io::MirrorSide>("--mirror-side", mirror_side)};
 }
 

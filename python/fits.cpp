@@ -1,4 +1,4 @@
-// Fits: what `brdf fit` does, with what is asked in the same words.
+// Fits with the functions of `brdf fit`; options have the same names and values.
 #include <sstream>
 
 #include "fit/choice.h"
@@ -14,7 +14,7 @@
 namespace brdf::python {
 namespace {
 
-// A result with what it was made of, for the reports.
+// A result together with its table and options, which reports need.
 struct Fitted {
   fit::FitResult result;
   io::SampleTable table;
@@ -45,7 +45,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
   return {form, robust, fix, start, bounds, physical, shape, options};
 }
 
-// The samples as they are fitted, with a name for reports.
+// Returns the samples prepared for a fit, with a name for reports.
 fit::Samples prepared(const Samples& samples, const fit::FitOptions& options) {
   io::SampleTable table = samples.table();
   if (table.source.empty()) table.source = "samples";
@@ -80,7 +80,7 @@ std::string text_of(const Fitted& f) {
   return out.str();
 }
 
-// What `brdf fit FILES -o FOLDER` leaves in the folder, but for the pictures.
+// Writes the files of `brdf fit FILES -o FOLDER` into the folder, except for the pictures.
 std::string fit_files(const std::vector<std::string>& files, const std::string& folder, unsigned jobs,
                       const fit::FitChoice& choice, py::object progress) {
   fit::FitOptions options = fit::options_of(choice);

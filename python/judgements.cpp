@@ -1,4 +1,4 @@
-// What is judged and what is made: `validate` and `synth`.
+// Bindings of `validate` and `synth`.
 #include "io/columns/supplied.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
@@ -19,7 +19,7 @@ io::Progress told_to(Watch& watch) {
   return [&watch](int done, int total) { watch.tell_or_throw(done, total); };
 }
 
-// Whole forms, then files, materials and tables in their order.
+// Judges whole forms first, then files, materials and tables in their order.
 Judged judge(const std::vector<std::string>& forms, const py::list& items, const std::string& effort,
              double max_theta, bool keep_fill, std::uint64_t seed, const std::string& quantity,
              const std::string& mirror_side, py::object progress) {

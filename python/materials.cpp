@@ -1,4 +1,4 @@
-// Materials: made, read, written, evaluated, drawn.
+// Materials: construction, reading, writing, evaluation, pictures.
 #include "brdf/targets.h"
 #include "fit/assess/albedo.h"
 #include "io/files/content.h"
@@ -23,7 +23,7 @@ std::string list_json(std::span<const Reflectance> list) {
   return io::to_text(json);
 }
 
-// Without channels: as many as the settings have values.
+// Returns a material of the form. Without `channels`, the settings determine the number of channels.
 Optics material_of_form(const std::string& form, const std::vector<std::string>& set,
                         const std::optional<std::vector<std::string>>& channels) {
   if (!channels) return {io::choose_material_file({.form = form, .set = set})};
@@ -35,7 +35,7 @@ Optics material_of_form(const std::string& form, const std::vector<std::string>&
 
 Optics with_settings(Optics optics, const std::vector<std::string>& set) {
   const std::vector<io::Setting> settings = io::parse_settings(set, "--set");
-  if (!settings.empty()) optics.file.fit = nullptr;  // no longer what was fitted
+  if (!settings.empty()) optics.file.fit = nullptr;  // the material is no longer the fitted one
   io::apply_settings(optics.file.material, settings);
   return optics;
 }
@@ -64,12 +64,12 @@ std::vector<std::string> form_names(const Optics& optics) {
   return names;
 }
 
-// Whether dimension d + 1 goes on where d stops, in this array.
+// Returns true if dimension d + 1 continues dimension d in this array.
 bool goes_on(const py::array& a, py::ssize_t d) {
   return a.strides(d) == a.strides(d + 1) * a.shape(d + 1);
 }
 
-// The arrays' common shape with as few dimensions as their strides allow.
+// Returns the arrays with a common shape of as few dimensions as their strides permit.
 template <class T>
 PairArrays<T> merged(const py::array& wi, const py::array& wo, py::array& out) {
   PairArrays<T> arrays{{},
@@ -109,7 +109,8 @@ void evaluate_as(const Optics& optics, const py::array& wi, const py::array& wo,
   evaluate<T>(optics.file.material, arrays, cosine);
 }
 
-// wi, wo (..., 3) and out (..., channels), all of one shape (broadcast) and of one type, aligned.
+// Evaluates arrays wi, wo (..., 3) and out (..., channels), all of one shape (broadcast) and one type,
+// aligned.
 void evaluate_arrays(const Optics& optics, const py::array& wi, const py::array& wo, py::array out,
                      bool cosine) {
   const bool single = py::isinstance<py::array_t<float>>(out);
@@ -126,7 +127,7 @@ void evaluate_arrays(const Optics& optics, const py::array& wi, const py::array&
     evaluate_as<double>(optics, wi, wo, out, cosine);
 }
 
-// (value, bound, evaluations, converged, rule, low, high) of every angle's channels.
+// Returns (value, bound, evaluations, converged, rule, low, high) of every angle's channels.
 py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
   fit::options_of(choice);
   std::vector<fit::AlbedoRow> rows;
@@ -148,8 +149,8 @@ py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
   return out;
 }
 
-// Whole shaders have no functions to include; GlslContent says what the words mean. Functions to include
-// carry the name that is given, the material's, or its form's.
+// Returns GLSL. Whole shaders have no functions to include; GlslContent explains the options. Functions to
+// include are named by `given`, by the material, or by its form.
 std::string glsl(const Optics& optics, const std::string& to, bool material, bool include,
                  const std::string& given) {
   if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + " not in {glsl,glsl-es}");

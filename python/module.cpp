@@ -1,4 +1,5 @@
-// The extension behind `import brdf`: the rooms' functions as they are. What people call is in python/brdf.
+// The extension behind `import brdf`, which exposes the functions of the C++ libraries unchanged. The public
+// interface is in python/brdf.
 #include <filesystem>
 
 #include "io/files/content.h"
@@ -13,7 +14,7 @@
 namespace brdf::python {
 namespace {
 
-// The library's exceptions under Python's classes, with the same sentence.
+// Maps the library's exceptions to Python classes with the same message.
 void bind_errors(py::module_& module) {
   static const py::handle input = PyErr_NewException("brdf.InputError", PyExc_ValueError, nullptr);
   static const py::handle environment = PyErr_NewException("brdf.EnvironmentError", PyExc_OSError, nullptr);

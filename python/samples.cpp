@@ -1,4 +1,4 @@
-// Tables of samples: from files, from arrays, and as arrays.
+// Tables of samples: read from files, made from arrays, and returned as arrays.
 #include <limits>
 #include <sstream>
 
@@ -22,7 +22,7 @@ std::vector<double> to_vector(const Column& column) {
   return {column.data(), column.data() + column.size()};
 }
 
-// A view of a column, which the table keeps alive and nobody may write to.
+// Returns a read-only view of a column. The view keeps the table alive.
 py::array_t<double> view(const py::object& owner, const std::vector<double>& column) {
   py::array_t<double> array(py::ssize_t(column.size()), column.data(), owner);
   array.attr("flags").attr("writeable") = false;
@@ -38,7 +38,7 @@ std::size_t channel_index(const io::SampleTable& table, std::size_t channel) {
   return channel;
 }
 
-// Columns as (rows, channels); NaN where a channel has none.
+// Returns columns as an array (rows, channels), with NaN for channels that have no column.
 py::array_t<double> rows_of(const io::SampleTable& table, const std::vector<std::vector<double>>& columns) {
   const std::size_t rows = table.rows(), count = table.channels.size();
   py::array_t<double> out({rows, count});
@@ -51,7 +51,7 @@ py::array_t<double> rows_of(const io::SampleTable& table, const std::vector<std:
   return out;
 }
 
-// (rows, 3) unit vectors of one of the two directions.
+// Returns the unit vectors (rows, 3) of one of the two directions.
 py::array_t<double> vectors_of(const std::vector<double>& theta, const std::vector<double>& phi) {
   py::array_t<double> out({theta.size(), std::size_t{3}});
   auto at = out.mutable_unchecked<2>();
@@ -83,7 +83,7 @@ Samples from_arrays(const std::array<Column, 4>& angles, const std::vector<Colum
   return Samples(std::move(table));
 }
 
-// Angles of directions of any length.
+// Returns the angles of directions, which may have any length.
 py::tuple angles_of(const Column& vectors) {
   const py::ssize_t count = vectors.shape(0);
   py::array_t<double> theta(count), phi(count);
@@ -100,7 +100,7 @@ std::string to_csv(const Samples& samples) {
   return out.str();
 }
 
-// Without the interpreter's lock.
+// Reads a table without holding the interpreter's lock.
 template <class Read>
 Samples read(Read&& make) {
   const py::gil_scoped_release unlocked;

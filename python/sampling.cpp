@@ -1,4 +1,4 @@
-// Random directions of a material: a mixture of its terms' own samplers.
+// Random directions of a material, from a mixture of its terms' own samplers.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,8 @@ namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// One of `count` by a number in [0, 1), and what is left of that number, in [0, 1) again.
+// One of `count` choices selected by a number in [0, 1), and the remainder of this number, rescaled to [0,
+// 1).
 struct Chosen {
   std::size_t place;
   double rest;
@@ -24,8 +25,8 @@ Chosen choose(double u, std::size_t count) {
   return {place, at - double(place)};
 }
 
-// A term's sampler in the surface's frame. Where the channels have shapes of their own, each with the same
-// chance.
+// The sampler of a term in the surface's frame. If the channels have separate shapes, each shape is chosen
+// with the same probability.
 class TermSampler {
  public:
   explicit TermSampler(const Term& term)
@@ -47,12 +48,12 @@ class TermSampler {
   double cos_, sin_;
 };
 
-// Every term with the same chance.
+// A mixture in which every term has the same probability.
 class Mixture {
  public:
   explicit Mixture(const Material& material) : terms_(material.terms.begin(), material.terms.end()) {}
 
-  // u3 chooses the term, and what is left of it how that samples.
+  // Samples a direction. u3 selects the term, and the remainder of u3 is passed to the term's sampler.
   Vec3<double> sample(const double* u, const Vec3<double>& wo) const {
     const auto [k, rest] = choose(u[2], terms_.size());
     return terms_[k].sample(u[0], u[1], rest, wo);
@@ -80,7 +81,7 @@ void check_unit(const Rows& rows, const char* name) {
   }
 }
 
-// wi (n, 3) of wo and u, both (n, 3).
+// Returns directions wi (n, 3) for wo and u, both (n, 3).
 py::array_t<double> sample(const Optics& optics, const Rows& wo, const Rows& u) {
   py::array_t<double> out({wo.shape(0), py::ssize_t{3}});
   const Mixture mixture(optics.file.material);

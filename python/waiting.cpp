@@ -7,14 +7,14 @@
 namespace brdf::python {
 namespace {
 
-constexpr std::chrono::milliseconds kListening{50};  // between two looks for a signal
+constexpr std::chrono::milliseconds kListening{50};  // interval between two checks for a signal
 
 bool in_main_thread() {
   const py::module_ threading = py::module_::import("threading");
   return threading.attr("get_ident")().equal(threading.attr("main_thread")().attr("ident"));
 }
 
-// Work on a thread of its own.
+// Runs work on a thread of its own.
 class Running {
  public:
   explicit Running(const std::function<void()>& work) : thread_([this, &work] { run(work); }) {}
@@ -23,7 +23,7 @@ class Running {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, time, [this] { return ended_; });
   }
-  // After the end.
+  // Joins the thread and rethrows its exception. Precondition: the work has ended.
   void rethrow() {
     thread_.join();
     if (error_) std::rethrow_exception(error_);
@@ -45,7 +45,7 @@ class Running {
   std::condition_variable changed_;
   bool ended_ = false;
   std::exception_ptr error_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // last, since the thread uses the other members
 };
 
 void run_listening(Watch& watch, const std::function<void()>& work) {

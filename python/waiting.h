@@ -1,4 +1,5 @@
-// Long work beside an interpreter that goes on: other threads run, Ctrl-C is heard, progress is told.
+// Runs long work while the interpreter continues: other threads run, Ctrl-C is handled, and progress is
+// reported.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -12,11 +13,11 @@ namespace brdf::python {
 
 namespace py = pybind11;
 
-// Ends work from inside: its progress throws it.
+// Thrown by the progress function of a piece of work to end the work from inside.
 struct Stopped {};
 
-// What a piece of work is asked to do from outside. A callback that returns False asks it to stop; one that
-// raises too, and what it raised is raised at the end.
+// The requests to a piece of work from outside. A callback that returns False requests a stop. A callback
+// that raises an exception also requests a stop, and the exception is raised at the end.
 class Watch {
  public:
   explicit Watch(py::object callback) : callback_(std::move(callback)) {}
@@ -24,7 +25,7 @@ class Watch {
   const std::atomic<bool>& stop() const { return stop_; }
   void ask_to_stop() { stop_ = true; }
 
-  // Called by the work, on any thread, without the interpreter's lock.
+  // Calls the callback. The work calls this function on any thread, without the interpreter's lock.
   template <class... Values>
   void tell(const Values&... values) {
     if (callback_.is_none() || stop_) return;
@@ -35,14 +36,14 @@ class Watch {
       keep(std::current_exception());
     }
   }
-  // The same for work that only an exception ends.
+  // The same for work that can be ended only by an exception.
   template <class... Values>
   void tell_or_throw(const Values&... values) {
     tell(values...);
     if (stop_) throw Stopped{};
   }
 
-  // Keeps what is to be raised and asks to stop.
+  // Stores an exception that is to be raised later, and requests a stop.
   void keep(std::exception_ptr error);
   void rethrow() const;
 
@@ -53,8 +54,9 @@ class Watch {
   std::exception_ptr error_;
 };
 
-// Runs the work without the interpreter's lock. In the main thread signals are heard meanwhile: Ctrl-C stops
-// the work and is raised when it has ended. Then raises what the work or its callback threw.
+// Runs the work without the interpreter's lock. In the main thread, signals are checked meanwhile: Ctrl-C
+// stops the work and is raised after the work has ended. Then raises the exception of the work or of its
+// callback.
 void run_watched(Watch& watch, const std::function<void()>& work);
 
 }  // namespace brdf::python

@@ -13,7 +13,7 @@ bool is_animation(const Job& job) {
   return job.output.extension() == ".webp";
 }
 
-// Where the frame's number stands in a file's name: from %, with so many digits at least.
+// The place of the frame's number in a file's name, from the %, and the least number of digits.
 struct NumberPlace {
   std::size_t begin = std::string::npos, end = 0;
   int digits = 0;

@@ -1,4 +1,4 @@
-// The frames of a turntable: as one animation or as numbered pictures.
+// Writes the frames of a turntable as one animation or as numbered pictures.
 #pragma once
 
 #include <functional>
@@ -7,12 +7,13 @@
 
 namespace brdf::render {
 
-// Throws InputError where the job's output names neither, or asks for what an animation does not hold.
+// Throws InputError if the job's output names neither an animation nor numbered pictures, or if the job
+// requests the seven targets, which a turntable does not show.
 void check_frames(const Job& job);
-// For before the work: as io::check_targets for every file that will be written.
+// Call before the work starts. Checks each file that will be written, as io::check_targets does.
 void check_frame_targets(const Job& job, const std::vector<std::filesystem::path>& inputs);
-// Writes every frame that `draw` makes: an animation as a whole or not at all, a picture as soon as it is
-// drawn.
+// Writes all frames that `draw` returns. An animation is written completely or not at all; a picture is
+// written as soon as it is drawn.
 void write_frames(const Job& job, const std::function<BytePicture(int frame)>& draw);
 
 }  // namespace brdf::render

@@ -37,7 +37,7 @@ JobReport run(const Job& given) {
   const Job job = with_samples_told(given);
   ViewState state = state_of(job);
   check_output(job, state);
-  // Without a display of its own, a comparison shows all it has in a row.
+  // A comparison for which no display is chosen shows A, B and the difference in a row.
   const bool row = compared(job) && state.display == Display::picture && !job.show;
   if (row) state.display = Display::difference;
   const bool with_other = needs_other(state.display);

@@ -1,4 +1,4 @@
-// What `brdf render` does: from files to a picture and its measures.
+// The work of `brdf render`: from files to a picture and its measures.
 #pragma once
 
 #include <cstdint>
@@ -19,41 +19,46 @@ inline constexpr int kDefaultSamples = 64;
 
 struct Job {
   std::vector<std::filesystem::path> materials;
-  // Materials that are ready, with what stands below each, and the file they were made of.
+  // Prepared materials, each with the label below it, and the file from which they were made.
   std::vector<std::pair<std::string, Material>> row;
   std::filesystem::path row_source;
-  std::string shape;  // what materials are shown on, as a scene's "mesh"; empty: spheres
+  // The shape that shows the materials, as in a scene's "mesh"; empty: spheres.
+  std::string shape;
   std::filesystem::path scene, state, output;  // output: .exr or .png
   std::optional<int> width, height;
   std::optional<float> exposure;
-  bool exposure_from_picture = false;  // instead
-  std::optional<int> supersample;  // samples across a pixel; none: 4, and 1 for an EXR that holds more than A
+  bool exposure_from_picture = false;  // computed from the picture
+  // Samples across a pixel; std::nullopt: 4, but 1 for an EXR that contains more than A.
+  std::optional<int> supersample;
   Rounding rounding = Rounding::dithered;
   std::optional<std::string> tone_map, shading;
-  std::optional<std::string> environment;  // a picture's file or a Formula's name, instead of the scene's
-  std::optional<float> rotation;           // of the environment, degrees
-  int samples = kDefaultSamples;           // of its light, per pixel
-  bool hard_light = false;                 // materials to look at do not stand in the studio
+  // The file of a picture or the name of a Formula, in place of the scene's environment.
+  std::optional<std::string> environment;
+  std::optional<float> rotation;  // of the environment, degrees
+  int samples = kDefaultSamples;  // of the environment's light, per pixel
+  bool hard_light = false;        // materials are not lit by the studio
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
-  std::uint64_t memory_limit = 0;  // bytes, 0: none
+  std::uint64_t memory_limit = 0;  // bytes, 0: no limit
   bool forward = false;
-  bool gbuffer = false;             // EXR: the seven targets as layers too
-  std::string compare;              // B: "embree", or a material's file
+  bool gbuffer = false;             // EXR: add the seven targets as layers
+  std::string compare;              // B: "embree", or the file of a material
   std::filesystem::path measured;   // B: a sample table, with the same lights
   std::optional<std::string> show;  // PNG: the name of a Display
-  std::optional<float> split;  // share of the width that shows A; none: the split cuts through the highlight
-  bool labels = true;          // PNG: names and numbers where it holds several pictures
-  std::optional<glm::ivec2> probe;   // pixel whose values are wanted
+  // Share of the width that shows A; std::nullopt: the split passes through the highlight.
+  std::optional<float> split;
+  bool labels = true;                // PNG: names and numbers if it contains several pictures
+  std::optional<glm::ivec2> probe;   // pixel to report the values of
   std::optional<double> plot_theta;  // lobe plot: angle of the light in degrees
-  std::optional<std::string> solo;   // lobe plot: this curve alone
-  bool validation = false;           // under the validation layers
-  // Frames with the camera once round its target, the first being the picture itself: .webp, or PNG files
-  // whose name has the frame's number where `output` has %d or %04d.
+  std::optional<std::string> solo;   // lobe plot: show only this curve
+  bool validation = false;           // run under the validation layers
+  // Number of frames of a turn of the camera round its target; the first frame is the picture itself. The
+  // output is a .webp, or PNG files if the name of `output` contains %d or %04d, which is replaced by the
+  // number of the frame.
   std::optional<int> turntable;
   double frames_per_second = 25;
-  int quality = 90;                        // of .webp: 100 is without loss
-  std::function<void(int, int)> progress;  // frames done, of how many
+  int quality = 90;                        // of .webp: 100 is lossless
+  std::function<void(int, int)> progress;  // frames done, total number of frames
 };
 
 struct JobReport {
@@ -61,44 +66,47 @@ struct JobReport {
   int width = 0, height = 0;
   float exposure = 0;  // stops
   double clipped = 0;  // share of surface pixels that the display clips
-  std::string other;   // name of B, where there is one
+  std::string other;   // name of B; empty without B
   std::optional<Difference> difference;
-  std::vector<std::pair<std::string, double>>
-      passes;         // milliseconds; with an environment of one run of kRun samples
-  int samples = 0;    // of an environment's light, 0: there is none
+  // Milliseconds; with an environment, of one run of kRun samples.
+  std::vector<std::pair<std::string, double>> passes;
+  int samples = 0;    // samples of an environment's light; 0: no environment
   double noise = -1;  // see Pictures::noise
   std::optional<PixelProbe> probe;
   glm::vec4 probed_a{0}, probed_b{0};  // the pictures' values at the probed pixel
   unsigned validation_messages = 0;
-  std::vector<std::string> notes;  // how channels became colours where their names do not say it
+  // Mapping of channels to colours, if the names of the channels do not determine it.
+  std::vector<std::string> notes;
 };
 
-// The job with sample tables that stand among its materials (told by their content) as what they are compared
-// with. Throws InputError where there are two. What such a job shows without a material is the samples alone.
+// Moves sample tables among the job's materials (detected from their content) to `measured`, which the
+// materials are compared with. Throws InputError if there is more than one table. A job without materials
+// then shows the samples alone.
 Job with_samples_told(Job job);
-// A material to begin with: the catalogue's first canonical form of facets.
+// Returns a material to start with: the first canonical microfacet form of the catalogue.
 std::pair<std::string, Material> any_material();
 
-// What a job means, as the viewer's state: a saved one, a scene, or materials. Throws InputError.
+// Returns the viewer state that a job describes: a saved state, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
-// Puts the job's environment and its rotation into a scene. Throws InputError where there is nothing to
-// rotate.
+// Applies the job's environment and its rotation to a scene. Throws InputError if a rotation is given but
+// there is no environment to rotate.
 void apply_environment(const Job& job, Scene& scene);
-// How the channels of a state's materials became colours, a line for each material that does not say it.
+// Returns how the channels of a state's materials were mapped to colours: a line for each material whose
+// channel names do not determine the mapping.
 std::vector<std::string> colour_notes(const ViewState& state);
-// Renders and writes the output, if one is named. Throws
-// InputError or EnvironmentError; nothing is written then.
+// Renders and writes the output, if one is given. Throws InputError or EnvironmentError; nothing is written
+// then.
 JobReport run(const Job& job);
-// Writes the lobe plot of the job's materials (A, and B where it is a material; measured points where it is a
-// table) as PNG: in the plane of incidence, or as a body.
+// Writes the lobe plot of the job's materials as PNG, in the plane of incidence or as a body. The plot
+// shows A, B if B is a material, and the measured points if B is a sample table.
 enum class LobeView { plane, body };
 void write_lobes(const Job& job, LobeView view = LobeView::plane);
 
-// Writes maps as PNG into a folder, which is made: "rusty_metal"
-// (albedo, normal, roughness, metallic) or "tiles" (albedo).
+// Writes maps as PNG into a folder and creates the folder: "rusty_metal" (albedo, normal, roughness,
+// metallic) or "tiles" (albedo).
 void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder);
-// Writes the lookup article's tables as PNG into a folder:
-// every factor, and the product with the article's slip.
+// Writes the lookup article's tables as PNG into a folder: each factor, and the product with the article's
+// error.
 void write_lookup_pictures(const std::filesystem::path& folder);
 
 }  // namespace brdf::render

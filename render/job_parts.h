@@ -1,4 +1,4 @@
-// What the parts of job.cpp share.
+// Functions shared by the parts of job.cpp.
 #pragma once
 
 #include "render/job.h"
@@ -8,7 +8,7 @@ namespace brdf::render {
 inline bool compared(const Job& job) {
   return !job.compare.empty() || !job.measured.empty();
 }
-// Nothing but samples.
+// Returns whether the job shows only samples.
 inline bool samples_alone(const Job& job) {
   return job.materials.empty() && job.row.empty() && job.scene.empty() && job.state.empty() &&
          !job.measured.empty();
@@ -19,7 +19,7 @@ inline bool is_png(const std::filesystem::path& file) {
 inline bool needs_other(Display display) {
   return display != Display::picture && display != Display::gbuffer;
 }
-// Refuses an output that is one of the files that the picture is made of.
+// Throws InputError if the output is one of the files that the picture is made from.
 void check_output(const Job& job, const ViewState& state);
 
 }  // namespace brdf::render

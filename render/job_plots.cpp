@@ -1,4 +1,4 @@
-// Lobes, texture maps and the lookup article's tables: pictures without a scene.
+// Pictures without a scene: lobes, texture maps and the tables of the lookup article.
 #include <cmath>
 
 #include "io/files/error.h"
@@ -16,8 +16,8 @@
 namespace brdf::render {
 namespace {
 
-// The table whose points are drawn, and the angle of its light: the one asked for, or the nearest to the
-// usual one.
+// Returns the table of measured points, and sets the angle of its light: the requested angle, or the
+// measured angle nearest to the default.
 std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
   if (state.other != Other::samples || state.samples.empty()) return std::nullopt;
   io::SampleTable table = io::read_samples(state.samples);

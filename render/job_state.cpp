@@ -1,4 +1,4 @@
-// What a job means: files to a view state.
+// Converts a job to a view state, reading its files.
 #include <algorithm>
 #include <cmath>
 
@@ -33,7 +33,7 @@ void check_usage(const Job& job) {
   }
 }
 
-// `named`: whether the file itself says what it is called.
+// `named`: set to whether the file gives the material's name.
 std::pair<std::string, Material> load_material(const std::filesystem::path& file, bool* named = nullptr) {
   io::MaterialFile read = io::read_material_file(file);
   require_colours(read.material.channels, file.string());
@@ -41,7 +41,8 @@ std::pair<std::string, Material> load_material(const std::filesystem::path& file
   return {read.name.empty() ? file.stem().string() : read.name, std::move(read.material)};
 }
 
-// The same picture from farther away: at the ends of a row balls stay round.
+// Shows the same picture from farther away with a smaller field of view; spheres at the ends of a row then
+// look round.
 void step_back(Camera& camera) {
   constexpr float kFarther = 6;
   camera.position = camera.target + kFarther * (camera.position - camera.target);
@@ -88,7 +89,8 @@ void apply_overrides(const Job& job, Scene& scene) {
   scene.as_coded |= job.as_coded;
 }
 
-// Materials to look at stand in the studio, unless something about them is measured, compared or taken apart.
+// Returns whether the studio lights the materials: if they are only viewed, and nothing about them is
+// measured, compared or taken apart.
 bool stands_in_the_studio(const Job& job) {
   const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
   const bool is_looked_at = is_png(job.output) || job.turntable;
@@ -98,7 +100,8 @@ bool stands_in_the_studio(const Job& job) {
 
 }  // namespace
 
-// Spheres of materials alone are then lit by nothing else, and seen before it.
+// If the job consists of materials alone, the environment becomes the only light and is shown behind the
+// objects.
 void apply_environment(const Job& given, Scene& scene) {
   Job job = given;
   if (!job.environment && stands_in_the_studio(job)) job.environment = name_of(Formula::studio);
@@ -125,7 +128,7 @@ void apply_environment(const Job& given, Scene& scene) {
 Job with_samples_told(Job job) {
   std::vector<std::filesystem::path> materials;
   for (const std::filesystem::path& file : std::exchange(job.materials, {})) {
-    // A pipe can be read once: it is taken for a material.
+    // A pipe can be read only once and is assumed to contain a material.
     if (!std::filesystem::is_regular_file(file) || io::is_json(io::read_content(file))) {
       materials.push_back(file);
     } else if (job.measured.empty()) {
@@ -159,7 +162,7 @@ ViewState state_of(const Job& given) {
     if (!job.compare.empty() && job.compare != "embree") {
       std::tie(state.material_name, state.material) = load_material(job.compare);
       state.other = Other::material;
-      state.everywhere = job.shape.empty();  // a car's tyres stay what they are
+      state.everywhere = job.shape.empty();  // the tyres of a car keep their material
     }
   }
   give_room(state);

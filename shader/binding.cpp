@@ -18,7 +18,7 @@ std::string last_word(const std::string& name) {
   return dot == name.npos ? name : name.substr(dot + 1);
 }
 
-// Makes parameters and bindings of a program's inputs.
+// Creates the parameters and the bindings of a program's inputs.
 class Binder {
  public:
   Binder(Function& function, const std::vector<Declared>& declared) : f_(function), declared_(declared) {}
@@ -26,7 +26,7 @@ class Binder {
   std::vector<Binding> bind(const Program& program) {
     read_ = read_slots(program);
     std::vector<Binding> out;
-    // Arguments first; globals in the order of the file where that declares them.
+    // Arguments first, then globals in the order in which the file declares them.
     std::vector<Input> inputs = program.inputs;
     const auto place = [&](const Input& input) {
       const auto& globals = f_.source.globals;
@@ -44,7 +44,7 @@ class Binder {
     return out;
   }
 
-  // What the command line or the file says of parameters that are not there.
+  // Throws InputError if the command line or the file declares a parameter that does not exist.
   void check_declared() const {
     for (const Declared& d : declared_) {
       if (used_.contains(d.name)) continue;
@@ -64,7 +64,8 @@ class Binder {
                       : "--param " + d.name;
   }
 
-  // The name that its meaning is read from: the entry line's, where that names it.
+  // The name that determines the meaning of an input: the name on the entry line, if that line names the
+  // argument.
   std::string spoken_name(const Input& input) const {
     const auto& line = f_.source.entry;
     if (input.argument < 0 || !line || !line->arguments ||
@@ -76,7 +77,7 @@ class Binder {
   }
 
   const Declared* declaration(const std::string& name) {
-    // The command line's come last, and win.
+    // Declarations of the command line come last and take precedence.
     for (std::size_t k = declared_.size(); k-- > 0;)
       if (declared_[k].name == name || declared_[k].name == last_word(name)) {
         used_.insert(declared_[k].name);
@@ -97,7 +98,7 @@ class Binder {
     }
     if (input.type.ends_with("]") || input.type.starts_with("mat") || (integer && input.slots.size() > 1))
       return add_numbers(input, name, declared, out);
-    if (input.type == "vec4") {  // a colour and what covers it
+    if (input.type == "vec4") {  // a colour and its coverage
       Input colour = input;
       out.push_back({Binding::From::one, colour.slots[3]});
       colour.slots.pop_back();
@@ -115,7 +116,7 @@ class Binder {
     add_parameter(input, name, declared, integer, out);
   }
 
-  // Of an array or a matrix each number that is read, NAME_0 and so on.
+  // Adds a parameter for each number of an array or a matrix that is read: NAME_0 and so on.
   void add_numbers(const Input& input, const std::string& name, const Declared* declared,
                    std::vector<Binding>& out) {
     constexpr std::size_t kMost = 16;
@@ -220,7 +221,7 @@ class Binder {
                                 : " is no whole number below 2^31, and it is one"));
   }
 
-  // A block of constants has truth values as integers.
+  // Whether the text declares the name as bool: a block of constants stores truth values as integers.
   bool is_declared_bool(const std::string& name) const {
     const std::vector<Token> tokens = tokens_of(f_.source.whole);
     for (std::size_t k = 1; k < tokens.size(); ++k)
@@ -228,7 +229,7 @@ class Binder {
     return false;
   }
 
-  // "uniform float NAME = 0.3;"
+  // The initial value in "uniform float NAME = 0.3;"; std::nullopt if the text has no such line.
   std::optional<double> initial_in_text(const std::string& name) const {
     const std::string& text = f_.source.whole;
     const std::vector<Token> tokens = tokens_of(text);
@@ -246,9 +247,9 @@ class Binder {
 
   Function& f_;
   const std::vector<Declared>& declared_;
-  std::map<std::string, std::size_t> known_;  // first value of an input of that name
+  std::map<std::string, std::size_t> known_;  // first value of the input with that name
   std::set<std::string> used_;
-  std::set<std::pair<bool, std::uint32_t>> read_;  // slots of the program that is bound
+  std::set<std::pair<bool, std::uint32_t>> read_;  // slots of the program that is being bound
 };
 
 }  // namespace

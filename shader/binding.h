@@ -1,5 +1,5 @@
-// What fills a shader's inputs before a run: directions and parameters, told by names and by what the file
-// says.
+// Determines how a shader's inputs (directions and parameters) are filled before a run, from their names
+// and from the declarations of the file and the command line.
 #pragma once
 
 #include <set>
@@ -9,11 +9,12 @@
 
 namespace brdf::shader {
 
-// Slots of a program (integers: true) that some step reads before the end.
+// Returns the slots of a program that some step reads before the end, each with true for an integer slot.
 std::set<std::pair<bool, std::uint32_t>> read_slots(const Program& program);
 
-// Makes the function's parameters and the bindings of its two programs. Throws InputError where the file or
-// the command line speaks of parameters that are not there, or leaves open what must be said.
+// Creates the function's parameters and the bindings of its two programs. Throws InputError if the file or
+// the command line declares a parameter that does not exist, or if a required declaration is missing or
+// invalid.
 void bind_inputs(Function& function);
 
 }  // namespace brdf::shader

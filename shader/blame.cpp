@@ -18,7 +18,7 @@ bool only_passes_on(Op op) {
   return op == Op::copy || op == Op::select || op == Op::load_number || op == Op::store_number;
 }
 
-// The operand to follow; nothing: it begins here.
+// The operand to follow; std::nullopt: the fault begins at this entry.
 std::optional<int> not_finite_operand(const Entry& e) {
   const Operation& o = operation(e.step->op);
   for (int k = 0; k < operands_in(e); ++k)
@@ -32,7 +32,7 @@ std::optional<int> negative_operand(const Entry& e) {
     case Op::mul:
     case Op::div:
       return a < 0 ? 0 : 1;
-    case Op::add:  // of two signs: here it goes below 0
+    case Op::add:  // with operands of both signs the sum becomes negative here
       return a < 0 && b < 0 ? std::optional(a < b ? 0 : 1) : std::nullopt;
     case Op::sub:
       return a < 0 ? std::optional(0) : std::nullopt;
@@ -102,7 +102,7 @@ Blame made(const Function& f, const Entry* e, std::string operation = {}) {
   return b;
 }
 
-// The last step before two runs go different ways; null where they go the same.
+// The last step before two runs take different paths; null if they take the same path.
 const Entry* first_other_way(const Trace& a, const Trace& b) {
   const std::size_t common = std::min(a.entries.size(), b.entries.size());
   for (std::size_t k = 1; k < common; ++k) {
@@ -112,8 +112,8 @@ const Entry* first_other_way(const Trace& a, const Trace& b) {
   return nullptr;
 }
 
-// Back from the result of two runs of the same steps: where they differ, and what is read differs far less;
-// -1: nowhere.
+// Follows two runs of the same steps back from the result. Returns the entry at which the runs differ while
+// its operands differ far less; -1 if there is no entry.
 int where_they_part(const Trace& a, const Trace& b) {
   const auto error = [&](int entry) {
     const double x = a.entries[std::size_t(entry)].result, y = b.entries[std::size_t(entry)].result;
@@ -131,7 +131,8 @@ int where_they_part(const Trace& a, const Trace& b) {
   return e;
 }
 
-// Float and double of the same steps, side by side; where they part, what they part at.
+// Compares float and double for the same steps. Returns the operation at which they take different paths or
+// at which their values separate.
 Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<double>& wi,
                   const Vec3<double>& wo, std::size_t component) {
   const auto rounded = [](double x) { return double(float(x)); };

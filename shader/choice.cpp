@@ -10,7 +10,7 @@
 namespace brdf::shader {
 namespace {
 
-// "NAME", "NAME=" and "NAME=VALUE" as "NAME=VALUE".
+// Turns "NAME", "NAME=" and "NAME=VALUE" into the form NAME=VALUE.
 std::string parse_define(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);

@@ -1,4 +1,4 @@
-// What a command line says of a shader.
+// The choices that a command line makes for a shader.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace brdf::shader {
 
-// `parameters` are --param's texts; `entry` and `returns` win over the file's where they are not empty;
-// `defines` are NAME=VALUE, NAME (then 1) or NAME= (then nothing), before the first line and in included
-// files; `include_folders` are searched after the file's own, in their order.
+// `parameters` are the texts of --param. `entry` and `returns` take precedence over the file unless they
+// are empty. `defines` are NAME=VALUE, NAME (equal to NAME=1) or NAME= (an empty value); they take effect
+// before the first line, and also in included files. `include_folders` are searched in their order, after
+// the file's own folder.
 struct ShaderChoice {
   std::string file;
   std::vector<std::string> parameters = {};
@@ -18,11 +19,11 @@ struct ShaderChoice {
   std::vector<std::string> defines = {}, include_folders = {};
 };
 
-// Makes it part of the source. Throws InputError where a text is not understood, a macro is defined twice, or
-// a folder is none.
+// Adds the choice to the source. Throws InputError if a text cannot be parsed, a macro is defined twice
+// with different values, or an include folder is not a folder.
 void choose(Source& source, const ShaderChoice& choice);
 
-// The words of a command line that say the same.
+// Returns the command line options that make the same choice.
 std::string command_words(const ShaderChoice& choice);
 
 }  // namespace brdf::shader

@@ -21,12 +21,12 @@ spirv::Id pointee(const Module& m, spirv::Id type) {
   return t.kind == Kind::pointer ? t.element : type;
 }
 
-// What main() calls is no part of something larger.
+// Functions that main() calls do not count as called, so they are still candidates for the reflectance.
 bool is_main(const std::string& name) {
   return name == "main" || name == "brdf_own_main" || name == "brdf_main" || name == "mainImage";
 }
 
-// Functions of the file's own, by name, without what the program adds.
+// Functions that the file defines, without main functions and without the functions that the program adds.
 std::vector<const spirv::Function*> own_functions(const Module& module) {
   std::vector<const spirv::Function*> out;
   for (const auto& [id, f] : module.functions)
@@ -46,7 +46,8 @@ std::set<spirv::Id> called_by_others(const Module& module) {
   return called;
 }
 
-// Directions that arguments (and members of structs) or global variables are, by their names.
+// Records the directions that arguments, members of structs or global variables hold, according to their
+// names.
 struct Seen {
   bool light = false, view = false;
 
@@ -61,7 +62,8 @@ struct Seen {
   }
 };
 
-// Takes a direction of light and one of view, or their products with the normal; one of them may be global.
+// Whether the function takes a direction of the light and one of the viewer, or their products with the
+// normal. One of the two may be a global variable.
 bool takes_directions(const Module& m, const spirv::Function& f, const std::vector<std::string>& free) {
   Seen seen;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {
@@ -98,14 +100,14 @@ std::string listed(const Module& module, const std::vector<const spirv::Function
   return io::joined(words, "; ");
 }
 
-// "brdf(L, V, N, kd)", as --entry takes it.
+// "brdf(L, V, N, kd)", in the syntax of --entry.
 std::string entry_words(const Module& module, const spirv::Function& function) {
   std::vector<std::string> words;
   for (const spirv::Id parameter : function.parameters) words.push_back(module.name(parameter));
   return function.name + "(" + io::joined(words) + ")";
 }
 
-// Those of the functions that are so; all where none is.
+// The functions that satisfy `is`; all of them if no function does.
 template <class Is>
 std::vector<const spirv::Function*> those(const std::vector<const spirv::Function*>& of, Is&& is) {
   std::vector<const spirv::Function*> out;
@@ -113,8 +115,9 @@ std::vector<const spirv::Function*> those(const std::vector<const spirv::Functio
   return out.empty() ? of : out;
 }
 
-// Of overloads the one whose arguments the entry's line names, else the only one that takes directions and
-// that no other function calls. `note` says which it is. Throws InputError where nothing tells them apart.
+// Chooses among overloads: the one with the arguments that the entry line names, or otherwise the only one
+// that takes directions and is not called by another function. `note` receives the signature of the chosen
+// one. Throws InputError if the choice is not unique.
 const spirv::Function* meant_overload(const Module& module, const Source& source,
                                       const std::vector<const spirv::Function*>& all,
                                       const std::set<spirv::Id>& called, const std::vector<std::string>& free,
@@ -148,15 +151,15 @@ bool is_called_brdf(const std::string& function) {
   return name.find("brdf") != name.npos || name.find("bsdf") != name.npos || name.find("bxdf") != name.npos;
 }
 
-// Says why the first of those functions is not there.
+// Throws InputError with the reason if the first function that satisfies `is` was left out.
 template <class Is>
 void require_compiled(std::span<const LeftOut> left_out, Is&& is) {
   for (const LeftOut& f : left_out)
     if (is(f.name)) throw InputError(f.why);
 }
 
-// What a function that does not compile calls is part of it: a line that says so, where its name is a
-// reflectance's.
+// Throws InputError if a left-out function with the name of a reflectance calls the chosen function: then
+// the chosen function is only a part of the reflectance.
 void require_whole(std::span<const LeftOut> left_out, const std::string& chosen) {
   for (const LeftOut& out : left_out) {
     if (!is_called_brdf(out.name)) continue;
@@ -167,7 +170,7 @@ void require_whole(std::span<const LeftOut> left_out, const std::string& chosen)
   }
 }
 
-// Macros that the text asks for: what it has may stand behind one of them.
+// Lists the undefined macros that the text tests, because one of them may enable the missing function.
 std::string asked_for(const Compiled& compiled) {
   if (compiled.asked.empty()) return "";
   return "; the text asks for macros that are not defined (" + io::joined(compiled.asked) +
@@ -191,7 +194,7 @@ std::string signature(const Module& module, const spirv::Function& f) {
 
 std::vector<std::string> free_directions(const Module& module, const Source& source) {
   const std::vector<Token> tokens = tokens_of(source.whole);
-  std::set<std::string_view> set;  // names that stand between a type and a value
+  std::set<std::string_view> set;  // names between a type and an assigned value
   for (std::size_t k = 1; k + 1 < tokens.size(); ++k)
     if (is_word(tokens[k - 1].text[0]) && tokens[k + 1].is("=")) set.insert(tokens[k].text);
   std::vector<std::string> out;
@@ -260,7 +263,7 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
     const spirv::Function* const meant = meant_overload(module, source, exact, called, free, note);
     return with_results(meant, note);
   }
-  // A factor of one is none, whatever it takes.
+  // A factor of a reflectance is not a reflectance, whatever its arguments are.
   const auto is_factor = [&](const spirv::Function* f) {
     const std::string name = io::lower_case(f->name);
     const auto has = [&](const char* word) { return name.find(word) != name.npos; };
@@ -270,7 +273,8 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
             name.starts_with("v_") || name.starts_with("d_") || f->name.starts_with("F_") ||
             name.starts_with("vis_"));
   };
-  // Those that draw a direction, or say how densely, know both and are no value.
+  // Functions that sample a direction or compute a density take both directions, but do not return a
+  // reflectance.
   const auto draws = [](const spirv::Function* f) {
     const std::string name = io::lower_case(f->name);
     return name.find("sample") != name.npos || name.find("pdf") != name.npos ||
@@ -281,9 +285,9 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
   };
   auto likely = named(
       [&](const spirv::Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
-  if (likely.empty())  // one of the file's others may call it
+  if (likely.empty())  // another function of the file may call it
     likely = named([&](const spirv::Function* f) { return could_be(f) && is_called_brdf(f->name); });
-  if (likely.empty())  // a shading function of the file's calls it
+  if (likely.empty())  // a shading function of the file calls it
     likely = named([&](const spirv::Function* f) { return could_be(f) && !is_factor(f); });
   if (likely.size() > 1) {
     auto by_name = likely;

@@ -1,4 +1,4 @@
-// Which of a file's functions is the reflectance.
+// Chooses the function of a file that is the reflectance.
 #pragma once
 
 #include <string>
@@ -13,20 +13,22 @@ namespace brdf::shader {
 
 struct Chosen {
   const spirv::Function* function = nullptr;
-  Results results;        // which of its values are the reflectance
-  std::string note = {};  // why that one, where the file does not say; may be empty
+  Results results;        // the values of the function that are the reflectance
+  std::string note = {};  // the reason of the choice, if the file does not name the function; may be empty
 };
 
-// The one that `entry` names; else the only one called brdf or BRDF; else the only one that takes directions
-// and that no other one calls. Of several of one name the one whose arguments `entry` names, else the only
-// one that no other one calls. Throws InputError that lists what there is.
+// Returns the function that `entry` names; otherwise the only function with the name brdf or BRDF;
+// otherwise the only function that takes directions and is not called by another function. Among several
+// functions with the same name, returns the one with the arguments that `entry` names, or otherwise the
+// only one that is not called by another function and takes directions. Throws InputError, with a list of
+// the functions, if the choice is not unique.
 Chosen choose_entry(const spirv::Module& module, const Source& source, const Compiled& compiled);
 
-// Global variables that are directions by their names and that the text declares without a value: what a file
-// around this one would set.
+// Returns the global variables that are directions according to their names and that the text declares
+// without a value. A file that includes this one would set them.
 std::vector<std::string> free_directions(const spirv::Module& module, const Source& source);
 
-// "vec3 brdf(vec3 L, vec3 V, float roughness)", for messages.
+// Returns "vec3 brdf(vec3 L, vec3 V, float roughness)", for messages.
 std::string signature(const spirv::Module& module, const spirv::Function& function);
 
 }  // namespace brdf::shader

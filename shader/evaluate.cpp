@@ -1,4 +1,4 @@
-// A shader's reflectance at given parameters and directions: its values, lobes and derivatives.
+// Evaluates a shader's reflectance at given parameters and directions: values, lobes and derivatives.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -12,9 +12,9 @@ namespace brdf::shader {
 namespace {
 
 constexpr int kLanes = 16;
-constexpr int kPartials = 4;  // derivatives taken at a time
+constexpr int kPartials = 4;  // derivatives computed together
 
-// A runner that is kept between calls: filling constants costs as much as many runs.
+// A runner that is kept between calls, because filling in the constants costs as much as many runs.
 template <class T, int W>
 Runner<T, W>& runner_of(const Function& function) {
   thread_local std::unique_ptr<Runner<T, W>> kept;
@@ -22,7 +22,7 @@ Runner<T, W>& runner_of(const Function& function) {
   return *kept;
 }
 
-// What was asked of which function.
+// The arguments of an evaluation, to recognise a repeated evaluation of the same function.
 template <class T>
 struct Question {
   std::uint64_t number = 0;
@@ -51,7 +51,7 @@ std::vector<T> ShaderReflectance::values_of(const ParameterValues<T>& p) const {
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     const Parameter& parameter = function_.parameters[weights_[k]];
     for (std::size_t c = 0; c < (parameter.colour ? 3u : 1u); ++c) values[parameter.first + c] = p.weights[k];
-    // What mixes channels may look at the first's weights whichever is asked for.
+    // A form that mixes channels may read the first channel's weights for every channel.
     if (info_.mixes_channels && parameter.colour) values[parameter.first] = p.first[k];
   }
   for (std::size_t k = 0; k < shape_.size(); ++k) {
@@ -85,12 +85,12 @@ void ShaderReflectance::evaluate_block(const std::vector<T>& values, const Direc
   for (std::size_t first = 0; first < d.count; first += W) {
     const int lanes = int(std::min<std::size_t>(W, d.count - first));
     typename Runner<T, W>::Lanes wi, wo;
-    for (std::size_t l = 0; l < W; ++l) {  // those beyond the last repeat it
+    for (std::size_t l = 0; l < W; ++l) {  // lanes beyond the last repeat it
       const std::size_t k = first + std::min(l, std::size_t(lanes - 1));
       wi[0][l] = d.wi_x[k], wi[1][l] = d.wi_y[k], wi[2][l] = d.wi_z[k];
       wo[0][l] = d.wo_x[k], wo[1][l] = d.wo_y[k], wo[2][l] = d.wo_z[k];
       if (!(smaller(wi[2][l], wo[2][l]) < T(0))) continue;
-      // Below the horizon the shader is not asked.
+      // Below the horizon the shader is not called with the actual directions.
       wi[0][l] = wi[1][l] = wo[0][l] = wo[1][l] = T(0);
       wi[2][l] = wo[2][l] = T(1);
     }
@@ -118,7 +118,7 @@ void ShaderReflectance::evaluate_all(const ParameterValues<T>& p, const Directio
                          : evaluate_block<T, kLanes>(values, d, times_cosine, to);
   };
   try {
-    // One run gives all channels: whoever asks for the first asks for the others next.
+    // One run gives all channels, because callers that request the first channel request the others next.
     constexpr std::size_t kMostKept = 4096;
     if (channels_.empty() || d.count > kMostKept) {
       Components<T> to{};

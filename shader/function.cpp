@@ -29,7 +29,7 @@ std::string undeclared(const Function& f) {
          "; give others with --param NAME=MIN:MAX or a line `//: param NAME MIN MAX DEFAULT`";
 }
 
-// A width across the tangent is one of two.
+// A width across the tangent requires a width along the tangent.
 void check_roles(const Function& f) {
   const auto with = [&](Role role) {
     return std::find_if(f.parameters.begin(), f.parameters.end(),
@@ -55,9 +55,9 @@ std::string without_functions(const std::vector<LeftOut>& left_out) {
          " not compile here (" + left_out.front().why + ")";
 }
 
-// Parameters that the file or the command line declares and on which no result depends.
+// Parameters that the file or the command line declares, but on which no result depends.
 std::vector<std::string> unread_parameters(const Function& f) {
-  std::set<std::size_t> values;  // that some step reads
+  std::set<std::size_t> values;  // values that some step reads
   const auto add = [&](const Program& program, const std::vector<Binding>& bindings) {
     const auto read = read_slots(program);
     for (const Binding& b : bindings)
@@ -74,7 +74,7 @@ std::vector<std::string> unread_parameters(const Function& f) {
   return out;
 }
 
-// The value of a function that depends on nothing that it is given.
+// The value of a function that depends on no input; std::nullopt if it depends on an input.
 std::optional<double> constant_value(const Function& f) {
   const auto read = read_slots(f.as_meant);
   for (const Binding& b : f.bindings_as_meant)
@@ -89,7 +89,7 @@ std::optional<double> constant_value(const Function& f) {
   return first;
 }
 
-// Macros of the command line that neither the file nor what it includes mentions.
+// Macros of the command line that are mentioned neither in the file nor in its included files.
 std::string unmentioned(const std::vector<std::string>& macros) {
   if (macros.empty()) return "";
   return "--define " + io::joined(macros) + ": no file mentions " + (macros.size() > 1 ? "them" : "it");
@@ -153,7 +153,7 @@ Function make_function(const ShaderChoice& choice) {
 
 namespace {
 
-// Of types that a device may compute in 16 bits. The compiler's module does not say it of all of them.
+// A note on types that a device may compute in 16 bits. The compiled module does not mark all of them.
 std::string said_of_half(const Source& source) {
   const Stripped bare = stripped(source.text);
   const bool hlsl = source.language == Language::hlsl;
@@ -224,7 +224,7 @@ Function function_of(Source source, const Compiled& compiled) {
   return f;
 }
 
-// Whatever is refused, files that are missing may be the reason.
+// Adds the missing files to any error message, because they may be the cause.
 Function with_missing_files(Source source, const Compiled& compiled) {
   const std::string files = compiled.missing.empty() ? "" : no_files(compiled.missing, source);
   try {

@@ -1,4 +1,4 @@
-// A shader's reflectance as a function of directions and parameters, in any scalar.
+// A shader's reflectance as a function of directions and parameters, in any scalar type.
 #pragma once
 
 #include <array>
@@ -20,71 +20,76 @@
 
 namespace brdf::shader {
 
-// A parameter of the function: a number, or a colour of three.
+// A parameter of the function: a number, or a colour of three numbers.
 struct Parameter {
   std::string name, doc;
   double min = 0, max = 1;
   std::array<double, 3> initial{0.5, 0.5, 0.5};
   bool log_scale = false, colour = false;
   Role role = Role::other;
-  std::size_t first = 0;  // of its one or three values
+  std::size_t first = 0;  // index of the first of its one or three values
   bool boolean = false, whole = false;
-  bool declared = false;  // the file or the command line says its range
+  bool declared = false;  // the file or the command line declares its range
 };
 
-// What fills a slot before a run.
+// The content of a slot before a run.
 struct Binding {
   enum class From { coordinate, product, value, one, zero } from = From::zero;
   std::uint32_t slot = 0;
   bool integer = false, boolean = false;
   Axis a = Axis::normal, b = Axis::normal;
-  int component = 0;      // of a coordinate
-  std::size_t value = 0;  // of a parameter
+  int component = 0;      // coordinate of the axis `a`
+  std::size_t value = 0;  // index of a parameter's value
 };
 
-// How the value of one step depends on a turn of light and viewer together about the normal.
+// How the value of one step depends on a common rotation of light and viewer about the normal.
 enum class Turning : std::uint8_t {
-  still,    // it does not change
-  partial,  // it is a sum of coordinates across the normal, or of their products, and changes
-  closes,   // it is a sum of such products that does not change, as Lx Vx + Ly Vy or Lx Vy - Ly Vx
-  pairs,  // the same of one such product and its like along the other axis: a product of two lengths at most
-  squares,  // the same of squares alone, each of a coordinate, or a sum of two, times what does not change: no term
-            // cancels another, so that its rounding error is relative to the sum
+  still,    // the value does not change
+  partial,  // the value is a sum of coordinates across the normal, or of their products, and changes
+  closes,   // the value is a sum of such products and does not change, such as Lx Vx + Ly Vy or Lx Vy - Ly Vx
+  // Like `closes`, for one such product and its counterpart along the other axis: at most a product of two
+  // lengths.
+  pairs,
+  // Like `closes`, for squares alone. Each is the square of a coordinate or of a sum of two, times a factor
+  // that does not change. No term cancels another, so the rounding error is relative to the sum.
+  squares,
 };
 
-// What the flattened program shows of such turns (shader/symmetry.h).
+// Facts about such rotations that the flattened program proves (shader/symmetry.h).
 struct Symmetry {
-  // In exact arithmetic the result is the same after every turn. Where this is false, nothing is known.
+  // In exact arithmetic the result is the same after every rotation. If false, nothing is known.
   bool isotropic = false;
-  // It is also the same where the azimuth between light and viewer has the other sign.
+  // The result is also the same if the azimuth between light and viewer changes its sign.
   bool mirrored = false;
-  std::uint32_t line =
-      0;  // of the source, where the argument fails; 0: it does not fail, or the line is unknown
+  // The line of the source at which the proof fails; 0: the proof does not fail, or the line is unknown.
+  std::uint32_t line = 0;
   std::vector<std::vector<Turning>> steps = {};  // of each step of each stretch; empty unless isotropic
-  // The result stays when both directions are reflected at the plane of the tangent, and at that of the
-  // bitangent.
+  // The result does not change when both directions are reflected at the plane of the tangent, nor when
+  // both are reflected at the plane of the bitangent.
   bool reflects = false;
-  // Operations from the coordinates to a closing step, at most. Rounding changes the closing sum by at most
-  // about that many units of the sum of the absolute values of its terms.
+  // The largest number of operations from the coordinates to a closing step. Rounding changes the closing
+  // sum by at most about this many units in the last place of the sum of the absolute values of its terms.
   int depth = 0;
 };
 
 struct Function {
   Source source;
-  std::string entry;   // its signature
+  std::string entry;   // the signature of the entry function
   Program as_written;  // for float
-  Program as_meant;    // for other scalars: the library's kernels are what they stand for
+  // For other scalars: the library's kernels are replaced by the functions that they approximate.
+  Program as_meant;
   std::vector<Binding> bindings, bindings_as_meant;
   std::deque<Parameter> parameters;
-  std::size_t values = 0;  // of all parameters
+  std::size_t values = 0;  // number of values of all parameters
   Returns returns = Returns::f;
   std::vector<std::string> notes;
-  std::vector<std::string> unread;  // parameters that are declared and on which the value does not depend
-  std::vector<std::string>
-      asked_macros;                // that #if, #ifdef or #ifndef of the text ask for and that nothing defines
-  std::optional<double> constant;  // its value, where that depends on nothing that it is given
-  bool zero_where_asked = false;   // it is 0 at all of many places chosen at random (of a ShaderReflectance)
-  bool oriented = false;           // reads the tangent
+  std::vector<std::string> unread;  // declared parameters on which the value does not depend
+  // Undefined macros that #if, #ifdef or #ifndef of the text test.
+  std::vector<std::string> asked_macros;
+  std::optional<double> constant;  // the value, if it depends on no input
+  // The value is 0 at all of many places chosen at random (set by ShaderReflectance).
+  bool zero_where_asked = false;
+  bool oriented = false;  // reads the tangent
   Symmetry symmetry, symmetry_as_meant;
 
   template <class T>
@@ -99,40 +104,42 @@ struct Function {
   const Symmetry& turning() const {
     return std::is_same_v<T, float> ? symmetry : symmetry_as_meant;
   }
-  // Nothing shows that the value stays when light and viewer turn together: the light has to be turned, too.
+  // Returns true unless the value is proved to be unchanged when light and viewer rotate together. If true,
+  // searches must rotate the light, too.
   bool may_turn() const { return !symmetry.isotropic || !symmetry_as_meant.isotropic; }
-  // Nothing shows that half of the azimuths stands for all: neither the sign of the azimuth between light and
-  // viewer nor both reflections of an anisotropic function.
+  // Returns true unless half of the azimuths is proved to represent all azimuths: by the sign of the
+  // azimuth between light and viewer, or by both reflections of an anisotropic function.
   bool all_round() const { return needs_all(symmetry) || needs_all(symmetry_as_meant); }
-  // Whether light or viewer is among what it is given, by itself, in a product or in the half vector.
+  // Returns whether light or viewer is among the inputs, by itself, in a product or in the half vector.
   bool is_given(Axis axis) const;
+  // Returns the default values of all parameters, in order.
   std::vector<double> defaults() const;
   static bool needs_all(const Symmetry& s) { return !s.reflects && !(s.isotropic && s.mirrored); }
-  std::uint64_t number = 0;  // of this function, for caches: no two share one
+  std::uint64_t number = 0;  // of this function, for caches; unique
 };
 
-// Compiles and flattens. Throws InputError.
+// Compiles and flattens a shader. Throws InputError.
 Function make_function(const ShaderChoice& choice);
 Function make_function(Source source, const ShaderChoice& choice = {});
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler);
 
-// What to do where an argument's meaning is open.
+// Returns advice for the case that the meaning of an argument is unknown.
 std::string entry_advice(const Function& function);
 
-// What is said of a function that is 0 or does not depend on all that the file declares, with the macros that
-// may be the reason; empty: nothing.
+// Returns a note on a function that is 0 or does not depend on all declared parameters, with the undefined
+// macros that may be the reason; empty if there is nothing to report.
 std::string said_of_unread(const Function& function);
 
-// What an integer or a truth that is bound to a parameter of value v holds.
+// Returns the content of an integer or boolean slot that is bound to a parameter with the value v.
 inline std::uint32_t integer_of(const Binding& b, double v) {
   return b.boolean ? std::uint32_t(v >= 0.5) : detail::to_integer(std::floor(v + 0.5), Op::to_signed);
 }
 
-// A function's bank for runs of W directions, filled by its parameters' values.
+// A function's bank of slots for runs of W directions, filled with the values of its parameters.
 template <class T, int W>
 class Runner {
  public:
-  using Lanes = std::array<std::array<T, W>, 3>;  // of a vector's coordinates
+  using Lanes = std::array<std::array<T, W>, 3>;  // the coordinates of a vector
   explicit Runner(const Function& function)
       : number_(function.number), program_(&function.template program<T>()), bank_(*program_) {}
   std::uint64_t number() const { return number_; }
@@ -148,7 +155,7 @@ class Runner {
       bank_.set_integer(b.slot, integer_of(b, Functions<T>::value(value)));
     }
   }
-  // Of all lanes.
+  // Sets the directions of all lanes.
   void set_directions(const Function& function, const Lanes& wi, const Lanes& wo) {
     const T one = Functions<T>::number(1), zero = Functions<T>::number(0);
     Lanes half;
@@ -163,7 +170,7 @@ class Runner {
         }
       return half;
     };
-    // Which coordinate an axis of the frame is; -1 of the others.
+    // The coordinate along an axis of the frame; -1 for other axes.
     const auto frame = [](Axis a) {
       return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
     };
@@ -186,7 +193,8 @@ class Runner {
           for (std::size_t l = 0; l < W; ++l)
             out[l] = x[0][l] * y[0][l] + x[1][l] * y[1][l] + x[2][l] * y[2][l];
         }
-        // Unit vectors: what rounding adds to 1 is not the shader's.
+        // Products of unit vectors are clamped to [-1, 1], because an excess from rounding is not the
+        // shader's fault.
         for (std::size_t l = 0; l < W; ++l)
           out[l] = detail::pick(one < out[l], one, detail::pick(out[l] < -one, -one, out[l]));
       } else {
@@ -202,7 +210,7 @@ class Runner {
   {
     return {{{w.x}, {w.y}, {w.z}}};
   }
-  // Throws EndlessLoop, with what the runner was given.
+  // Runs the program. Throws EndlessLoop, with the inputs of the runner.
   void run(int lanes, std::span<const T> values, const Lanes& wi, const Lanes& wo) {
     try {
       shader::run<T, W>(*program_, bank_, lanes);
@@ -215,7 +223,7 @@ class Runner {
       throw;
     }
   }
-  // What the function returned; `component` of a colour.
+  // Returns the value that the function returned; `component` selects a component of a colour.
   const T& result(int lane, std::size_t component) const {
     return bank_.number(program_->results[std::min(component, program_->results.size() - 1)])[lane];
   }
@@ -227,7 +235,7 @@ class Runner {
   Bank<T, W> bank_;
 };
 
-// f_r (or f_r cos_i) of what the function returned.
+// Returns f_r (or f_r cos_i), computed from the value that the function returned.
 template <class T>
 T reflectance_of_returned(Returns returns, const T& value, const T& cos_i, const T& cos_o,
                           bool times_cosine) {
@@ -237,8 +245,8 @@ T reflectance_of_returned(Returns returns, const T& value, const T& cos_i, const
   return times_cosine ? value / o * i : value / o;
 }
 
-// f_r at one pair of unit directions, 1/sr; 0 below the horizon. `values`: of all parameters in order, a
-// colour's three together. Throws EndlessLoop.
+// Returns f_r at one pair of unit directions, 1/sr. The horizon is not checked here. `values`: the values
+// of all parameters in order, the three values of a colour together. Throws EndlessLoop.
 template <class T>
 T evaluate(const Function& function, Runner<T, 1>& runner, std::span<const T> values, const Vec3<T>& wi,
            const Vec3<T>& wo, std::size_t component) {

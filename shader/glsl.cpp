@@ -10,7 +10,7 @@ namespace brdf::shader {
 namespace {
 
 constexpr std::size_t kMostOperations = 20'000;
-constexpr std::uint32_t kLongestArray = 256;  // at a changing place
+constexpr std::uint32_t kLongestArray = 256;  // with a variable index
 
 std::string jump(const Program& p, const Stretch& s) {
   if (s.end == End::stop) return "at = " + integer_text(std::uint32_t(p.stretches.size())) + ";";
@@ -25,8 +25,8 @@ std::string steps_of(const Stretch& s, const std::string& indent) {
   return out;
 }
 
-// Stretches stand in the order in which they follow one another; those that lead back do so within a loop
-// over all.
+// Stretches are written in their execution order. A stretch that leads back is reached through a loop over
+// all stretches.
 std::string body(const Program& p) {
   if (p.stretches.size() == 1) return steps_of(p.stretches[0], "  ");
   const std::string end = integer_text(std::uint32_t(p.stretches.size()));
@@ -39,7 +39,7 @@ std::string body(const Program& p) {
   return out;
 }
 
-// All slots, with what they hold before the first step.
+// Declares all slots, with their contents before the first step.
 std::string declarations(const Program& p, bool precise) {
   std::set<std::uint32_t> numbers(p.results.begin(), p.results.end()), integers;
   for (const Stretch& s : p.stretches) {
@@ -85,7 +85,7 @@ std::string axis(Axis a) {
   return "";
 }
 
-// What fills the inputs; value number k of the parameters is called v<k>.
+// Assigns the inputs. The parameters' value number k is called v<k>.
 std::string inputs(const Function& f) {
   std::string out;
   for (const Binding& b : f.bindings) {
@@ -105,7 +105,7 @@ std::string inputs(const Function& f) {
   return out;
 }
 
-// vec3 brdf_run_<name>(wi, wo, v0, v1, ...): what the function returned.
+// Writes vec3 brdf_run_<name>(wi, wo, v0, v1, ...), which gives the value that the function returns.
 std::string run_function(const Function& f, const std::string& name, bool precise) {
   std::string text = "vec3 brdf_run_" + name + "(vec3 wi, vec3 wo";
   for (std::size_t k = 0; k < f.values; ++k) text += ", float v" + std::to_string(k);
@@ -138,7 +138,8 @@ std::string glsl_of(const Function& f, const std::string& name, const std::vecto
   for (std::size_t k = 0; k < weights.size(); ++k) arguments += ", vec3 w" + std::to_string(k);
   bool all_colours = true;
   for (const std::size_t k : weights) all_colours = all_colours && f.parameters[k].colour;
-  // A number that is a weight may differ from channel to channel: then each has a run of its own.
+  // A number that is a weight may differ from channel to channel. In this case each channel has a run of
+  // its own.
   const auto call = [&](const std::string& component) {
     std::vector<std::string> values(f.values, "0.0");
     for (std::size_t k = 0; k < shape.size(); ++k)

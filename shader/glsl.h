@@ -1,5 +1,5 @@
-// A shader's function as GLSL again, from its flattened program: whatever language it came in, the renderer
-// draws it.
+// Writes a shader's function as GLSL, from its flattened program, so that the renderer can draw a shader of
+// any source language.
 #pragma once
 
 #include <string>
@@ -10,13 +10,15 @@
 
 namespace brdf::shader {
 
-// Why it cannot be written, in words that follow its name; "" where it can: programs of very many operations,
-// and arrays of very many elements at changing places, have none.
+// Returns the reason why the function cannot be written, in words that follow its name; "" if it can be
+// written. Programs with very many operations, and with variably indexed arrays of very many elements,
+// cannot be written.
 std::string glsl_obstacle(const Function& function);
 
-// brdf_eval_<name> and brdf_eval_cos_<name> (brdf/reflectance.h), of arguments that are the function's
-// parameters number `shape` as floats and number `weights` as vec3. Every operation is the interpreter's;
-// exp, pow and the like are the driver's own. A loop ends after 4096 rounds.
+// Returns the functions brdf_eval_<name> and brdf_eval_cos_<name> (brdf/reflectance.h). Their arguments are
+// the function's parameters with the numbers `shape`, as floats, and with the numbers `weights`, as vec3.
+// Every operation is the interpreter's operation, except that exp, pow and similar functions are the
+// driver's functions. A loop ends after 4096 iterations.
 std::string glsl_of(const Function& function, const std::string& name,
                     const std::vector<std::size_t>& weights, const std::vector<std::size_t>& shape,
                     const GlslOptions& options);

@@ -43,7 +43,7 @@ std::string filled(const char* pattern, const std::string (&operands)[3]) {
   return out;
 }
 
-// An element of an array at a place that changes: one case after another.
+// Access to an array with a variable index: one case per element.
 std::string indexed(const Step& s, bool load) {
   const bool whole = s.op == Op::load_integer || s.op == Op::store_integer;
   const auto name = [&](std::uint32_t slot) { return whole ? integer_slot(slot) : number_slot(slot); };

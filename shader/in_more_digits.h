@@ -1,4 +1,5 @@
-// A shader's value in more digits than double has: what is the model's, and what its arithmetic's.
+// Evaluates a shader with more digits than double has, to separate properties of the model from errors of
+// its arithmetic.
 #pragma once
 
 #include <span>
@@ -7,14 +8,14 @@
 
 namespace brdf::shader {
 
-// f_r in 1/sr of one component by the processor's extended type (64 bits of mantissa on x86-64), rounded to
-// double at the end, for the unit directions that these vectors stand for; `values` are those of all
-// parameters in order. Errors of rounding are about two thousand times smaller than those of double. Throws
-// EndlessLoop.
+// Returns f_r of one component in 1/sr, computed with the processor's extended type (64 bits of mantissa on
+// x86-64) and rounded to double at the end, for the unit directions that these vectors represent. `values`
+// are the values of all parameters in order. Rounding errors are about two thousand times smaller than in
+// double. Throws EndlessLoop.
 double in_more_digits(const Function& function, std::span<const double> values, const Vec3<double>& wi,
                       const Vec3<double>& wo, std::size_t component);
 
-// False where the processor has no such type: then in_more_digits is no better than double.
+// Returns false if the processor has no such type; in_more_digits() is then no more accurate than double.
 bool has_more_digits();
 
 }  // namespace brdf::shader

@@ -18,13 +18,15 @@ class Probe {
  public:
   explicit Probe(const Function& function) : f_(function), runner_(function) {}
 
-  // A new place: directions above the horizon, all parameters within their ranges (weights below 1).
+  // Moves to a new place: directions above the horizon, all parameters within their ranges (weights below
+  // 1).
   void move() {
     const auto direction_at_random = [&] {
       return direction(radians(1.4 * uniform()), radians(2 * kPi * uniform()));
     };
     wi_ = direction_at_random();
-    // Often next to the mirror direction: elsewhere a lobe is 0, and anything looks linear.
+    // Often close to the mirror direction, because a lobe that is 0 elsewhere would look linear in
+    // everything.
     const double u = uniform();
     wo_ = u < 0.7 ? near({-wi_.x, -wi_.y, wi_.z}, u * 0.4) : direction_at_random();
     values_ = f_.defaults();
@@ -41,12 +43,12 @@ class Probe {
     const Parameter& p = f_.parameters[parameter];
     for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) values_[p.first + k] = value;
   }
-  // Another value of the other two components of all colours.
+  // Changes the other two components of all colours.
   void recolour() {
     for (const Parameter& p : f_.parameters)
       if (p.colour) values_[p.first + 1] = within(p, uniform()), values_[p.first + 2] = within(p, uniform());
   }
-  // Colours made grey.
+  // Makes all colours grey.
   void whiten() {
     for (const Parameter& p : f_.parameters)
       if (p.colour) values_[p.first + 1] = values_[p.first + 2] = values_[p.first];
@@ -54,7 +56,7 @@ class Probe {
   double value(std::size_t component = 0) {
     return evaluate<double>(f_, runner_, values_, wi_, wo_, component);
   }
-  // With light and viewer exchanged.
+  // The value with light and viewer exchanged.
   double exchanged() { return evaluate<double>(f_, runner_, values_, wo_, wi_, 0); }
   // "light (0.1, 0, 0.995), viewer (...), a=0.3".
   std::string place() const {
@@ -87,8 +89,9 @@ bool same(double a, double b, double scale) {
   return std::abs(a - b) <= kSame * scale;
 }
 
-// Looks at kProbes places where `look` finds values, which it says with true or false; nothing where it has
-// none there. False once it says so, or where there are too few such places.
+// Tests a property at kProbes places. `look` returns whether the property holds at a place, or std::nullopt
+// if the function has no finite value there. Returns false as soon as `look` returns false, or if there are
+// too few places with a value.
 template <class Look>
 bool holds_at_places(const Function& f, Look&& look) {
   constexpr int kMostTried = 10 * kProbes, kEnough = kProbes / 3;
@@ -103,7 +106,7 @@ bool holds_at_places(const Function& f, Look&& look) {
   return seen >= kEnough;
 }
 
-// The largest size of the numbers; nothing where one of them is none or infinite.
+// The largest magnitude of the numbers; std::nullopt if one of them is NaN or infinite.
 std::optional<double> scale_of(std::initializer_list<double> numbers) {
   double scale = 0;
   for (const double x : numbers) {
@@ -113,7 +116,7 @@ std::optional<double> scale_of(std::initializer_list<double> numbers) {
   return scale;
 }
 
-// f(x) is a straight line in the parameter, and changes with it somewhere.
+// Whether f is a straight line in the parameter and changes with it somewhere.
 bool is_affine(const Function& f, std::size_t parameter) {
   bool changes = false;
   return holds_at_places(f,
@@ -132,7 +135,7 @@ bool is_affine(const Function& f, std::size_t parameter) {
          changes;
 }
 
-// No term holds both.
+// Whether no term contains both parameters.
 bool is_separate(const Function& f, std::size_t a, std::size_t b) {
   return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
     double y[2][2];
@@ -148,7 +151,8 @@ bool is_separate(const Function& f, std::size_t a, std::size_t b) {
   });
 }
 
-// Whether nothing is left where all weights but one are 0, and f0 does not matter there.
+// Whether the value is 0 when all weights are 0 (but < 0), or f0 has no effect when all weights except
+// number `but` are 0.
 bool vanishes(const Function& f, const Linear& linear, int but) {
   return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
     for (std::size_t j = 0; j < linear.weights.size(); ++j)
@@ -167,7 +171,8 @@ bool vanishes(const Function& f, const Linear& linear, int but) {
   });
 }
 
-// The others are separate from one another, and the f0 from all but one of them.
+// The linear parameters with f0. The other weights are separate from one another, and f0 is separate from
+// all except one of them.
 std::optional<Linear> with_f0(const Function& f, std::vector<std::size_t> weights,
                               std::optional<std::size_t> f0) {
   Linear out;
@@ -205,9 +210,9 @@ std::optional<Linear> linear_parameters(const Function& f) {
     if (is)
       affine.push_back(k);
     else if (p.colour)
-      return std::nullopt;  // what is per channel must be a weight
+      return std::nullopt;  // a colour differs per channel, so it must be a weight
   }
-  // Colours first, then what says that it is a weight, then the others in their order.
+  // Colours first, then parameters with the role of a weight, then the others in their order.
   const auto rank = [&](std::size_t k) {
     const Parameter& p = f.parameters[k];
     return p.role == Role::f0                                    ? 3

@@ -1,4 +1,4 @@
-// In which parameters a shader's value is linear, found out by asking it.
+// Finds the parameters in which a shader's value is linear, by evaluating the shader.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,31 @@ namespace brdf::shader {
 
 struct Linear {
   std::vector<std::size_t> weights;  // parameters, in their order
-  std::vector<LobeWeight> lobes;     // by place in `weights`
-  int f0 = -1;                       // place in `weights` of the one that divides the lobes of another
+  std::vector<LobeWeight> lobes;     // by position in `weights`
+  // Position in `weights` of the f0 that divides another weight's lobes; -1: no f0.
+  int f0 = -1;
 };
 
-// Nothing where the value is not linear in anything, or in not all colours. f = sum over lobes of weight
-// times lobe to 1e-9 at many directions and parameters chosen at random, without those where the function has
-// no value.
+// Returns the parameters in which the value is linear; std::nullopt if there are no such parameters, or if
+// a colour is not among them. With these parameters f is the sum of weight times lobe, to 1e-9 at many
+// directions and parameters chosen at random, except places where the function has no value.
 std::optional<Linear> linear_parameters(const Function& function);
 
-// What is said of a function that has no finite value at some of the places at which it is asked; empty: it
-// has one at all. Each of them is within the parameters' ranges.
+// Returns a note on a function that has no finite value at some of the tested places, all of which are
+// within the parameters' ranges; empty if all values are finite.
 std::string said_of_holes(const Function& function);
 
-// Whether it is 0 at all of many places chosen at random.
+// Returns whether the function is 0 at all of many places chosen at random.
 bool is_zero_where_asked(const Function& function);
 
-// Whether a channel's value depends on its own component of every colour only.
+// Returns whether a channel's value depends only on the channel's own component of every colour.
 bool keeps_channels(const Function& function);
 
-// Whether the value is not reciprocal as it is, and is where the cosine to the light is taken out: then it
-// holds that cosine.
+// Returns whether the value is not reciprocal, but becomes reciprocal when divided by the cosine to the
+// light. In this case the value contains that cosine.
 bool holds_cosine(const Function& function);
 
-// Whether equal components of all colours give equal components of the value.
+// Returns whether equal components of all colours give equal components of the value.
 bool same_in_all_channels(const Function& function);
 
 }  // namespace brdf::shader

@@ -26,7 +26,8 @@ std::string relative_path(const std::string& file, const fs::path& folder) {
   return fs::path(absolute_path(file)).lexically_relative(from).string();
 }
 
-// All that is chosen, in one place: what is added to a choice does not compile here until a material says it.
+// All members of a choice are unpacked here, so that a new member does not compile until materials store
+// it.
 template <class Path>
 Json choice_json(const ShaderOrigin& origin, const Path& path) {
   const auto& [file, parameters, entry, returns, defines, include_folders] = origin.choice;
@@ -68,7 +69,8 @@ ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
   return origin;
 }
 
-// The text that the material is of, or the reason why it is not.
+// Checks that the text is the text that the material was made with. Reports the reason as an error if it is
+// not.
 void check_text(const JsonPlace& place, const ShaderOrigin& origin) {
   if (!origin.text.empty()) {
     if (io::sha256(origin.text) != origin.sha256)
@@ -98,7 +100,8 @@ class Forms final : public io::ShaderForms {
   Reflectance read(const JsonPlace& place, const fs::path& folder) const override {
     const ShaderOrigin origin = read_origin(place, folder);
     check_text(place, origin);
-    // The same shader is the same form: a file names it in its terms and again in what it says of its fit.
+    // The same shader gives the same form: a file names the shader in its terms and again in the record of
+    // its fit.
     Json choice = choice_json(origin, absolute_path);
     const std::string key = io::to_line(choice) + (origin.relative ? "r" : "a");
     const std::lock_guard lock(mutex_);

@@ -1,4 +1,4 @@
-// Materials whose form is a user's shader.
+// Materials with a user's shader as their form.
 #pragma once
 
 #include "brdf/reflectance.h"
@@ -7,10 +7,11 @@ namespace brdf::shader {
 
 class ShaderReflectance;
 
-// From now on materials name shaders (docs/formats.md), and those that do are read. Once per process.
+// Enables shaders in materials: from now on written materials refer to shaders (docs/formats.md), and
+// materials with shaders can be read. Call it once per process.
 void use_in_materials();
 
-// The shader behind a reflectance; null: it is none.
+// Returns the shader behind a reflectance; null if the reflectance is not a shader.
 const ShaderReflectance* shader_of(const Reflectance& reflectance);
 
 }  // namespace brdf::shader

@@ -17,8 +17,8 @@ namespace {
 constexpr int kDeepestPlace = 16;
 constexpr std::size_t kLargestWhole = 16 * kLargestShader;
 
-// The name that a line includes; empty where it includes none. `bare`: the line without comments and what
-// stands in quotes.
+// The name of the file that a line includes; empty if the line has no #include. `bare`: the line without
+// comments and without the contents of quotes.
 std::string included_name(std::string_view line, std::string_view bare) {
   std::string_view rest = io::trimmed(bare);
   if (!rest.starts_with('#')) return "";
@@ -82,7 +82,7 @@ ShaderOrigin origin_of(const ShaderChoice& choice, bool embedded) {
   if (!utf8::is_valid(text.begin(), text.end()))
     throw InputError("--embed: " + choice.file + " is no UTF-8, in which materials are written");
   origin.text = std::move(text);
-  origin.choice.include_folders.clear();  // what they hold is in the text
+  origin.choice.include_folders.clear();  // the text contains their content
   return origin;
 }
 

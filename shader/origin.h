@@ -1,4 +1,4 @@
-// Where a shader comes from: what a material says of it, so that it is found again and is the same.
+// The origin of a shader as a material records it, so that the shader can be found again and verified.
 #pragma once
 
 #include <string>
@@ -7,19 +7,21 @@
 
 namespace brdf::shader {
 
-// The file's text with each file that it includes in the place of the #include; lines that say something to
-// this program (`//:`) count in the shader's own file only, and are marked so in the others. What is not
-// found stays an #include. Throws InputError where a file cannot be read, or includes are nested too deeply.
+// Returns the file's text with every #include replaced by the text of the included file. Lines with
+// instructions for this program (`//:`) are effective only in the shader's own file; in other files they
+// are marked as included. An #include of a file that is not found is kept. Throws InputError if a file
+// cannot be read, or if includes are nested too deeply.
 std::string whole_text(const ShaderChoice& choice);
 
 struct ShaderOrigin {
-  ShaderChoice choice = {};  // its file as it is opened from here
-  std::string sha256 = {};   // of its whole text
-  std::string text = {};     // that, where the material itself holds it; empty: the file does
-  bool relative = false;     // it was named by a relative path
+  ShaderChoice choice = {};  // with the file's path as opened from the current folder
+  std::string sha256 = {};   // of the whole text
+  std::string text = {};     // the whole text, if the material contains it; empty: the file contains it
+  bool relative = false;     // the file was given by a relative path
 };
 
-// The whole text as a material can hold it. Throws InputError where it is too large or no UTF-8.
+// Returns the origin of a shader; if `embedded`, with the whole text for storage in a material. Throws the
+// errors of whole_text(), and InputError if an embedded text is too large or not valid UTF-8.
 ShaderOrigin origin_of(const ShaderChoice& choice, bool embedded);
 
 }  // namespace brdf::shader

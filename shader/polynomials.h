@@ -1,4 +1,5 @@
-// Values of a program as polynomials in the coordinates across the normal, by coefficients that have names.
+// Represents values of a program as polynomials in the coordinates across the normal, with named
+// coefficients.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace brdf::shader {
 
-// The names of values that do not change with the turn: equal names, equal numbers.
+// Names of values that do not change with a rotation about the normal. Equal names mean equal numbers.
 using Name = int;
 inline constexpr Name kZero = 0, kOne = 1;
 
@@ -19,8 +20,8 @@ class Names {
  public:
   Name of(const std::vector<int>& key);
   Name constant(double value);
-  // Sums and products do not depend on the order of two operands; signs are taken out, so that two of them
-  // meet.
+  // Sums and products do not depend on the order of their two operands. Signs are factored out, so that two
+  // minus signs cancel.
   Name add(Name a, Name b);
   Name neg(Name a);
   Name mul(Name a, Name b);
@@ -36,9 +37,9 @@ class Names {
   Name next_ = 2;
 };
 
-// Terms: 1; Lx, Ly, Vx, Vy; their ten products.
+// Terms: 1; Lx, Ly, Vx, Vy; the ten products of these coordinates.
 inline constexpr int kLinear = 1, kSquares = 5, kTerms = 15;
-constexpr int product_term(int a, int b) {  // of coordinates 0 to 3
+constexpr int product_term(int a, int b) {  // a and b: coordinates 0 to 3
   const int low = std::min(a, b), high = std::max(a, b);
   return kSquares + low * 4 - low * (low - 1) / 2 + (high - low);
 }
@@ -46,8 +47,8 @@ inline constexpr int kLx = 0, kLy = 1, kVx = 2, kVy = 3;
 
 using Terms = std::array<Name, kTerms>;
 
-// What becomes of a value when the azimuth between light and viewer changes its sign: nothing, its sign, or
-// more.
+// How a value changes when the azimuth between light and viewer changes its sign: not at all (even), in its
+// sign (odd), or in another way (mixed).
 enum class Hand : std::uint8_t { even, odd, mixed };
 inline Hand both(Hand a, Hand b) {
   return a == b ? a : Hand::mixed;
@@ -57,14 +58,14 @@ inline Hand product_of(Hand a, Hand b) {
   return a == b ? Hand::even : Hand::odd;
 }
 
-// A slot's value: a number that does not change (its name), or a polynomial that does (its place among those
-// known).
+// The value of a slot: a number that does not change (identified by its name), or a polynomial that does
+// (identified by its position among the known ones).
 struct Form {
   enum class Kind : std::uint8_t { absent, still, partial, unknown } kind = Kind::absent;
   Hand hand = Hand::even;
-  bool whole = false;       // of a polynomial: its rounding error is relative to itself
+  bool whole = false;       // of a polynomial: its rounding error is relative to its own value
   bool square = false;      // a sum of squares of such values
-  std::uint16_t depth = 0;  // operations from the coordinates, of a polynomial
+  std::uint16_t depth = 0;  // of a polynomial: number of operations from the coordinates
   int name = 0;
 
   bool is_known() const { return kind == Kind::still || kind == Kind::partial; }
@@ -79,9 +80,10 @@ inline Form still(Name name, Hand hand = Hand::even) {
 inline Form unknown() {
   return {Form::Kind::unknown};
 }
+// Returns the largest degree of the terms that are not 0.
 int degree_of(const Terms& terms);
 
-inline constexpr int kFarthest = 200;  // operations from the coordinates
+inline constexpr int kFarthest = 200;  // number of operations from the coordinates
 
 class Polynomials {
  public:
@@ -92,12 +94,12 @@ class Polynomials {
 
   Terms opposite(Terms a);
   Terms sum(Terms a, const Terms& b);
-  // Nothing beyond the second degree.
+  // Returns std::nullopt beyond the second degree.
   std::optional<Terms> product(const Terms& a, const Terms& b);
-  // The polynomial as a form: one that depends on dot products and on the cross product along the normal
-  // alone is a number that does not change.
+  // Returns the polynomial as a form. A polynomial that depends only on dot products and on the cross
+  // product along the normal is a number that does not change.
   Form closed(const Terms& terms, Hand hand, int depth);
-  // Whether the terms of one are those of the other along the other axis.
+  // Returns whether the terms of one form are the terms of the other along the other axis.
   bool is_pair(const Form& a, const Form& b) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace brdf::shader {
 namespace {
 
-// How a value changes when a coordinate changes its sign. What is 0 is even and odd.
+// How a value changes when a coordinate changes its sign. A value of 0 is both even and odd.
 enum class Parity : std::uint8_t { unreached, zero, even, odd, unknown };
 
 Parity sum_of(Parity a, Parity b) {
@@ -24,7 +24,7 @@ bool is_even(Parity p) {
   return p == Parity::even || p == Parity::zero || p == Parity::unreached;
 }
 
-// f(-x) = -f(x), in every rounding to nearest.
+// Whether f(-x) = -f(x), for every rounding to nearest.
 bool is_odd_function(Op op) {
   return op == Op::neg || op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan ||
          op == Op::sinh || op == Op::tanh || op == Op::sign || op == Op::trunc || op == Op::round_even ||
@@ -119,7 +119,7 @@ class Reflection {
     if (x.op == Op::select) out = is_even(operand(0)) ? sum_of(operand(1), operand(2)) : Parity::unknown;
     at(s, o.writes_integer(), x.r) = out;
   }
-  // Elements of an array are taken together.
+  // The elements of an array are treated as one value.
   void indexed(State& s, const Step& x, const Operation& o) const {
     Parity all = is_even(at(s, true, x.b)) ? Parity::unreached : Parity::unknown;
     const std::uint32_t from = o.loads() ? x.a : x.r;

@@ -12,7 +12,7 @@ namespace {
 using spirv::Kind;
 using spirv::Module;
 
-// One number or colour among what a function gives.
+// One number or colour among the values that a function gives.
 struct Leaf {
   std::string name;
   ResultPart part;
@@ -41,7 +41,7 @@ void add_leaves(const Module& m, spirv::Id type, const std::string& name, int ar
   }
 }
 
-// What stands between the brackets after `name`, of each place where a body follows.
+// The text between the brackets after `name`, split at commas, for each place at which a body follows.
 std::vector<std::vector<std::string>> definitions(const std::string& text, const std::string& name) {
   std::vector<std::vector<std::string>> out;
   for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
@@ -61,7 +61,7 @@ std::vector<std::vector<std::string>> definitions(const std::string& text, const
   return out;
 }
 
-// Arguments that the text declares as `out` or `inout`, and of those the ones that are `inout`.
+// Arguments that the text declares as `out` or `inout`, and the subset that is `inout`.
 struct Written {
   std::set<int> all, accumulated;
 };
@@ -100,7 +100,7 @@ constexpr std::array<std::string_view, 11> kOther{"indirect", "ambient", "transm
                                                   "halfway",  "albedo",  "dir_"};
 constexpr std::array<std::string_view, 8> kLobes{"diff", "spec",  "coat",       "sheen",
                                                  "fuzz", "retro", "subsurface", "sss"};
-// What a number that belongs to a lobe may be besides its value.
+// Names of numbers that belong to a lobe but are not its value.
 constexpr std::array<std::string_view, 13> kOfLobes{"rough", "power", "expon",  "occl",  "f90",
                                                     "f0",    "ior",   "factor", "stren", "shin",
                                                     "gloss", "level", "prob"};
@@ -121,8 +121,9 @@ bool is_value(const Leaf& l) {
   return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
 }
 
-// Which of them are the reflectance: the only one there is, the one that its name tells, or all parts of it.
-// What is no part by its name stops it where the others are parts, and is said elsewhere.
+// Selects the values that are the reflectance: the only value, the value with a telling name, or all lobes
+// together. A value that is not a lobe by its name, among values that are lobes, makes the choice
+// ambiguous; the caller reports this.
 void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Results& out) {
   const std::vector<std::string> all = names_of(leaves);
   const auto keep = [&](auto&& is) {
@@ -131,7 +132,7 @@ void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Result
     if (!kept.empty()) leaves = std::move(kept);
   };
   keep([](const Leaf& l) { return !has_any(io::lower_case(l.name), kOther); });
-  // A number beside colours is one of their parameters, unless it is a lobe by its name.
+  // A number next to colours is one of their parameters, unless its name identifies a lobe.
   const bool colours =
       std::any_of(leaves.begin(), leaves.end(), [](const Leaf& l) { return l.part.count == 3; });
   if (colours)

@@ -1,5 +1,5 @@
-// Which values of a shader's function are the reflectance: what it returns, a member of that, or arguments
-// that it writes.
+// Determines which values of a shader's function are the reflectance: the returned value, a member of it,
+// or arguments that the function writes.
 #pragma once
 
 #include <set>
@@ -13,17 +13,18 @@
 namespace brdf::shader {
 
 struct Results {
-  std::vector<ResultPart> parts;  // their sum is the reflectance; empty: there is none
-  std::set<int> written;          // arguments that are no inputs
-  std::set<int> accumulated;      // of those: the ones that are declared as `inout`
-  std::string note;               // which they are, where the function has more than one; may be empty
-  std::string several;            // what it has, where nothing says which; else empty
-  bool named = false;             // a name says that it is reflected light
+  std::vector<ResultPart> parts;  // their sum is the reflectance; empty: the function gives no reflectance
+  std::set<int> written;          // arguments that are not inputs
+  std::set<int> accumulated;      // subset of `written` that is declared as `inout`
+  std::string note;               // names the parts if the function gives more than one value; may be empty
+  std::string several;            // lists the values if the choice is ambiguous; empty otherwise
+  bool named = false;             // a name identifies reflected light
 };
 
-// A float, a vec3 or the first three of a vec4; of several the one that its name tells (response, color, f,
-// ...), or diffuse and specular ones together. Arguments are written that the text says are `out` or `inout`;
-// of a void function without such a text the last one.
+// Returns the parts of the reflectance. A part is a float, a vec3 or the first three components of a vec4.
+// Among several values the name decides (response, color, f, ...); diffuse and specular values are taken
+// together. The written arguments are the arguments that the text declares as `out` or `inout`; for a void
+// function without such declarations the last argument.
 Results results_of(const spirv::Module& module, const spirv::Function& function, const Source& source);
 
 }  // namespace brdf::shader

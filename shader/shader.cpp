@@ -12,7 +12,7 @@
 namespace brdf::shader {
 namespace {
 
-// An identifier that says where it comes from.
+// Returns an identifier made from the name of the file.
 std::string identifier(const std::string& file) {
   std::string out = std::filesystem::path(file).stem().string();
   for (char& c : out)
@@ -20,8 +20,8 @@ std::string identifier(const std::string& file) {
   return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "shader_" + out : out;
 }
 
-// An argument of three numbers that no line calls a colour, whose components meet in one channel, is the
-// direction that is missing.
+// Throws InputError if a direction is missing and an argument of three numbers may be it: the argument's
+// components affect one channel together, and no line declares it as a colour.
 void require_directions(const Function& f) {
   const char* const missing = !f.is_given(Axis::view)    ? "the viewer"
                               : !f.is_given(Axis::light) ? "the light"
@@ -34,8 +34,8 @@ void require_directions(const Function& f) {
                        " a colour with a line `//: color " + p.name + " 0.5 0.5 0.5`");
 }
 
-// What a channel's value has of the other channels' colours, a table of one channel cannot say: three numbers
-// of all can.
+// Replaces each colour by three numbers. A table of one channel cannot describe the effect of other
+// channels' colours on a channel, but a table of all three numbers can.
 void split_colours(Function& function) {
   std::deque<Parameter> parameters;
   for (const Parameter& p : function.parameters) {
@@ -79,7 +79,7 @@ void ShaderReflectance::find_tables() {
     for (const std::size_t k : of) {
       const Parameter& p = parameters[k];
       const double initial = p.colour ? (p.initial[0] + p.initial[1] + p.initial[2]) / 3 : p.initial[0];
-      // Beyond 1 a weight is for samples without a scale.
+      // A weight above 1 is used only for samples without an absolute scale.
       const double usual = &of == &weights_ ? std::min(p.max, std::max({1.0, initial, p.min})) : p.max;
       out.push_back(
           {p.name, p.min, p.max, initial, usual, "", p.log_scale, p.doc, p.role, Map::none, p.whole});

@@ -1,4 +1,4 @@
-// A user's shader as a reflectance like any other.
+// A user's shader as a ReflectanceModel.
 #pragma once
 
 #include <memory>
@@ -12,20 +12,23 @@
 
 namespace brdf::shader {
 
-// f_r as the shader computes it, in the scalar that is asked for: float rounds each operation correctly,
-// double evaluates the same code with the constants as they are written. 0 below the horizon, where the
-// shader is not called; else whatever it gives, finite or not. Colours are weights; where f is linear in some
-// parameters (found out by asking it) those are weights, too, it has lobes and can be fitted; all others are
-// its shape. Evaluation throws InputError with the line where a loop does not end.
+// f_r as the shader computes it, in the requested scalar. float rounds each operation correctly; double
+// evaluates the same code, with constants in double precision as written. The value is 0 below the horizon,
+// where the shader is not called; elsewhere it is the shader's value, finite or not.
+//
+// Colours are weights. If f is linear in some parameters (determined by evaluation), these are weights,
+// too, and the reflectance has lobes and can be fitted. All other parameters are its shape. Evaluation
+// throws InputError with the line if a loop does not end.
 class ShaderReflectance final : public ReflectanceModel {
  public:
   explicit ShaderReflectance(Function function, std::optional<ShaderOrigin> origin = {});
 
   const ReflectanceInfo& info() const override { return info_; }
   const Function& function() const { return function_; }
-  // How a material names it; none of a text that stands nowhere.
+  // Returns the reference that a material stores; std::nullopt for a text without a file.
   const std::optional<ShaderOrigin>& origin() const { return origin_; }
-  // The colours' own defaults, for one channel, or for red, green and blue where the shader tells them apart.
+  // Returns a material with the colours' defaults. It has one channel, or red, green and blue if the shader
+  // or the defaults distinguish them.
   Material material(std::shared_ptr<const ShaderReflectance> self) const;
 
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override;
@@ -41,17 +44,17 @@ class ShaderReflectance final : public ReflectanceModel {
   std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override;
   std::string glsl(const GlslOptions& options) const override;
 
-  // The function's values of a channel's parameters, in its order.
+  // Returns the function's values for a channel's parameters, in the function's order.
   template <class T>
   std::vector<T> values_of(const ParameterValues<T>& p) const;
-  // Which parameter of the function stands where in the tables.
+  // Parameters of the function at each position of the tables.
   const std::vector<std::size_t>& weight_parameters() const { return weights_; }
   const std::vector<std::size_t>& shape_parameters() const { return shape_; }
 
  private:
   template <class T>
   void evaluate_all(const ParameterValues<T>& p, const Directions<T>& d, bool times_cosine, T* out) const;
-  // Where each component of the value is written; null: nowhere.
+  // Destination of each component of the value; null: the component is not written.
   template <class T>
   using Components = std::array<T*, 3>;
   template <class T, int W>
@@ -59,7 +62,8 @@ class ShaderReflectance final : public ReflectanceModel {
                       const Components<T>& out) const;
   template <class T>
   void lobes_of(std::span<const T> shape, const Directions<T>& d, const LobeRows<T>& out) const;
-  // Rows 1 on: derivatives by values and, last, by the tangent's azimuth, in the order of `by`.
+  // Writes derivatives by the parameters in the order of `by` and, last, by the tangent's azimuth. `first`
+  // is row 1.
   void derivatives(const std::vector<double>& values, const std::vector<std::size_t>& by, bool by_phi,
                    std::size_t component, const Directions<double>& d, double* first,
                    std::size_t stride) const;
@@ -77,10 +81,9 @@ class ShaderReflectance final : public ReflectanceModel {
   ReflectanceInfo info_;
 };
 
-// The file as a reflectance. Throws InputError.
-// `embedded`: materials of it hold its text.
+// Loads the file as a reflectance. `embedded`: its materials contain the text. Throws InputError.
 std::shared_ptr<const ShaderReflectance> load_shader(const ShaderChoice& choice, bool embedded = false);
-// The same again, from where it came.
+// Loads the shader again from its origin. Throws InputError.
 std::shared_ptr<const ShaderReflectance> shader_from(const ShaderOrigin& origin);
 
 }  // namespace brdf::shader

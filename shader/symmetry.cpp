@@ -24,7 +24,7 @@ class Analysis {
   }
 
   Symmetry run() {
-    constexpr std::size_t kMost = std::size_t(1) << 22;  // forms of all stretches
+    constexpr std::size_t kMost = std::size_t(1) << 22;  // limit of the number of forms of all stretches
     if (start_.size() * p_.stretches.size() > kMost) return {};
     for (int round = 0; round < kRounds; ++round) {
       bool changed = false;
@@ -63,7 +63,7 @@ class Analysis {
       f.whole = true;
       return f;
     }
-    const Name over_length = forms_.names.of({-4});  // of the half vector: one over the length of L + V
+    const Name over_length = forms_.names.of({-4});  // of the half vector: 1 / |L + V|
     terms[std::size_t(kLinear + kLx + component)] = terms[std::size_t(kLinear + kVx + component)] =
         over_length;
     Form f = forms_.form_of(terms, Hand::even, 3);
@@ -101,7 +101,8 @@ class Analysis {
     line_ = line;
   }
 
-  // What the stretches before it leave, joined; nothing where none of them is reached.
+  // The joined states at the ends of the preceding stretches; std::nullopt if no preceding stretch has been
+  // reached.
   std::optional<State> begin_of(std::size_t target) {
     std::vector<std::pair<std::size_t, const State*>> ways;
     if (target == 0) ways.emplace_back(0, &start_);
@@ -121,9 +122,9 @@ class Analysis {
     return begin;
   }
 
-  // What comes by several ways is a choice between them, by conditions that do not change. Of what a loop
-  // brings back only a number that does not change stays known: its name stands for another number in each
-  // turn of the loop.
+  // A value that arrives from several stretches is a choice between them, by conditions that do not change.
+  // Of the values that a loop carries over, only numbers that do not change remain known. Such a number
+  // gets a name of its own, because it differs between iterations.
   Form joined(const std::vector<std::pair<std::size_t, const State*>>& ways, std::size_t target,
               std::size_t slot, bool loop) {
     const Form& first = (*ways.front().second)[slot];
@@ -179,7 +180,8 @@ class Analysis {
   TurningSteps slots_;
   State start_;
   std::vector<State> ends_;
-  std::vector<std::vector<bool>> looped_;  // slots that a loop changes, where it begins
+  // For each stretch at which a loop begins, the slots that the loop changes.
+  std::vector<std::vector<bool>> looped_;
   std::vector<std::vector<Turning>> steps_;
   bool failed_ = false, handed_ = false;
   std::uint32_t line_ = 0;

@@ -1,16 +1,19 @@
-// Whether a shader's function can change when light and viewer turn together about the normal.
+// Determines whether a shader's function can change when light and viewer rotate together about the normal.
 #pragma once
 
 #include "shader/function.h"
 
 namespace brdf::shader {
 
-// Every value is followed as a polynomial of degree two at most in Lx, Ly, Vx, Vy (the coordinates across the
-// normal), whose coefficients do not change with the turn. A polynomial with equal coefficients of LxLx and
-// LyLy, of VxVx and VyVy, of LxVx and LyVy, opposite ones of LxVy and LyVx, and no other term depends on dot
-// products and on the cross product along the normal alone, so it does not change either. Anything else that
-// reaches the result, a comparison or an index ends the argument. Coefficients are equal where the same
-// operations on the same numbers make them.
+// Returns the facts about such rotations that can be proved. Every value is represented as a polynomial of
+// degree at most two in Lx, Ly, Vx, Vy (the coordinates across the normal), with coefficients that do not
+// change with the rotation.
+//
+// A polynomial depends only on dot products and on the cross product along the normal, and therefore does
+// not change either, if it satisfies these conditions: equal coefficients of LxLx and LyLy, of VxVx and
+// VyVy, and of LxVx and LyVy; opposite coefficients of LxVy and LyVx; no other term. Any other value that
+// reaches the result, a comparison or an index ends the proof. Coefficients count as equal if they result
+// from the same operations on the same numbers.
 Symmetry symmetry_of(const Program& program, const std::vector<Binding>& bindings);
 
 }  // namespace brdf::shader

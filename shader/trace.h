@@ -1,4 +1,4 @@
-// A run of one pair of directions, step by step, with what each step read and made.
+// Runs one pair of directions step by step and records the operands and the result of each step.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace brdf::shader {
 
-// One step as it was run: its operands and which entry made each (-1: an input or a constant).
+// One executed step: its operands, and the entry that made each operand (-1: an input or a constant).
 struct Entry {
   const Step* step;
   double result;
@@ -29,11 +29,11 @@ struct Decision {
 struct Trace {
   std::vector<Entry> entries = {};
   std::vector<Decision> decisions = {};
-  int last = -1;  // that made the result
+  int last = -1;  // the entry that made the result; -1: an input or a constant
   double result = 0;
 };
 
-// In the scalar T, of that component of the result. Throws EndlessLoop.
+// Returns the trace of one run in the scalar T, for one component of the result. Throws EndlessLoop.
 template <class T>
 Trace traced(const Function& f, std::span<const double> values, const Vec3<double>& wi,
              const Vec3<double>& wo, std::size_t component) {
@@ -46,8 +46,8 @@ Trace traced(const Function& f, std::span<const double> values, const Vec3<doubl
   runner.set_directions(f, runner.lanes_of(convert(wi)), runner.lanes_of(convert(wo)));
   Bank<T, 1>& bank = runner.bank();
   std::vector<int> writer(program.numbers, -1);
-  std::vector<double> before(
-      program.numbers);  // values as the steps read them: a step may overwrite its operand
+  // Values before the step that is executed, because a step may overwrite its own operand.
+  std::vector<double> before(program.numbers);
   for (std::uint32_t slot = 0; slot < program.numbers; ++slot)
     before[slot] = Functions<T>::value(*bank.number(slot));
   Trace trace;
@@ -71,7 +71,7 @@ Trace traced(const Function& f, std::span<const double> values, const Vec3<doubl
     std::uint32_t r = step.r;
     if (o.stores()) r += std::min(*bank.integer(step.b), step.c - 1);
     e.result = before[r] = Functions<T>::value(*bank.number(r));
-    if (step.op == Op::select) {  // what was taken
+    if (step.op == Op::select) {  // only the operand that was selected
       const bool yes = *bank.integer(step.a) != 0;
       e.operand[0] = e.operand[yes ? 1 : 2];
       e.from[0] = e.from[yes ? 1 : 2];

@@ -27,14 +27,14 @@ Turning TurningSteps::step(State& s, const Step& x) {
   return pair ? Turning::pairs : Turning::closes;
 }
 
-// Elements of an array are followed only where all of them are numbers that do not change.
+// The elements of an array are followed only if all of them are numbers that do not change.
 Turning TurningSteps::indexed(State& s, const Step& x, const Operation& o) {
   const Form place = at(s, true, x.b);
   bool known = place.is_still();
   Hand hand = place.hand == Hand::even ? Hand::even : Hand::mixed;
   std::vector<int> key{int(x.op), int(x.a), place.name};
   const auto include = [&](const Form& f) {
-    // An element that was never written is undefined, which is another finding.
+    // Reading an element that was never written is undefined; another check reports this.
     known = known && (f.is_still() || f.kind == Form::Kind::absent);
     if (f.hand != Hand::even) hand = Hand::mixed;
     key.push_back(f.is_still() ? f.name : -1);
@@ -70,7 +70,7 @@ Form TurningSteps::value(const State& s, const Step& x, const Operation& o) {
     return f;
   }
   if (!all_still && all_known && o.count() == 2 && o.writes_integer() && !o.reads_integer(0)) {
-    // A comparison of two sums is one of their difference with 0.
+    // A comparison of two sums equals a comparison of their difference with 0.
     const Form difference = forms_.closed(
         forms_.sum(forms_.terms_of(operand(0)), forms_.opposite(forms_.terms_of(operand(1)))), hand, depth);
     if (difference.is_still())

@@ -1,4 +1,4 @@
-// What becomes of values, followed as polynomials across the normal, in a step of a program.
+// Propagates values, represented as polynomials across the normal, through the steps of a program.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace brdf::shader {
 
-// What is known of every slot, numbers first.
+// The known form of every slot, numbers first.
 using State = std::vector<Form>;
 
 class TurningSteps {
  public:
   TurningSteps(const Program& program, Polynomials& forms) : p_(program), forms_(forms) {}
 
-  // What the step makes of its operands, written to its result.
+  // Applies the step to its operands, writes the form of its result, and returns how the result depends on
+  // the rotation.
   Turning step(State& s, const Step& x);
 
   const Form& at(const State& s, bool integer, std::uint32_t slot) const {
@@ -24,9 +25,10 @@ class TurningSteps {
   }
   Form& at(State& s, bool integer, std::uint32_t slot) const { return s[integer ? p_.numbers + slot : slot]; }
 
-  // Operations from the coordinates to a number that does not change, at most.
+  // Returns the largest number of operations from the coordinates to a number that does not change.
   int depth() const { return depth_; }
-  // The first line, or 1, in which a value that changes is too many operations from the coordinates; else 0.
+  // Returns the first line in which a changing value is too many operations away from the coordinates, or 1
+  // if that line is unknown; 0 if there is no such value.
   std::uint32_t too_deep() const { return too_deep_; }
   void start_over() { too_deep_ = 0; }
 
@@ -34,10 +36,11 @@ class TurningSteps {
   Turning indexed(State& s, const Step& x, const Operation& o);
   Form value(const State& s, const Step& x, const Operation& o);
   Hand hand_of(const State& s, const Step& x, const Operation& o, bool all_still) const;
-  // Which errors of rounding are relative to the value itself: not those of sums whose terms are rounded
-  // already and may cancel.
+  // Determines whether the rounding error is relative to the value itself. This is false for sums of terms
+  // that are already rounded and may cancel.
   void set_rounding(Form& f, const State& s, const Step& x) const;
-  // Sums, products and choices as polynomials; nothing of other operations, or beyond the second degree.
+  // Returns sums, products and choices as polynomials; std::nullopt for other operations and beyond the
+  // second degree.
   std::optional<Terms> polynomial(const State& s, const Step& x, bool all_known);
 
   const Program& p_;

@@ -8,7 +8,8 @@
 namespace brdf::shader {
 namespace {
 
-// Marks slots whose value depends on an undefined one, with the first reason; 0 is a defined value.
+// Marks slots with a value that depends on an undefined value, with the first reason. Mark 0 is a defined
+// value.
 class Marks {
  public:
   explicit Marks(const Program& p) : numbers_(p.numbers, kUnwritten), integers_(p.integers, kUnwritten) {
@@ -21,7 +22,7 @@ class Marks {
   void define(bool integer, std::uint32_t slot) { of(integer)[slot] = 0; }
   std::uint32_t at(bool integer, std::uint32_t slot) const { return (integer ? integers_ : numbers_)[slot]; }
 
-  // A mark becomes a reason of this step where it names none yet.
+  // Assigns the line to a mark that has no line yet, as a new reason.
   std::uint32_t placed(std::uint32_t mark, std::uint32_t line) {
     if (mark == 0 || reasons_[mark - 1].line > 0 || line == 0) return mark;
     reasons_.push_back(reasons_[mark - 1]);
@@ -69,7 +70,7 @@ class MarkedRun {
       if (found == 0) found = marks_.at(false, slot);
     if (found == 0) return std::nullopt;
     UndefinedValue reason = marks_.reason(found);
-    if (reason.line == 0) reason.line = program_.line;  // nothing but the return has read it
+    if (reason.line == 0) reason.line = program_.line;  // only the return has read the value
     return reason;
   }
 
@@ -77,7 +78,7 @@ class MarkedRun {
   double number(std::uint32_t slot) { return Functions<T>::value(*runner_.bank().number(slot)); }
   std::uint32_t integer(std::uint32_t slot) { return *runner_.bank().integer(slot); }
 
-  // The first mark among the operands that the result is made of.
+  // The first mark among the operands that determine the result.
   std::uint32_t mark_of_operands(const Step& s, const Operation& o) {
     if (s.op == Op::select || s.op == Op::iselect) {
       const std::uint32_t condition = marks_.at(true, s.a);
@@ -100,7 +101,7 @@ class MarkedRun {
     };
     if (o.stores()) {
       const std::uint32_t at = place(marks_.at(true, s.b)), value = place(marks_.at(o.reads_integer(0), s.a));
-      // An undefined place may be any element.
+      // With an undefined index, any element may be the one that is written.
       for (std::uint32_t k = 0; k < s.c; ++k)
         if (at > 0 || k == std::min(integer(s.b), s.c - 1))
           marks_.set(o.writes_integer(), s.r + k, at > 0 ? at : value);
@@ -127,7 +128,7 @@ class MarkedRun {
 
 struct Sentence {
   Undefined why;
-  int operands;  // that are told
+  int operands;  // number of operands that the text shows
   std::string_view text;
 };
 constexpr Sentence kSentences[] = {

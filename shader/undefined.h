@@ -1,4 +1,4 @@
-// Values that the shading languages leave undefined, found while a program runs.
+// Detects, while a program runs, values that the shading languages leave undefined.
 #pragma once
 
 #include <array>
@@ -11,29 +11,30 @@
 
 namespace brdf::shader {
 
-// Why a value is undefined by the GLSL specification (4.60, sections 5.9, 8.1 to 8.3) and by SPIR-V.
+// The reason why a value is undefined according to the GLSL specification (4.60, sections 5.9, 8.1 to 8.3)
+// or SPIR-V.
 enum class Undefined : std::uint8_t {
-  variable,    // it is read before it is written
+  variable,    // a variable is read before it is written
   no_return,   // a path ends without a return
   index,       // outside the array
   division,    // of integers by 0, or of the least integer by -1
   shift,       // by 32 bits or more
-  conversion,  // of a number outside the integer's range
+  conversion,  // of a number outside the range of the integer type
   pow,         // of a base below 0, or of 0 to an exponent that is not above 0
   atan,        // of two zeros
   smoothstep,  // the lower edge is not below the upper one
   clamp,       // the lower limit is above the upper one
-  min_max,     // one operand is no number
+  min_max,     // one operand is NaN
 };
 
 struct UndefinedValue {
   Undefined why;
-  std::uint32_t line = 0;            // of the source, from 1; 0: unknown
-  std::array<double, 2> operands{};  // as they were read
+  std::uint32_t line = 0;            // of the source, starting at 1; 0: unknown
+  std::array<double, 2> operands{};  // as the step read them
 };
 
-// Whether this step gives an undefined value for these operands. `number(slot)` and `integer(slot)` are the
-// operands.
+// Returns the reason if this step gives an undefined value for its operands. `number(slot)` and
+// `integer(slot)` return the operands.
 template <class Number, class Integer>
 std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&& integer) {
   const auto if_so = [](bool is, Undefined why) { return is ? std::optional(why) : std::nullopt; };
@@ -76,9 +77,9 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
   }
 }
 
-// The undefined value that the result depends on, in the program that the scalar T runs; nothing where the
-// result is defined. A value that no result depends on does not count. `values` are those of all parameters
-// in order; the directions are unit vectors. Throws EndlessLoop.
+// Returns the undefined value on which the result depends, in the program that the scalar T runs;
+// std::nullopt if the result is defined. An undefined value on which no result depends does not count.
+// `values` are the values of all parameters in order; the directions are unit vectors. Throws EndlessLoop.
 template <class T>
 std::optional<UndefinedValue> undefined_value(const Function& function, std::span<const double> values,
                                               const Vec3<double>& wi, const Vec3<double>& wo);
@@ -90,9 +91,9 @@ extern template std::optional<UndefinedValue> undefined_value<double>(const Func
                                                                       const Vec3<double>&,
                                                                       const Vec3<double>&);
 
-// "line 7, `x = pow(a, 2.0);`: pow of a base below 0 (-0.3, 2)".
+// Returns "line 7, `x = pow(a, 2.0);`: pow of a base below 0 ... (-0.3, 2)".
 std::string to_text(const Function& function, const UndefinedValue& value);
-// "pow of a base below 0", without the place.
+// Returns the description of the reason, without the line and the operands.
 std::string_view sentence_of(Undefined why);
 
 }  // namespace brdf::shader

@@ -14,24 +14,24 @@ namespace {
 namespace fs = std::filesystem;
 using io::Json;
 
-// The document, where there is one that a study may have written.
+// The content of study.json; std::nullopt if the file does not exist or was not written by a study.
 std::optional<Json> results_in(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / kResults, ignored)) return std::nullopt;
   try {
     Json json = io::read_json(folder / kResults);
     if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
-  } catch (const InputError&) {  // not ours: it is written again
+  } catch (const InputError&) {  // not written by a study: it will be overwritten
   }
   return std::nullopt;
 }
 
-// A name that stays in its folder.
+// Whether the name refers to a file directly in its folder.
 bool is_plain(const std::string& name) {
   return !name.empty() && name == fs::path(name).filename() && name != "." && name != "..";
 }
 
-// Of what the results were made of, and of themselves: a row that was edited is made anew.
+// A fingerprint of the inputs and of the results themselves, so that an edited row is recomputed.
 std::string sealed(const std::string& key, const Json& results) {
   return io::fingerprint({key, results.value("results", Json()).dump()});
 }

@@ -1,4 +1,4 @@
-// Where the results of one sample are kept, and whether what is there can be kept.
+// Stores the results of one sample in a folder, and determines whether earlier results there can be reused.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline constexpr const char* kFitted = "fitted.png";
 inline constexpr const char* kDifference = "difference.png";
 inline constexpr const char* kSmallMeasured = "measured_small.png";
 inline constexpr const char* kSmallFitted = "fitted_small.png";
-// All that a sample's folder may hold of a study.
+// All files of a study that a sample's folder may contain.
 inline constexpr std::array kSampleFiles{kPage,     kResults,    kSheet,         kFit,
                                          kMaterial, kProperties, kShader,        kMeasured,
                                          kFitted,   kDifference, kSmallMeasured, kSmallFitted};
@@ -32,18 +32,20 @@ struct File {
   std::string name, bytes;
 };
 
-// A folder for each sample: the file's name without its suffix, with it where that is taken, and numbered
-// where that is taken too. None is called like what the overview writes beside the folders.
+// Returns one folder name per sample: the file's name without its suffix; with the suffix if that name is
+// taken; with a number appended if that is taken, too. The names never collide with the files that the
+// overview writes next to the folders.
 std::vector<std::string> folder_names(const std::vector<std::string>& samples);
 
-// Writes a sample's files, each at once or not at all, and last of all study.json: `results` with the key of
-// what they were made of and a fingerprint of every file. What an earlier study.json lists and is not written
-// again is removed. Throws as io::write_file_atomically().
+// Writes a sample's files. Each file is written completely or not at all, and study.json is written last:
+// `results`, with a key computed from `key` and the results, and with a fingerprint of every file. Files
+// that an earlier study.json lists and that are not written again are removed. Throws the same errors as
+// io::write_file_atomically().
 void publish(const std::filesystem::path& folder, const std::vector<File>& files, io::Json results,
              const std::string& key);
 
-// The folder's study.json, where it was made of the same and every file that it lists is there as it was
-// written.
+// Returns the folder's study.json if it was made with the same `key` and every file that it lists is
+// unchanged; otherwise std::nullopt.
 std::optional<io::Json> kept(const std::filesystem::path& folder, const std::string& key);
 
 }  // namespace brdf::study

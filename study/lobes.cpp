@@ -6,7 +6,7 @@
 namespace brdf::study {
 namespace {
 
-constexpr int kLobePixels = 480;  // across
+constexpr int kLobePixels = 480;  // width and height
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// The fitted lobe as a body with the measured rows as dots: drawn by render, none where this build is without
-// it.
+// Draws the fitted lobe as a body with the measurements as dots. Render does the drawing; a build without
+// render draws no lobes.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@
 namespace brdf::study {
 
 struct Lobe {
-  double theta_i;   // of the light, degrees
-  std::string png;  // a file's bytes
+  double theta_i;   // angle of incidence, degrees
+  std::string png;  // the content of the PNG file
 };
 
-// Whether this build draws lobes.
+// Returns whether this build draws lobes.
 bool has_lobes();
 
-// Under two of the lights that were measured: one at which a lobe is compact, and one at which it is drawn
-// out. Precondition: the material's channels are colours.
+// Draws the lobe for the measured angles of incidence nearest to 30 degrees, at which a lobe is compact,
+// and to 65 degrees, at which it is elongated. If both are the same angle, there is one picture. Returns an
+// empty vector in a build without render. Precondition: the material's channels are colours.
 std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitted);
 
 }  // namespace brdf::study

@@ -26,7 +26,7 @@ double number_of(const Json& json, const char* key) {
   return json.at(key).is_number() ? json.at(key).get<double>() : std::nan("");
 }
 
-// How many passed, or where some failed how many of those, with their names beneath.
+// The number of passed checks or, if checks failed, the number of failed ones with their names below.
 Cell checks_cell(const Json& counts, const Json& failed) {
   const int good = counts.at("pass").get<int>(), open = counts.at("undecided").get<int>(),
             known = counts.at("known_violation").get<int>();
@@ -60,12 +60,12 @@ Cell share_cell(double share) {
 Cell picture_cell(const Row& row, const char* file, const std::string& link, const std::string& alt) {
   try {
     return {.link = link, .png = io::read_content(row.folder / file).bytes, .alt = alt};
-  } catch (const InputError&) {  // none was drawn
+  } catch (const InputError&) {  // no picture was drawn
     return {.text = "-"};
   }
 }
 
-// What to know of a sample beside its numbers.
+// Remarks on a sample that its numbers do not show.
 std::string remark_on(const Row& row) {
   if (row.fault != Fault::none) return text_of(row.json, "error");
   const auto weak = row.json.at("weakly_determined").get<std::vector<std::string>>();
@@ -106,7 +106,7 @@ io::Row cells_of(const Row& row, bool pictures) {
   return cells;
 }
 
-// Why there are no pictures, each reason once.
+// The reasons for missing pictures, each once.
 std::set<std::string> missing_pictures(const std::vector<Row>& rows) {
   std::set<std::string> reasons;
   for (const Row& row : rows)

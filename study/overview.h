@@ -1,4 +1,4 @@
-// The page that leads to many samples' pages.
+// Writes the overview page, which links to the pages of many samples.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace brdf::study {
 
-// index.html and study.json in the folder.
+// Writes index.html and study.json into the folder.
 void write_overview(const std::vector<Row>& rows, const std::filesystem::path& folder);
 
 }  // namespace brdf::study

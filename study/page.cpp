@@ -14,7 +14,8 @@
 namespace brdf::study {
 namespace {
 
-// Measured beside fitted: what the reader turns, or pictures of what no browser could draw.
+// Measured and fitted spheres side by side: interactive if a browser can draw the material, otherwise
+// pictures.
 void add_spheres(io::HtmlReport& report, const Findings& found) {
   const Spheres& spheres = found.spheres;
   const fit::FormFit& best = found.fit.ranking.front();
@@ -43,7 +44,7 @@ void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
   if (!pictures.empty()) report.pictures(pictures);
 }
 
-// What the fitted material does, beside what it reflects under every angle of the light.
+// The properties of the fitted material, and its albedo, lobes and reciprocity.
 void add_properties(io::HtmlReport& report, const Findings& found) {
   report.heading("Properties of the fitted material");
   validate::add_properties(report, found.properties);
@@ -61,7 +62,7 @@ void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOption
   report.end_fold();
 }
 
-// What a file beside the page is, for people.
+// Describes a file of the page's folder for readers.
 std::string meaning_of(const std::string& file) {
   const std::pair<const char*, const char*> meanings[] = {
       {kMaterial, "the fitted material, for every verb that takes one"},

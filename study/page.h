@@ -1,4 +1,4 @@
-// The page of one sample, in a reader's order.
+// Writes the page of one sample, in an order that suits readers.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace brdf::study {
 
-// Verdict with its warnings, spheres, slices, where the fit deviates, parameters, properties, forms, data
-// sheet, files and commands. Self-contained but for links to the files beside it.
+// Returns the page: the verdict with its warnings, spheres, slices, deviations of the fit, lobes,
+// parameters, properties, forms, data sheet, files and commands. The page is self-contained except for
+// links to the other files in its folder.
 std::string sample_page(const Findings& found, const SampleOptions& options);
 
 }  // namespace brdf::study

@@ -22,7 +22,7 @@ Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
-// How many findings there are of each outcome.
+// The number of findings with each outcome.
 Json counts(const std::vector<validate::Finding>& findings) {
   Json json = Json::object();
   for (const std::string_view name : kNames<validate::Outcome>) json[std::string(name)] = 0;
@@ -40,7 +40,7 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
   return names;
 }
 
-// What stands in the way of using the fit without a thought.
+// Warnings that users should consider before they use the fit.
 Json warnings_of(const fit::FitResult& result) {
   Json texts = Json::array();
   for (const std::string& fault : fit::sheet_in_words(result)) texts.push_back("The samples: " + fault + ".");
@@ -87,10 +87,10 @@ void add_spheres(const Spheres& spheres, std::vector<File>& files) {
   files.push_back({kSmallFitted, spheres.small.fitted});
 }
 
-// The material and what is told of it.
+// Adds the material, its properties, its pictures and its shader.
 void add_material(Findings& found, const SampleOptions& options, const Step& step, std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
-  // Commands name it as it is called beside the page.
+  // Commands use the name that the file has in the page's folder.
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
   step();

@@ -1,4 +1,4 @@
-// One sample's study: everything that is found out about it, and the files that say it.
+// Studies one sample: computes all findings and the files that report them.
 #pragma once
 
 #include <functional>
@@ -19,38 +19,40 @@
 namespace brdf::study {
 
 struct SampleOptions {
-  std::vector<std::vector<Reflectance>> models;  // none: --form auto
+  std::vector<std::vector<Reflectance>> models;  // empty: --form auto
   fit::FitOptions fit;
-  std::string fit_words;  // the same as a shell takes it, for the commands that the page shows
+  std::string fit_words;  // the options of `fit` in shell syntax, for the commands that the page shows
   bool pictures = true;
-  bool alone = true;  // its page is no part of an overview
+  bool alone = true;  // the page is not part of an overview
 };
 
-// What the page and the JSON are made of.
+// The content of the page and of the JSON files.
 struct Findings {
-  std::string name;  // for people: the file's, without its folder
+  std::string name;  // for readers: the file's name without its folder
   io::SampleTable table;
   sheet::DataSheet sheet;
   fit::FitResult fit;
-  std::optional<validate::Subject> subject;  // the best fit's material; none where there is no fit
+  std::optional<validate::Subject> subject;  // material of the best fit; std::nullopt if no fit exists
   std::vector<validate::Finding> properties;
   Spheres spheres;
-  std::vector<std::string> files;  // beside the page
-  std::string no_shader;           // why there is none of them; empty where there is
+  std::vector<std::string> files;  // files in the page's folder
+  std::string no_shader;           // the reason why there is no shader; empty if there is one
 };
 
-// How far a sample is read, fitted, judged, drawn: called after each of kSteps steps.
+// The number of steps of a sample (reading, fitting, judging, drawing), and the function that is called
+// after each.
 inline constexpr int kSteps = 4;
 using Step = std::function<void()>;
 
 struct SampleStudy {
   std::vector<File> files;
-  io::Json row;  // of study.json
+  io::Json row;  // the row of study.json
   bool interrupted = false;
-  std::vector<std::string> assumptions = {};  // of the reader
+  std::vector<std::string> assumptions = {};  // made by the reader
 };
 
-// `name` is the row's. Throws InputError where the samples cannot be read or fitted.
+// Studies one sample. `name` is the name in its row. Throws InputError if the samples cannot be read or
+// fitted.
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
                          const Step& step);
 

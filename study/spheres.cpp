@@ -6,7 +6,7 @@
 namespace brdf::study {
 namespace {
 
-constexpr int kPicturePixels = 360, kSmallPixels = 120;  // of a side
+constexpr int kPicturePixels = 360, kSmallPixels = 120;  // per side
 
 }  // namespace
 

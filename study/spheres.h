@@ -1,4 +1,4 @@
-// Pictures of a material and of its samples, under the same light.
+// Pictures of a material and of its samples, lit in the same way.
 #pragma once
 
 #include <memory>
@@ -14,12 +14,13 @@ namespace brdf::study {
 struct Spheres {
   io::sphere::Stills whole, small;
   std::vector<Lobe> lobes;
-  std::string missing;  // why there are no pictures
-  // The samples as they were drawn, for what a page turns.
+  std::string missing;  // the reason why there are no pictures; empty if there are pictures
+  // The samples as drawn, for the interactive sphere of a page.
   std::shared_ptr<const measured::MeasuredReflectance> seen;
 };
 
-// Channels that are no colours have none: Spheres::missing says so.
+// Draws the pictures. If the channels are not colours, there are no pictures, and Spheres::missing gives
+// this reason.
 Spheres draw(const io::SampleTable& samples, const Material& fitted);
 
 }  // namespace brdf::study

@@ -49,7 +49,7 @@ class Study {
  private:
   bool alone() const { return alone_; }
 
-  // Refuses a folder that cannot be written, or where a result would replace one of the samples.
+  // Throws InputError if a folder cannot be written, or if a result would overwrite one of the samples.
   void check_outputs() const {
     std::vector<fs::path> inputs;
     for (const Row& row : rows_) inputs.emplace_back(row.file);
@@ -84,7 +84,7 @@ class Study {
     advance(kSteps - steps);
   }
 
-  // False where it was interrupted.
+  // Returns false if the run was interrupted.
   bool fill(Row& row, const std::string& name, const Step& step) {
     io::Content content = io::read_content(row.file);
     const std::string key = io::fingerprint({options_.settings, fit::constants_text(options_.sample.fit),
@@ -116,8 +116,9 @@ class Study {
   }
 
   const StudyOptions& options_;
-  std::vector<std::string> names_;        // of the folders of what is done
-  bool alone_ = false, is_part_ = false;  // the sample, of the samples
+  std::vector<std::string> names_;  // of the folders of the samples that are studied
+  // alone_: there is only one sample. is_part_: only some of the samples are studied.
+  bool alone_ = false, is_part_ = false;
   std::vector<Row> rows_;
   std::mutex mutex_;
   int done_ = 0;

@@ -1,4 +1,4 @@
-// Many samples studied side by side into one folder: resumable, with an overview.
+// Studies many samples in parallel and writes one folder. The study can be resumed, and it has an overview.
 #pragma once
 
 #include <filesystem>
@@ -14,33 +14,37 @@ namespace brdf::study {
 struct StudyOptions {
   std::filesystem::path folder;
   SampleOptions sample;
-  // Everything that decides the results, as text: finished ones are kept only if they were made with the
-  // same.
+  // All settings that affect the results, as text. Finished samples are kept only if they were made with
+  // the same settings.
   std::string settings;
   unsigned jobs = 1;
-  // Only these are done, and have rows, without an overview; folders are called as if all were.
+  // Only samples `first` to `first + count - 1` are studied and have rows. If samples are left out, no
+  // overview is written. Folder names are chosen from the whole list, so that partial runs agree.
   std::size_t first = 0, count = std::size_t(-1);
-  io::Progress progress;  // steps done, of all
+  io::Progress progress;  // called with the number of finished steps and of all steps
 };
 
 enum class Fault { none, input, environment, interrupted };
 
 struct Row {
   std::string file;
-  std::filesystem::path folder;  // of its files
+  std::filesystem::path folder;  // folder of the sample's files
   io::Json json;                 // docs/study.schema.json
-  Fault fault = Fault::none;     // why there is no study: json's `error` says it in words
-  bool kept = false;             // from an earlier run
-  std::vector<std::string> assumptions =
-      {};  // of the reader, on which values or directions rest; of one that is not kept
+  Fault fault = Fault::none;     // the reason why the study failed; `error` of `json` describes it
+  bool kept = false;             // taken from an earlier run
+  // Assumptions of the reader that affect values or directions. Empty if the row is taken from an earlier
+  // run.
+  std::vector<std::string> assumptions = {};
   bool usable() const { return fault == Fault::none && json["usable"].get<bool>(); }
 };
 
-// Of one sample FOLDER/index.html is its page; of many FOLDER/NAME/index.html are, and FOLDER/index.html the
-// overview. A sample whose results were made by the same settings from the same content is kept, so that a
-// run that was killed redoes only what was in flight. What goes wrong with a sample is its row's fault, and
-// ends no other. Throws InputError where the folder cannot be written, a result would replace a sample, or no
-// sample can be used; nothing is written then.
+// Studies the samples and returns one row for each. For one sample the page is FOLDER/index.html. For
+// several samples the pages are FOLDER/NAME/index.html, and FOLDER/index.html is the overview.
+//
+// A sample is kept if its results were made with the same settings from the same content, so that after an
+// interruption only unfinished samples are recomputed. An error in one sample is reported as the fault of
+// its row and does not affect other samples. Throws InputError if the folder cannot be written, if a result
+// would overwrite a sample, or if no sample can be used; nothing is written in these cases.
 std::vector<Row> study(const std::vector<std::string>& samples, const StudyOptions& options);
 
 }  // namespace brdf::study

@@ -12,10 +12,10 @@
 namespace brdf::synth {
 namespace {
 
-constexpr double kInPlaneLimit = 85;  // an instrument's arm rarely gets closer to the horizon
+constexpr double kInPlaneLimit = 85;  // the arm of an instrument rarely gets closer to the horizon
 constexpr double kHemisphereLimit = 80;
 
-// Refuses before the memory is taken.
+// Refuses too large a grid before memory is allocated.
 void check_rows(double rows) {
   if (rows > static_cast<double>(io::kMostRows))
     throw InputError("the grid has " + io::to_text(rows) + " directions, more than " +
@@ -60,7 +60,7 @@ double in_turn(double degrees) {
   return rest < 0 ? rest + 360.0 : rest;
 }
 
-// Seen from a sample turned by +a, directions turn by -a.
+// In the frame of a sample that is rotated by +a, directions rotate by -a.
 io::SampleTable turned(const io::SampleTable& grid, const std::vector<double>& azimuths) {
   check_rows(double(grid.rows()) * double(azimuths.size()));
   io::SampleTable all;
@@ -78,7 +78,7 @@ io::SampleTable turned(const io::SampleTable& grid, const std::vector<double>& a
 
 io::SampleTable outside_blind_zone(const io::SampleTable& grid, double blind_zone) {
   const DirectionArrays<double> d = io::unit_directions(grid);
-  const double cos_limit = io::cos_degrees(blind_zone) + 1e-12;  // a grid's step may fall on the limit
+  const double cos_limit = io::cos_degrees(blind_zone) + 1e-12;  // a step of the grid may fall on the limit
   io::SampleTable seen;
   for (std::size_t k = 0; k < grid.rows(); ++k) {
     const double cosine = dot(d.view().wi(k), d.view().wo(k));

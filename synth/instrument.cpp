@@ -19,7 +19,8 @@
 namespace brdf::synth {
 namespace {
 
-// An instrument's display: what lies beyond 12 digits is rounding, and that differs between machines.
+// Rounds to 12 digits, as an instrument's display does. Digits beyond the 12th are rounding errors, which
+// differ between machines.
 double displayed(double value) {
   constexpr int kDigits = 12;
   char text[40];
@@ -48,7 +49,7 @@ void check(const Instrument& instrument) {
 void read_out(const Material& material, const Instrument& instrument, const io::Progress& progress,
               io::SampleTable& table) {
   const std::size_t channels = material.channels.size();
-  // Two cones multiply: 50 x 50 nodes together, 288 for one alone.
+  // Two apertures multiply the number of nodes: 50 x 50 nodes for both, 288 nodes for one.
   const bool both = instrument.aperture > 0 && instrument.source_aperture > 0;
   const int rings = both ? kSynthRingsOfTwo : kSynthRings;
   const auto source = aperture_nodes(degrees(instrument.source_aperture), rings);
@@ -76,14 +77,15 @@ void read_out(const Material& material, const Instrument& instrument, const io::
     }
   }
   if (progress) progress(static_cast<int>(table.rows()), static_cast<int>(table.rows()));
-  // A Gaussian lobe as wide (full, at half its peak) as the aperture reads 0.72 of its peak.
+  // A Gaussian lobe as wide (full width at half maximum) as the aperture reads 0.72 of its peak.
   if (read_at_peak < 0.72 * peak)
     table.warnings.push_back("the lobe is narrower than the aperture: its peak reads " +
                              std::to_string(std::lround(100 * read_at_peak / peak)) +
                              " % of the truth (fit with --aperture)");
 }
 
-// Two numbers are drawn per reading whatever is switched on, so that settings change only what they name.
+// Adds the effects of the instrument. Two random numbers are drawn per reading in any case, so that a
+// setting has no side effects on the other random numbers.
 void disturb(const Instrument& instrument, io::SampleTable& table) {
   NormalPairs normal(instrument.seed);
   std::size_t saturated = 0, clipped = 0;
@@ -95,7 +97,7 @@ void disturb(const Instrument& instrument, io::SampleTable& table) {
       if (instrument.sigma_columns) {
         const double relative = std::sqrt(math::exp(s * s) - 1) * value;  // of the log-normal factor
         const double sigma = std::sqrt(relative * relative + instrument.noise_floor * instrument.noise_floor);
-        table.sigma[c].push_back(displayed(std::max(sigma, 1e-300)));  // the format wants sigma > 0
+        table.sigma[c].push_back(displayed(std::max(sigma, 1e-300)));  // the format requires sigma > 0
       }
       if (s > 0) value *= math::exp(s * z.first - 0.5 * s * s);
       if (instrument.noise_floor > 0) value += instrument.noise_floor * z.second;

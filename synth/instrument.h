@@ -19,29 +19,30 @@ namespace brdf::synth {
 struct Instrument {
   GridOptions grid;
   double aperture = 0;         // full angular width of the detector, degrees
-  double source_aperture = 0;  // of the source
+  double source_aperture = 0;  // full angular width of the source, degrees
   double noise = 0;            // s of the factor exp(s z - s^2/2), z standard normal: mean 1
   double noise_floor = 0;      // standard deviation of the additive noise, 1/sr
-  double saturation = 0;       // readings above are cut to this, 1/sr; 0: none
+  double saturation = 0;       // larger readings are clamped to this, 1/sr; 0: no saturation
   bool clip_negatives = false;
   bool sigma_columns = false;  // adds the standard deviation of every value, from noise and noise_floor
   std::uint64_t seed = 1;
 };
 
-// What a grid is called: in_plane, hemisphere, merl or a file of directions, joined by +.
+// Splits the name of a grid into its parts. The parts in_plane, hemisphere, merl or a file of directions
+// are joined by +.
 std::vector<std::string> grid_parts(std::string_view grid);
 
-// The azimuths at which a sample of this material is measured where none are asked for, degrees.
+// Returns the default azimuths, in degrees, at which a sample of this material is measured.
 std::vector<double> usual_azimuths(const Material& material);
 
-// Measures the material. The table's metadata records the truth and every setting, its
-// warnings what a user should know (a lobe narrower than the aperture, readings
-// saturated). The same arguments give the same table on every machine: own random numbers,
-// own sines, values rounded to 12 digits. Throws InputError on settings out of range.
+// Measures the material. The metadata of the table records the ground truth and every setting. Its warnings
+// list facts that users should know (a lobe narrower than the aperture, saturated readings). The same
+// arguments give the same table on every machine, because random numbers and sines are the library's own
+// and values are rounded to 12 digits. Throws InputError for settings out of range.
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress = {});
 
-// Any file as a table: samples as they are read, a material as it is at the centres of the MERL cells.
+// Returns any file as a table: samples unchanged, a material evaluated at the centres of the MERL cells.
 io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied = {});
 
 }  // namespace brdf::synth

@@ -10,7 +10,7 @@
 namespace brdf::synth {
 
 NormalPairs::Pair NormalPairs::next() {
-  const auto uniform = [this] { return uniform01(bits_) + 0x1p-54; };  // moved by half a step: never 0
+  const auto uniform = [this] { return uniform01(bits_) + 0x1p-54; };  // shifted by half a step: never 0
   const double radius = std::sqrt(-2.0 * math::log(uniform()));
   const double degrees = 360.0 * uniform();
   return {radius * io::cos_degrees(degrees), radius * io::sin_degrees(degrees)};

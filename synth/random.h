@@ -1,3 +1,5 @@
+// Random numbers that are the same on every machine.
+// Generates random numbers that are the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -5,14 +7,15 @@
 
 namespace brdf::synth {
 
-// Pairs of independent standard normal numbers (Box and Muller 1958). The engine's bits are fixed by the
-// standard, but std::normal_distribution is not: this is the same on every machine.
+// Generates pairs of independent standard normal numbers (Box and Muller 1958). They are the same on every
+// machine: the standard specifies the bits of the engine, but not std::normal_distribution.
 class NormalPairs {
  public:
   explicit NormalPairs(std::uint64_t seed) : bits_(seed) {}
   struct Pair {
     double first, second;
   };
+  // Returns the next pair.
   Pair next();
 
  private:

@@ -46,7 +46,7 @@ void check(const TexelOptions& o) {
   between("--registration", o.registration, 0, 100);
 }
 
-// Points on the cap of the hemisphere, evenly (Vogel 1979: the golden angle).
+// Adds points that are spread evenly on the cap of the hemisphere (Vogel 1979: the golden angle).
 void add_points(int count, std::vector<double>& theta, std::vector<double>& phi) {
   constexpr double kGoldenAngle = 137.50776405003785;
   const double cap = 1 - io::cos_degrees(kSteepestLight);
@@ -106,7 +106,7 @@ Surface::Surface(const Material& material, const TexelOptions& options)
   }
 }
 
-// Smooth, in [0, 1], another one for every `which`.
+// Returns a smooth function with values in [0, 1], a different one for every `which`.
 double Surface::field(std::size_t which, double x, double y) const {
   const double u = (x + 0.5) / double(options_.width), v = (y + 0.5) / double(options_.height);
   const double phase = std::fmod(double(which) * 0.6180339887498949, 1.0);
@@ -133,7 +133,7 @@ Material Surface::material(double x, double y) const {
 }
 
 Vec3<double> Surface::normal(double x, double y) const {
-  // Both components reach the largest together at most at one corner of the square.
+  // Both components reach the maximum together at most at one corner of the square.
   const double largest = io::sin_degrees(options_.tilt) * 0.7071067811865475;
   const double a = largest * (2 * field(0, x, y) - 1), b = largest * (2 * field(1, x, y) - 1);
   return {a, b, std::sqrt(1 - a * a - b * b)};
@@ -191,7 +191,7 @@ std::string image_name(int k) {
   return name;
 }
 
-// Images of another stack would be taken for this one's.
+// Throws InputError if the folder contains other images, which would be mistaken for images of this stack.
 void check_folder(const std::filesystem::path& folder, const TexelOptions& options) {
   if (!std::filesystem::is_directory(folder)) return;
   std::set<std::string> own;
@@ -202,7 +202,8 @@ void check_folder(const std::filesystem::path& folder, const TexelOptions& optio
                        ", which would be taken for an image of this stack");
 }
 
-// One reading: two numbers are drawn whatever is switched on, so that settings change only what they name.
+// Returns one reading. Two random numbers are drawn in any case, so that a setting has no side effects on
+// the other random numbers.
 float reading(double value, const TexelOptions& o, NormalPairs& random) {
   const NormalPairs::Pair z = random.next();
   if (o.noise > 0) value *= math::exp(o.noise * z.first - 0.5 * o.noise * o.noise);
@@ -227,7 +228,7 @@ void record(const Material& material, const TexelOptions& o, io::SampleTable& li
   lights.add_comment("saturation", o.saturation > 0 ? io::to_text(o.saturation) : "none");
 }
 
-// A surface texel by texel.
+// A surface evaluated at all texels.
 struct Grid {
   std::vector<Material> materials;
   std::vector<Vec3<double>> normals;
@@ -243,7 +244,7 @@ Grid sampled(const Surface& surface, const TexelOptions& o, double shift_x, doub
   return grid;
 }
 
-// As an image sees it that lies a little off.
+// Evaluates the surface as a slightly shifted image records it.
 Grid misplaced(const Surface& surface, const TexelOptions& o, std::uint64_t image) {
   NormalPairs random(o.seed + 0xbf58476d1ce4e5b9u * (image + 1));
   const NormalPairs::Pair shift = random.next();

@@ -1,4 +1,4 @@
-// A virtual photographic stack of a surface whose parameters and normal vary from texel to texel.
+// A virtual photographic stack of a surface with parameters and normals that vary from texel to texel.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace brdf::synth {
 
-// A parameter of the material that goes smoothly from low to high and back over the stack; in every channel
-// by itself.
+// A parameter of the material that varies smoothly between low and high over the stack, independently in
+// every channel if the parameter is a weight.
 struct Variation {
   std::string name;
   double low, high;
@@ -23,34 +23,34 @@ struct Variation {
 
 struct TexelOptions {
   std::size_t width = 0, height = 0;
-  int lights = 0, viewers = 1;  // every light with every viewer; one viewer looks along z
+  int lights = 0, viewers = 1;  // every light with every viewer; a single viewer looks along z
   std::vector<Variation> vary;
-  double tilt = 0;          // the normal's largest angle with z, degrees
+  double tilt = 0;          // largest angle between the normal and z, degrees
   double noise = 0;         // s of the factor exp(s z - s^2/2), z standard normal: mean 1
   double noise_floor = 0;   // standard deviation of the additive noise, 1/sr
-  double saturation = 0;    // readings above are cut to this, 1/sr; 0: none
+  double saturation = 0;    // larger readings are clamped to this, 1/sr; 0: no saturation
   double dark_level = 0;    // added to every reading, 1/sr
-  double registration = 0;  // standard deviation of each image's shift along x and along y, texels
-  texel::Rig rig;           // lights and viewers that are not far
+  double registration = 0;  // standard deviation of each image's shift along x and y, texels
+  texel::Rig rig;           // distances of lights and viewers that are near
   std::uint64_t seed = 1;
 };
 
-// "NAME=LOW:HIGH". Throws InputError.
+// Parses "NAME=LOW:HIGH". Throws InputError.
 Variation parse_variation(const std::string& text);
 
-// "256x256". Throws InputError.
+// Parses "256x256". Throws InputError.
 void parse_texels(const std::string& text, TexelOptions& options);
 
-// What is where: of every texel its material and normal.
+// The ground truth: the material and the normal of every texel.
 class Surface {
  public:
-  // Throws InputError on parameters that the material has not, and values out of range.
+  // Throws InputError for parameters that the material does not have, and for values out of range.
   Surface(const Material& material, const TexelOptions& options);
 
-  // At a texel's centre where both are whole.
+  // Return the material and the normal at a point. Integer coordinates are the centre of a texel.
   Material material(double x, double y) const;
   Vec3<double> normal(double x, double y) const;
-  // Every parameter and the normal as planes.
+  // Returns every parameter and the normal as planes.
   texel::Planes truth() const;
 
  private:
@@ -60,11 +60,12 @@ class Surface {
   TexelOptions options_;
 };
 
-// Lights (and viewers) spread evenly over the hemisphere to 75 degrees. One row per image.
+// Returns the directions of the stack, one row per image. Lights (and several viewers) are spread evenly
+// over the hemisphere, up to 75 degrees.
 io::SampleTable stack_directions(const TexelOptions& options);
 
-// Writes a stack into the folder (texel/stack.h), and what is true to truth.exr in its folder `truth`. The
-// same arguments give the same files on every machine. Throws InputError on settings out of range.
+// Writes a stack into `folder` (texel/stack.h), and the ground truth to truth/truth.exr in this folder. The
+// same arguments give the same files on every machine. Throws InputError for settings out of range.
 void write_stack(const std::filesystem::path& folder, const Material& material, const TexelOptions& options,
                  const io::Progress& progress = {});
 

@@ -1,4 +1,4 @@
-// An OpenEXR image that is read a band of rows at a time.
+// Reads an OpenEXR image in bands of rows.
 #pragma once
 
 #include <ImfInputFile.h>
@@ -14,18 +14,18 @@ namespace brdf::texel {
 
 class ExrInput {
  public:
-  // Throws InputError where there is no such image, EnvironmentError where the machine fails.
+  // Throws InputError if there is no such image, EnvironmentError if the machine fails.
   explicit ExrInput(const std::filesystem::path& path);
 
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
-  const std::vector<std::string>& channels() const {
-    return channels_;
-  }  // in OpenEXR's order, the alphabet's
+  const std::vector<std::string>& channels() const { return channels_; }  // in OpenEXR's alphabetical order
 
-  // These rows of one channel, whole lines, as float. Throws InputError where the file is damaged.
+  // Reads these rows of the named channels, as whole lines of floats. Throws InputError if the file is
+  // damaged.
   void read_rows(const std::vector<std::string>& channels, std::size_t first, std::size_t rows,
                  std::vector<std::vector<float>>& out);
+  // Returns the names and values of the string attributes.
   std::vector<std::pair<std::string, std::string>> attributes() const;
 
  private:

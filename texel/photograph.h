@@ -1,4 +1,4 @@
-// One image of a stack, OpenEXR or PNG, a band of rows at a time.
+// Reads one image of a stack, OpenEXR or PNG, in bands of rows.
 #pragma once
 
 #include <filesystem>
@@ -13,15 +13,16 @@ namespace brdf::texel {
 
 class Photograph {
  public:
-  // Throws InputError where there is no such image. `transfer` of a PNG.
+  // `transfer` applies to PNG images. Throws InputError if there is no such image or it cannot be read, and
+  // if a PNG image has no transfer.
   Photograph(const std::filesystem::path& path, const std::optional<Transfer>& transfer);
 
   std::size_t width() const { return exr_ ? exr_->width() : width_; }
   std::size_t height() const { return exr_ ? exr_->height() : height_; }
   const std::vector<std::string>& channels() const { return exr_ ? exr_->channels() : channels_; }
 
-  // Of each channel that is named these rows, whole lines. A number that is the largest of a PNG is
-  // saturated: NaN. Throws InputError where the file is damaged.
+  // Reads these rows of each named channel, as whole lines. The largest number of a PNG is saturated and
+  // becomes NaN. Throws InputError if the file is damaged.
   void read_rows(const std::vector<std::string>& channels, std::size_t first, std::size_t rows,
                  std::vector<std::vector<float>>& out);
 

@@ -1,4 +1,4 @@
-// Planes of numbers over one grid of texels, as OpenEXR files hold them.
+// Planes of numbers over one grid of texels, as OpenEXR files store them.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,8 @@ struct Region {
   std::size_t size() const { return width * height; }
 };
 
-// What covers a grid, row by row; at its right and lower end they may be smaller.
+// Divides a grid into regions of at most width x height, row by row. Regions at the right and lower edges
+// may be smaller.
 std::vector<Region> divided(const Region& grid, std::size_t width, std::size_t height);
 
 struct Planes {
@@ -25,17 +26,18 @@ struct Planes {
   std::vector<std::vector<float>> values;  // [name][texel], row by row
   std::vector<std::pair<std::string, std::string>> attributes = {};
 
-  // The plane of that name; null where there is none.
+  // Returns the plane of this name, or null.
   const std::vector<float>* find(std::string_view name) const;
 };
 
-// What a parameter's plane is called: its name, or with a channel the layer of that name.
+// Returns the name of a parameter's plane: the parameter, followed by the channel as a layer if there is
+// one.
 std::string plane_name(const std::string& parameter, const std::string& channel);
 
-// A tiled image (64 x 64) of 32-bit floats, lossless, one channel per plane, written as a whole or not at
-// all; the attributes as strings. The same planes give the same bytes.
+// Writes a tiled image (64 x 64) of 32-bit floats, lossless, one channel per plane, with the attributes as
+// strings. The file is written completely or not at all. The same planes give the same bytes.
 void write_planes(const std::filesystem::path& path, const Planes& planes);
-// Every channel of an image, as float. Throws InputError where it is none.
+// Reads every channel of an image as float. Throws InputError if the file is not an image.
 Planes read_planes(const std::filesystem::path& path);
 
 }  // namespace brdf::texel

@@ -27,7 +27,7 @@ std::vector<fs::path> images_in(const fs::path& folder) {
   return images;
 }
 
-// OpenEXR keeps R, G and B in the alphabet's order and in capitals.
+// Names the channels. OpenEXR stores R, G and B in alphabetical order and in capitals.
 void name_channels(const std::vector<std::string>& found, Stack& stack) {
   const std::array<std::string, 3> colours{"R", "G", "B"};
   const bool coloured =
@@ -139,7 +139,7 @@ std::size_t bytes_per_texel(const Stack& stack) {
 
 namespace {
 
-// Of rows `row` to `row + height - 1` the columns that are named.
+// Reads the given columns of the rows `row` to `row + height - 1`.
 std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t> columns, std::size_t row,
                                 std::size_t height) {
   const std::size_t images = stack.images.size(), channels = stack.channels.size();
@@ -147,7 +147,7 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
   std::vector<std::vector<float>> band;
   const float none = std::numeric_limits<float>::quiet_NaN();
   const DirectionArrays<double> far = io::unit_directions(stack.lights);
-  // Rounded as the images' pixels are.
+  // Rounded to float, as the pixels of the images are.
   const float saturation = float(std::clamp(stack.saturation, -kLargestFloat, kLargestFloat));
   const auto irradiance = [&](std::size_t column, std::size_t line, std::size_t image) {
     if (!stack.rig.is_near()) return 1.0;

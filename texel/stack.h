@@ -1,16 +1,23 @@
-// A stack: photographs of one flat sample, each under one light and from one viewpoint, pixel upon pixel.
+// A stack: photographs of one flat sample, each with one light and one viewpoint, aligned pixel by pixel.
 //
-// As a folder: an OpenEXR or PNG image per light (every *.exr and *.png but mask.exr, in the order of their
-// names) and lights.csv, which has the four angles of one image in each row (theta_i, phi_i, theta_o, phi_o
-// in degrees, in the sample's plane: x to the right of the picture, y upwards, z out of it). A pixel is what
-// the surface reflects towards the viewer over the irradiance on a plane that faces the light: f_r cos_i in
-// 1/sr, cos_i taken at the surface as it lies there, however its normal is tilted. Comments of lights.csv may
-// say `# dark_level: X`, which a pixel has without any light and which is subtracted, and `# saturation: X`,
-// from which on (as the file has it) a pixel says nothing; of PNG images `# transfer: linear`, `srgb` or a
-// power, and `# white: X`, which their largest number would be, were it not saturated. Lights and viewers are
-// far, unless `# light_distance: X`, `# viewer_distance: X` and `# texel_size: X` say how far from the
-// sample's middle they stand (texel/rig.h); the angles are those seen from there, and a pixel is over the
-// irradiance there. mask.exr, one channel, is 0 where there is no sample.
+// A stack is a folder with one OpenEXR or PNG image per light and a table lights.csv. The images are all
+// *.exr and *.png files except mask.exr, in the order of their names. Each row of lights.csv has the four
+// angles of one image: theta_i, phi_i, theta_o, phi_o in degrees, in the plane of the sample (x to the
+// right of the picture, y upwards, z out of the picture).
+//
+// A pixel is the radiance towards the viewer over the irradiance on a plane that faces the light: f_r cos_i
+// in 1/sr. cos_i refers to the actual surface, including the tilt of its normal.
+//
+// Comments of lights.csv may give more facts. `# dark_level: X` is the pixel value without any light, which
+// is subtracted. `# saturation: X` is the pixel value, as in the file, from which on pixels carry no
+// information. For PNG images, `# transfer: linear`, `srgb` or a power defines the meaning of the numbers,
+// and `# white: X` the value of the largest number if it were not saturated.
+//
+// Lights and viewers are far away unless `# light_distance: X`, `# viewer_distance: X` and `# texel_size:
+// X` give their distances from the centre of the sample (texel/rig.h). The angles are then measured at the
+// centre, and a pixel is relative to the irradiance there.
+//
+// mask.exr has one channel, which is 0 for pixels outside the sample.
 #pragma once
 
 #include <cstddef>
@@ -31,14 +38,14 @@ namespace brdf::texel {
 struct Stack {
   std::filesystem::path folder;
   std::size_t width = 0, height = 0;
-  std::vector<std::string> channels;          // r, g, b; else as the images name them
-  std::vector<std::string> layers;            // the same in the images
+  std::vector<std::string> channels;          // r, g, b; otherwise the names in the images
+  std::vector<std::string> layers;            // the channels' names in the images
   std::vector<std::filesystem::path> images;  // [image]
-  io::SampleTable lights;                     // [image] directions alone
+  io::SampleTable lights;                     // [image], directions only
   double dark_level = 0, saturation = std::numeric_limits<double>::infinity();
   Rig rig;
   std::optional<Transfer> transfer;  // of PNG images
-  std::vector<float> mask;           // [texel]; empty: every texel is of the sample
+  std::vector<float> mask;           // [texel]; empty: every texel belongs to the sample
 
   bool holds(std::size_t x, std::size_t y) const { return mask.empty() || mask[y * width + x] != 0; }
 };
@@ -46,26 +53,27 @@ struct Stack {
 inline constexpr const char* kLightsFile = "lights.csv";
 inline constexpr const char* kMaskFile = "mask.exr";
 
-// Whether a file in such a folder is one of its images, by its name.
+// Returns whether a file in such a folder is one of its images, judged by its name.
 bool is_image(const std::filesystem::path& path);
 
-// Whether a path is such a folder.
+// Returns whether a path is such a folder.
 bool is_stack(const std::filesystem::path& path);
 
-// Reads the table and one image's header. Throws InputError where images and rows differ in number, a light
-// or a viewer is not above the plane, or the mask is of another size.
+// Reads the table and the header of one image. Throws InputError if the numbers of images and rows differ,
+// if a light or a viewer is not above the plane, or if the mask has another size.
 Stack open_stack(const std::filesystem::path& folder);
 
-// Light and viewer of each image as seen from a texel, in the sample's plane.
+// Returns the directions of light and viewer for each image, as seen from a texel, in the plane of the
+// sample.
 DirectionArrays<double> directions_at(const Stack& stack, std::size_t x, std::size_t y);
 
-// The pixels of a region, [texel][channel][image], less the dark level, over the irradiance in that texel;
-// NaN where a pixel is saturated or no number. Throws InputError where an image is missing, damaged, or of
-// another size or other channels than the first.
+// Returns the pixels of a region as [texel][channel][image], minus the dark level, over the irradiance at
+// the texel. Pixels that are saturated or not numbers are NaN. Throws InputError if an image is missing or
+// damaged, or if its size or channels differ from the first image.
 std::vector<float> read_region(const Stack& stack, const Region& region);
-// The same of single texels of one row.
+// Returns the pixels of single texels of one row in the same way.
 std::vector<float> read_texels(const Stack& stack, std::span<const std::size_t> columns, std::size_t row);
-// Bytes that takes for each texel.
+// Returns the bytes that these functions return per texel.
 std::size_t bytes_per_texel(const Stack& stack);
 
 }  // namespace brdf::texel

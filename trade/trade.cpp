@@ -25,7 +25,7 @@ std::vector<Question> kernel_questions() {
   return all;
 }
 
-// A part of the run, with the share of time it takes.
+// A part of the run, with its share of the run time.
 struct Job {
   std::string group, name;
   double weight;
@@ -36,13 +36,13 @@ bool wanted(const Job& job, const std::string& only) {
   return only.empty() || job.group == only || job.name.find(only) != std::string::npos;
 }
 
-// What several jobs use, made once and when first needed.
+// Data that several jobs use, made on first use.
 struct Shared {
   bool quick;
   PicturePoints picture;
   std::optional<EvaluationTimes> form_times;
   std::unique_ptr<render::Device> device;
-  std::string no_device;  // why there is none
+  std::string no_device;  // reason for a missing device
 
   explicit Shared(bool is_quick) : quick(is_quick) {
     const int size = quick ? 96 : 256;

@@ -1,4 +1,4 @@
-// What `brdf trade` does: measures every row and judges the documents' claims.
+// The work of `brdf trade`: measures every row and judges the documents' claims.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,16 @@ namespace brdf::trade {
 
 struct TradeOptions {
   bool quick = false;
-  std::string only;  // kernels, batches, families, fits, frames, or questions whose name contains this
+  // Kernels, batches, families, fits, frames, or questions with names that contain this text.
+  std::string only;
   std::function<void(double fraction, const std::string& what)> progress = [](double, const std::string&) {};
 };
 
-// Without a Vulkan driver the rows of frames and shaders are left out, and the ledger says so; where only
-// those are wanted it throws EnvironmentError.
+// Measures the ledger. Without a Vulkan driver, the rows of frames and shaders are left out, and the ledger
+// records the omission. Throws EnvironmentError if only these rows are requested.
 Ledger measure_ledger(const TradeOptions& options);
 
-// The ledger for people: per question the front and what is dominated.
+// Returns the ledger as text for the terminal: per question the front and the dominated rows.
 std::string to_terminal(const Ledger& ledger);
 
 }  // namespace brdf::trade

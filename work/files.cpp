@@ -10,7 +10,7 @@
 namespace brdf::work {
 namespace {
 
-// A sphere of every new material, where this build and this machine can draw.
+// Draws a sphere of every new material, if this build and this machine can render.
 void draw_spheres(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder,
                   const Caller& caller) {
 #ifdef BRDF_HAS_RENDER

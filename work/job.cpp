@@ -24,8 +24,8 @@ using io::JsonPlace;
 constexpr const char* kPlanFile = "plan.json";
 constexpr const char* kFormat = "brdf-plan";
 constexpr const char* kUnitFormat = "brdf-unit 1";
-constexpr std::size_t kUnitsPerFolder = 1000;             // network file systems are slow in large ones
-constexpr std::size_t kMostUnits = std::size_t{1} << 20;  // the largest stack in units of a tile
+constexpr std::size_t kUnitsPerFolder = 1000;             // network file systems are slow in large folders
+constexpr std::size_t kMostUnits = std::size_t{1} << 20;  // the largest stack, with units of one tile
 constexpr double kMostSide = 1e9, kMostBytes = 0x1p53;
 
 fs::path unit_path(const fs::path& job, std::size_t unit) {
@@ -35,7 +35,7 @@ fs::path unit_path(const fs::path& job, std::size_t unit) {
   return job / "units" / folder / name;
 }
 
-// As units() makes them.
+// Returns the number of units that units() makes.
 std::size_t count_units(const Plan& plan) {
   return ((plan.width - 1) / plan.unit_width + 1) * ((plan.height - 1) / plan.unit_height + 1);
 }
@@ -62,7 +62,7 @@ std::string key_of(const Plan& plan) {
   return io::sha256(io::to_line(content_of(plan)));
 }
 
-// Two whole numbers.
+// Returns two whole numbers.
 std::pair<std::size_t, std::size_t> sides_in(const JsonPlace& place) {
   const auto side = [&](std::size_t k) { return std::size_t(place.at(k).whole(1, kMostSide)); };
   return {side(0), side(1)};
@@ -90,8 +90,8 @@ Plan plan_in(const JsonPlace& root) {
   return plan;
 }
 
-// A unit's file: a line that says whose it is and what all that follows must be, then each file that it
-// holds: a line with the lengths of name and content, and these.
+// A unit's file begins with a line that identifies the unit and holds the hash of all that follows. The
+// unit's files follow: for each, a line with the lengths of name and content, and then name and content.
 std::string head_of(const Plan& plan, std::size_t unit, std::string_view rest) {
   return std::string(kUnitFormat) + " " + plan.key + " " + std::to_string(unit) + " " + io::sha256(rest) +
          "\n";
@@ -105,13 +105,14 @@ std::string packed(const std::vector<UnitFile>& files) {
   return out;
 }
 
-// Names are of files in the folder that results are put in.
+// Returns true if the name stays within the folder for results.
 bool stays_inside(const fs::path& name) {
   if (name.empty() || name.is_absolute() || name.native().find('\0') != name.native().npos) return false;
   return std::ranges::none_of(name, [](const fs::path& part) { return part == ".."; });
 }
 
-// None where lengths and bytes do not fit: a hash says that nothing was changed, not who wrote it.
+// Returns std::nullopt if lengths and bytes do not match. The checks are needed since a hash proves that
+// nothing was changed, but not the origin of the file.
 std::optional<std::vector<UnitFile>> unpacked(std::string_view rest) {
   std::vector<UnitFile> files;
   while (!rest.empty()) {
@@ -130,7 +131,7 @@ std::optional<std::vector<UnitFile>> unpacked(std::string_view rest) {
   return files;
 }
 
-// The bytes of a unit's file, where it is there.
+// Returns the bytes of a unit's file, or std::nullopt if the file does not exist.
 std::optional<std::string> unit_bytes(const fs::path& job, std::size_t unit) {
   const fs::path file = unit_path(job, unit);
   std::error_code ignored;
@@ -138,7 +139,7 @@ std::optional<std::string> unit_bytes(const fs::path& job, std::size_t unit) {
   return io::read_content(file).bytes;
 }
 
-// What a unit's file holds, where it is that unit's.
+// Returns the content of a unit's file, or std::nullopt if the file is not valid for this unit.
 std::optional<std::vector<UnitFile>> files_in(std::string_view bytes, const Plan& plan, std::size_t unit) {
   const std::size_t end = bytes.find('\n');
   if (end == std::string_view::npos) return std::nullopt;

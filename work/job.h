@@ -1,9 +1,10 @@
-// Long work in units that any number of processes do: in any order, more than once, on any machine that sees
-// the folder.
+// Long work in units that any number of processes do: in any order, more than once, on any machine that has
+// access to the folder.
 //
-// JOB/plan.json says what is to be done, JOB/units/NNN/NNNNN.unit what came of unit NNNNN, as one file that
-// is there as a whole or not at all. Whoever has all of them has the result: no clock, no lock and no
-// scheduler is asked. What a unit does, and what its files hold, is the business of who works on it.
+// JOB/plan.json describes the work, and JOB/units/NNN/NNNNN.unit holds the results of unit NNNNN in one
+// file, which either exists completely or not at all. The results of all units are the result of the job. No
+// clock, lock or scheduler is involved. The processing of a unit and the content of its files are defined by
+// the code that uses this header.
 #pragma once
 
 #include <cstdint>
@@ -17,57 +18,64 @@
 
 namespace brdf::work {
 
+// An input file with its fingerprint.
 struct Input {
-  std::string file;  // as it was named
+  std::string file;  // name as given
   std::uint64_t bytes = 0;
   std::string sha256;
 
   bool operator==(const Input&) const = default;
 };
 
+// The description of a job: its work, and the division into units.
 struct Plan {
-  std::string verb;                   // what it does to its inputs: fit, study
-  std::string stack;                  // the folder; empty where the inputs are tables
-  std::vector<std::string> options;   // of the verb, word by word
-  std::string command;                // that does the same at once
-  std::string directory;              // in which the names are looked up
-  std::size_t width = 0, height = 0;  // what is divided: texels; of tables as many as there are, and 1
-  std::size_t unit_width = 0, unit_height = 0;  // of a unit
-  std::vector<Input> inputs;                    // of tables in their order
-  std::string version, key;                     // of the program; the SHA-256 of all that
+  std::string verb;                  // the action on the inputs: fit, study
+  std::string stack;                 // folder of the stack; empty if the inputs are tables
+  std::vector<std::string> options;  // options of the verb, word by word
+  std::string command;               // the equivalent command without a plan
+  std::string directory;             // folder to which the names are relative
+  // The total: width and height in texels for a stack; the number of parts and 1 otherwise.
+  std::size_t width = 0, height = 0;
+  std::size_t unit_width = 0, unit_height = 0;  // size of a unit
+  std::vector<Input> inputs;                    // tables in their order
+  std::string version, key;                     // version of the program; SHA-256 of all members above
 
   std::vector<texel::Region> units() const;
 };
 
-// Reads every input once; fills in version and key.
+// Completes the plan: adds the inputs, each of which is read once, and fills in version and key. Throws
+// InputError if an input is missing or if the plan has too many units.
 Plan completed(Plan plan, const std::vector<std::string>& inputs);
 
-// Writes JOB/plan.json. The same plan again changes nothing. Throws InputError where the folder holds another
-// one.
+// Writes JOB/plan.json. Writing the same plan again changes nothing. Throws InputError if the folder holds a
+// different plan.
 void write_plan(const std::filesystem::path& job, const Plan& plan);
-// Throws InputError where there is none, it was changed, or another version of the program made it.
+// Reads JOB/plan.json. Throws InputError if the file does not exist, was changed, or was made by another
+// version of the program.
 Plan read_plan(const std::filesystem::path& job);
 
-// Throws InputError where an input is not as long as it was when the work was planned, or, where the content
-// is asked for, not the same.
+// Checks an input against the plan. Throws InputError if the length of the file differs or, if `content` is
+// true, its content.
 void check_input(const Input& input, bool content);
 
+// A file inside a unit's file.
 struct UnitFile {
   std::string name, bytes;
 };
 
 enum class UnitState { done, missing, damaged };
 
-// Damaged: of another plan, too short, or not the bytes that were written.
+// Returns the state of a unit. A file is damaged if it belongs to another plan, is too short, or differs
+// from the bytes that were written.
 UnitState state_of(const std::filesystem::path& job, const Plan& plan, std::size_t unit);
-// What a unit's file holds; none where it is not done.
+// Returns the content of a unit's file, or std::nullopt unless the unit is done.
 std::optional<std::vector<UnitFile>> read_unit(const std::filesystem::path& job, const Plan& plan,
                                                std::size_t unit);
-// Throws as io::write_file_atomically().
+// Writes a unit's file. Throws as io::write_file_atomically().
 void write_unit(const std::filesystem::path& job, const Plan& plan, std::size_t unit,
                 const std::vector<UnitFile>& files);
 
-// "3,7,12-19", as job arrays are asked for. Precondition: ascending.
+// Returns unit numbers in the syntax of job arrays: "3,7,12-19". Precondition: the numbers are ascending.
 std::string array_text(const std::vector<std::size_t>& units);
 
 }  // namespace brdf::work

@@ -1,4 +1,4 @@
-// What a job is told, as the verbs that do it at once are told it.
+// Options of a job, with the same meaning as in the verbs that do the work in one run.
 #pragma once
 
 #include <atomic>
@@ -11,40 +11,43 @@
 
 namespace brdf::work {
 
-// What a fit of a stack is told beside a fit of a table.
+// Options of a stack's fit, in addition to the options of a table's fit.
 struct StackOptions {
-  std::string normals = "flat";  // flat, fit or a file
+  std::string normals = "flat";  // "flat", "fit" or a file name
+  // Bytes of pixels in memory at a time, for all threads together.
   std::uint64_t memory = std::uint64_t{1} << 29;
-  std::vector<std::string> share;  // shapes that a region's texels have in common
-  std::string regions;             // a file; empty: the whole stack
+  std::vector<std::string> share;  // shapes that the texels of a region have in common
+  std::string regions;             // a file name; empty: the whole stack is one region
 };
 
-// A plan keeps these as words.
+// A plan stores these options as words of a command line.
 struct TaskOptions {
   fit::FitChoice choice;
   StackOptions stack;
   bool no_pictures = false;
 };
-// The words, as a command line has them.
+// Returns the options as words of a command line.
 std::vector<std::string> arguments_of(const TaskOptions& options);
 
-// What the choice means. Where no more than one of `jobs` files is fitted at a time, its models are fitted
-// side by side. A fit ends with the best so far once `interrupted` (none: nobody interrupts) is true. Throws
-// InputError.
+// Returns the options that the choice describes. If at most one of `jobs` files is fitted at a time, its
+// models are fitted in parallel. A fit ends with the best result so far as soon as `interrupted` is true; if
+// `interrupted` is null, the fit cannot be interrupted. Throws InputError.
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs,
                             const std::atomic<bool>* interrupted);
 
-// Throws InputError where the choice is none for a stack.
+// Returns the settings of a stack's fit. Throws InputError if the choice is not valid for a stack.
 maps::Settings settings_of(const StackOptions& stack_options, const fit::FitChoice& choice,
                            const fit::FitOptions& options);
-// The file that the normals are given in; empty where they are flat or fitted.
+// Returns the file of the given normals. Empty if the normals are flat or fitted.
 std::string normals_file(const StackOptions& options);
 
-// Sample files as they are named; in place of a folder those in it, in the order of their names, hidden ones
-// left out. Throws InputError for a folder without any, and for one of images, which is a stack or should be.
+// Returns sample files as named. A folder is replaced by its files in the order of their names, without
+// hidden files. Throws InputError for a folder without sample files, and for a folder of images, which is or
+// should be a stack.
 std::vector<std::string> sample_files(const std::vector<std::string>& named);
 
-// Whether one of them is a folder: the results are those of several files then, whatever their number.
+// Returns true if one of the names is a folder. The results then have the format of several files, whatever
+// their number.
 bool names_folder(const std::vector<std::string>& named);
 
 }  // namespace brdf::work

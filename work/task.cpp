@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kFilesInUnit = 16, kRefitsInUnit = 64;  // where nothing else is asked for
+constexpr std::size_t kFilesInUnit = 16, kRefitsInUnit = 64;  // defaults
 
-// The command without its `plan`.
+// Returns the command without the word `plan`.
 std::string command_at_once() {
   std::string command = io::provenance().command;
   constexpr std::string_view kVerb = " plan ";
@@ -36,7 +36,7 @@ std::size_t count_in(std::string_view text) {
              : 0;
 }
 
-// "64x64", of whole tiles.
+// Parses "64x64", a size in whole tiles.
 void divide_texels(const std::string& size, Plan& plan) {
   plan.unit_width = plan.unit_height = maps::kUnit;
   if (size.empty()) return;
@@ -49,7 +49,7 @@ void divide_texels(const std::string& size, Plan& plan) {
                      std::to_string(maps::kTile));
 }
 
-// A row of as many as there are.
+// Divides `all` parts into units, in one row.
 void divide(std::size_t all, const std::string& size, std::size_t usual, const char* things, Plan& plan) {
   plan.width = all;
   plan.height = plan.unit_height = 1;
@@ -57,7 +57,7 @@ void divide(std::size_t all, const std::string& size, std::size_t usual, const c
   if (plan.unit_width == 0) throw InputError("--unit-size " + size + ": " + things + ", 1 or more");
 }
 
-// One table's refits.
+// Divides the refits of one table.
 void divide_fit(const std::string& file, const std::string& size, const TaskOptions& options, Plan& plan) {
   if (options.no_pictures)
     throw InputError("--no-pictures is for several sample files: one file's fit draws none");

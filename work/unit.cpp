@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files in a folder with their names below it, in the order of these.
+// Returns the files in a folder, sorted by their names relative to the folder.
 std::vector<UnitFile> files_in(const fs::path& folder) {
   std::vector<UnitFile> out;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -29,7 +29,7 @@ std::string bytes_of(const std::vector<Number>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Number)};
 }
 
-// Precondition: made by bytes_of().
+// Precondition: the file was made by bytes_of().
 template <class Number>
 std::vector<Number> values_in(const UnitFile& file) {
   std::vector<Number> values(file.bytes.size() / sizeof(Number));
@@ -64,7 +64,8 @@ std::vector<UnitFile> fit_texels(const Task& task, const texel::Region& region, 
   return files_of(maps::fit_unit(stack.stack, stack.settings, known(stack), region, memory));
 }
 
-// What is no fault of a sample ends the unit: it is done again.
+// A failure of the environment, which is not a fault of the sample, ends the unit. The unit is then done
+// again.
 std::vector<UnitFile> fit_tables(const Task& task, const texel::Region& region, const Caller& caller) {
   const io::TemporaryFolder scratch(task.job());
   const FileFits files{task.samples(), scratch.path(), 1, !task.options().no_pictures,
@@ -88,7 +89,8 @@ std::vector<UnitFile> study_tables(const Task& task, const texel::Region& region
   return files_in(scratch.path());
 }
 
-// Refit number k of a table under the name "k", its parameters as this machine's doubles.
+// Solves refits. Refit number k of a table gets the name "k"; its parameters are stored as doubles of this
+// machine.
 std::vector<UnitFile> solve_refits(const Task& task, const texel::Region& region, const Caller& caller) {
   const fit::FitOptions options = fit_options(task.options().choice, 2, caller.interrupted);
   const fit::RefitSolutions solutions =

@@ -1,4 +1,4 @@
-// One unit of a plan: what is done for it, and what the units hold together.
+// One unit of a plan: its processing, and the combined content of all units.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,16 @@
 
 namespace brdf::work {
 
-// Does the unit and writes its result; returns at once where that is there. `check` reads the inputs again
-// and compares them with the plan. Throws where it could not be done; where the caller stops it, nothing is
-// written.
+// Does the unit and writes its result. Returns immediately if the result already exists. `check`: read the
+// inputs again and compare them with the plan. Throws if the unit cannot be done. If the caller stops the
+// work, nothing is written.
 void do_unit(const Task& task, std::size_t unit, std::uint64_t memory, bool check, const Caller& caller);
 
-// What the units hold, of each kind of task. Precondition: all are done.
+// Return the combined content of the units, for each kind of task. Precondition: all units are done.
 fit::RefitSolutions refits_of(const Task& task);
 texel::Planes maps_of(const Task& task, const StackTask& stack);
-// Of tables: the files that the verb writes for each, below the folder, where the verb finds and keeps them.
+// Unpacks the results of tables into the folder: the files that the verb writes for each table, with the
+// names under which the verb finds and keeps them.
 void unpack_units(const Task& task, const std::filesystem::path& folder);
 
 }  // namespace brdf::work

@@ -1,4 +1,4 @@
-// --environment, --rotate and --samples of render and view.
+// Options --environment, --rotate and --samples of render and view.
 #pragma once
 
 namespace CLI {
@@ -11,7 +11,7 @@ struct Job;
 
 namespace brdf::cli {
 
-// `samples`: where the number of samples goes, which keeps its value as the default.
+// Adds the options. `samples` receives the number of samples; its present value is the default.
 void add_environment_options(CLI::App& verb, render::Job& job, int& samples);
 
 }  // namespace brdf::cli

@@ -93,7 +93,8 @@ work::TaskOptions task_options_of(const std::vector<std::string>& words) {
   work::TaskOptions options;
   add_task_options(app, options);
   try {
-    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // as CLI11 takes them
+    // CLI11 expects the words in reverse order.
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     throw InputError("the plan's options cannot be read: " + std::string(error.what()));
   }

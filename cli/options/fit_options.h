@@ -1,4 +1,5 @@
-// What `fit` and the verbs that fit on their way can be told about it: the same options, read the same way.
+// Options of `fit` and of the verbs that run a fit as part of their work: the same options, parsed the same
+// way.
 #pragma once
 
 #include "fit/choice.h"
@@ -10,7 +11,7 @@ class App;
 
 namespace brdf::cli {
 
-// Adds --form, --metric and what else shapes a fit. The choice must outlive the parsing.
+// Adds --form, --metric and the other options of a fit. `choice` must outlive the parsing.
 void add_fit_options(CLI::App& verb, fit::FitChoice& choice);
 
 // Adds --bootstrap.
@@ -18,22 +19,24 @@ void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice);
 // Adds --no-pictures.
 void add_pictures_option(CLI::App& verb, bool& no_pictures);
 
-// What the choice means (work/options.h), until the user interrupts it.
+// Returns the options that the choice describes (work/options.h). The fit ends when the user interrupts it.
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs);
 
-// Adds --normals, of a stack.
+// Adds --normals, an option of stacks.
 void add_normals_option(CLI::App& verb, work::StackOptions& options);
-// Adds all that a plan keeps.
+// Adds all options that a plan stores.
 void add_task_options(CLI::App& verb, work::TaskOptions& options);
-// The same of a plan's words. Throws InputError.
+// Parses the options that a plan stores as words. Throws InputError.
 work::TaskOptions task_options_of(const std::vector<std::string>& words);
 
-// This program to the rooms that work for it: the user interrupts, and sentences go to stderr.
+// Connects this program to the libraries that work for it: forwards the user's interruption, and prints
+// sentences on stderr.
 work::Caller this_program();
 
-// From now on Ctrl-C asks for the best so far; a second one ends the program. Where it is ignored it stays
-// so.
+// Makes the first Ctrl-C request the best result so far; a second one ends the program. If the signal is
+// ignored when the function is called, it stays ignored.
 void watch_for_interrupt();
+// Returns true if the user has pressed Ctrl-C since watch_for_interrupt().
 bool was_interrupted();
 
 }  // namespace brdf::cli

@@ -10,7 +10,7 @@ namespace {
 struct OldMode {
   const char* option;
   const char* verb;
-  std::vector<std::string> instead;  // of the option
+  std::vector<std::string> instead;  // words that replace the option
 };
 
 }  // namespace

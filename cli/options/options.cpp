@@ -22,7 +22,8 @@ bool is_finite_number(std::string_view text) {
   return io::parse_number(text, value) && std::isfinite(value);
 }
 
-// What is wrong with the text as a value of this type, by CLI11's name of it; empty: nothing.
+// Returns the fault of the text as a value of this type (CLI11's name of the type), or an empty string if
+// the text is valid.
 std::string number_fault(const std::string& type, const std::string& text) {
   const std::string shown = "'" + text + "' ";
   if (type.starts_with("UINT") && !is_integer<std::uint64_t>(text))
@@ -32,7 +33,7 @@ std::string number_fault(const std::string& type, const std::string& text) {
   return {};
 }
 
-// "500M" as bytes in digits.
+// Replaces "500M" by the number of bytes in digits. Returns the fault, or an empty string.
 std::string to_bytes(std::string& text) {
   const std::string fault = "'" + text + "' must be a whole number above 0, alone or with K, M or G";
   std::uint64_t number = 0;
@@ -68,7 +69,7 @@ void add_supplied_options(CLI::App& verb, io::Supplied& supplied) {
   add_word_option(
       verb, "--quantity", "",
       [&supplied](const std::string& words) {
-        io::stated_by_option(words);  // refused before a file is read
+        io::stated_by_option(words);  // throws before any file is read
         supplied.quantity = words;
       },
       "Quantity of the values if the file does not state it: " + io::known_quantities());

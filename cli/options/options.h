@@ -1,3 +1,4 @@
+// Options that several verbs share.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +19,11 @@ class App;
 
 namespace brdf::cli {
 
-// Adds an option that takes one word; `set` throws InputError on others.
+// Adds an option that takes one word. `set` throws InputError for an invalid word.
 CLI::Option* add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
                              std::function<void(const std::string&)> set, const std::string& description);
 
-// Adds an option that takes one of the enum's names; the description goes on with them.
+// Adds an option that takes one of the enum's names. The names are appended to the description.
 template <class Enum>
 void add_named_option(CLI::App& verb, const std::string& name, Enum& value, const std::string& description) {
   const auto set = [&value, name](const std::string& word) {
@@ -34,33 +35,34 @@ void add_named_option(CLI::App& verb, const std::string& name, Enum& value, cons
       add_word_option(verb, name, name_of(value), set, description + ": " + known_names<Enum>()));
 }
 
-// The forms of --form, repeated, or of --all. Throws InputError where neither is given, or a name is unknown.
+// Returns the forms of a repeated --form, or all forms for --all. Throws InputError if neither is given, or
+// if a name is unknown.
 std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool all);
 
-// Adds --form, --material and --set, the same in every verb that takes one material.
+// Adds --form, --material and --set, identical in every verb that takes one material.
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
 
-// Adds --polarisation and --repeats, the same in every verb that reads samples to use them.
+// Adds --polarisation and --repeats, identical in every verb that reads samples to use them.
 void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 
-// Adds --keep-fill, the same in every verb that reads samples.
+// Adds --keep-fill, identical in every verb that reads samples.
 void add_keep_fill_option(CLI::App& verb, bool& keep_fill);
 
-// Adds --quantity and --mirror-side, the same in every verb that reads samples.
+// Adds --quantity and --mirror-side, identical in every verb that reads samples.
 void add_supplied_options(CLI::App& verb, io::Supplied& supplied);
 
-// Adds an option that takes an amount of bytes above 0, or with K, M or G (powers of 1024).
+// Adds an option that takes a number of bytes above 0, optionally with K, M or G (powers of 1024).
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,
                        const std::string& description);
-// --memory-limit.
+// Adds --memory-limit.
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of = "device memory");
 
-// Every option of the verbs that takes numbers takes them as files do: whole words, decimal, finite, and
-// within their type's range.
+// Makes every numeric option of all verbs parse numbers as files do: whole words, decimal, finite, and
+// within the range of the option's type.
 void require_plain_numbers(CLI::App& app);
 
-// Adds an option that may be repeated and takes one word
-// each time (so that a file after it is not swallowed).
+// Adds an option that may be repeated and takes one word each time (otherwise it would also take a file that
+// follows).
 void add_repeated_option(CLI::App& verb, const std::string& name, std::vector<std::string>& values,
                          const std::string& description);
 

@@ -1,3 +1,4 @@
+// A row of materials that differ in one parameter.
 #pragma once
 
 #include <string>
@@ -8,9 +9,9 @@
 
 namespace brdf::cli {
 
-// The material at `count` values of one parameter, from "NAME=FIRST:LAST", each with a label ("alpha 0.05"):
-// evenly between the two, on a logarithmic scale where the parameter's is one and both are above 0. Throws
-// InputError.
+// Returns the material at `count` values of one parameter, from "NAME=FIRST:LAST", each with a label ("alpha
+// 0.05"). The values are spaced evenly between the two, on a logarithmic scale if the parameter has one and
+// both values are above 0. A whole-number parameter takes each value once. Throws InputError.
 std::vector<std::pair<std::string, Material>> parameter_row(const Material& material,
                                                             const std::string& range, int count);
 

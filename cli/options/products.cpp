@@ -11,7 +11,8 @@
 namespace brdf::cli {
 namespace {
 
-// "--seed" of an option that is -s, too; "SAMPLES" of a positional one.
+// Returns the long name of an option, such as "--seed" for an option that is also -s, or the capitals of a
+// positional one, such as "SAMPLES".
 std::string name_of_option(const CLI::Option& option) {
   return option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().at(0);
 }

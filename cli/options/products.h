@@ -1,5 +1,5 @@
-// Which products of a verb its options have an effect on: one table for a verb. What is given without an
-// effect is refused, for it seems to hold.
+// The products of a verb that each of its options affects, in one table per verb. An option without effect
+// is refused, since the user would assume that it had one.
 #pragma once
 
 #include <span>
@@ -13,17 +13,19 @@ class App;
 namespace brdf::cli {
 
 struct OptionOf {
-  std::string_view names;      // between blanks: "--seed", or of a positional one its name in capitals
-  unsigned products;           // bits
-  std::string_view with = "";  // they have an effect beside one of these alone: "--starts --bootstrap"
+  // Names separated by blanks: "--seed", or for a positional argument its name in capitals.
+  std::string_view names;
+  unsigned products;  // bits of the affected products
+  // If not empty, the options have an effect only together with one of these: "--starts --bootstrap".
+  std::string_view with = "";
 };
 
-// Throws std::logic_error unless the table has every option of the verb (but --help) once: an option that is
-// added to a verb cannot be forgotten here.
+// Throws std::logic_error unless the table has every option of the verb (except --help) exactly once. This
+// check ensures that no new option is forgotten here.
 void require_every_option(const CLI::App& verb, std::span<const OptionOf> table);
 
-// Throws InputError for an option that was given and has no effect on what the verb makes: `made` are the
-// products' bits, `what` calls them ("one table").
+// Throws InputError for a given option that has no effect on the products of this run: `made` has the
+// products' bits, `what` is their name in the message ("one table").
 void refuse_without_effect(const CLI::App& verb, std::span<const OptionOf> table, unsigned made,
                            const std::string& what);
 

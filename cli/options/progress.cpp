@@ -14,7 +14,7 @@ namespace brdf::cli {
 namespace {
 
 constexpr int kBar = 20;      // characters
-constexpr double kShort = 2;  // seconds: what is over sooner needs no bar
+constexpr double kShort = 2;  // seconds; shorter work needs no bar
 
 std::string duration_text(double seconds) {
   const long long s = std::llround(std::ceil(seconds));
@@ -23,7 +23,7 @@ std::string duration_text(double seconds) {
   return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
 }
 
-// Rewrites its line on stderr.
+// Rewrites one line on stderr.
 class Line {
  public:
   void show(const std::string& what, double fraction) const {
@@ -53,7 +53,8 @@ std::string progress_text(const std::string& what, double fraction, double secon
            duration_text(seconds * (1 - fraction) / fraction) + " left  ";
   }
   text += io::printable(what);
-  if (int(text.size()) >= columns) text.resize(std::size_t(columns - 1));  // the last column would wrap
+  // A character in the last column would wrap.
+  if (int(text.size()) >= columns) text.resize(std::size_t(columns - 1));
   return text;
 }
 

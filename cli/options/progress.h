@@ -1,3 +1,4 @@
+// Progress of long work, shown on a terminal.
 #pragma once
 
 #include <functional>
@@ -5,18 +6,19 @@
 
 namespace brdf::cli {
 
-// Whether somebody watches stderr: progress is for a terminal only.
+// Returns true if stderr is a terminal; progress is shown on terminals only.
 bool shows_progress();
 
-// What a line of progress says after so many seconds: from two on with a bar and the time that is left, as if
-// the rest went as the part before. At most `columns` characters.
+// Returns the text of a progress line after `seconds`. From two seconds on, the text has a bar and the
+// remaining time, extrapolated from the completed fraction. The text has at most `columns` characters.
 std::string progress_text(const std::string& what, double fraction, double seconds, int columns);
 
-// A line on a terminal that counts finished parts ("brdf synth: 3 of 16"), rewritten in place and removed
-// after the last; nothing where stderr is no terminal.
+// Returns a function that shows a line on the terminal with the number of finished parts ("brdf synth: 3 of
+// 16"). The line is rewritten in place and removed after the last part. If stderr is not a terminal, the
+// function does nothing.
 std::function<void(int done, int total)> progress_line(std::string what);
 
-// The same for long work of parts that differ: " 18 %  albedo of GGX"; nothing where stderr is no terminal.
+// The same for long work with different parts: " 18 %  albedo of GGX".
 std::function<void(double fraction, const std::string& what)> percent_line();
 
 }  // namespace brdf::cli

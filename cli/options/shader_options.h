@@ -1,4 +1,4 @@
-// --shader and what says how to read it, the same in every verb.
+// Option --shader and the options that control the reading of shaders, identical in every verb.
 #pragma once
 
 #include <functional>
@@ -23,31 +23,34 @@ struct ShaderOptions {
   std::vector<std::string> parameters;
   std::string entry, returns;
   std::vector<std::string> defines, include_folders;
-  bool embed = false;  // materials of it hold its text
+  bool embed = false;  // materials of the shader hold its text
 };
 
-// --shader, --param, --entry, --returns, --define, -I.
+// Adds --shader, --param, --entry, --returns, --define and -I.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
 
 #ifdef BRDF_HAS_SHADER
-// The same for the room that reads shaders.
+// Converts the options for the library that reads shaders.
 shader::ShaderChoice choice_of(const ShaderOptions& options);
 #endif
 
-// What a verb needs of a shader's file.
+// A shader's file as verbs need it.
 struct LoadedShader {
   Reflectance reflectance;
   Material material;               // at the shader's own defaults
-  std::string words;               // of a command line that says the same
-  std::vector<std::string> notes;  // sentences on how it was read
-  bool oriented = false;           // reads the tangent
-  bool may_turn = true;            // light and viewer are not known to be free to turn together
-  bool all_round = true;           // half of the azimuths is not known to stand for all
-  std::size_t operations = 0;      // of an evaluation, with all calls inlined
-  // The source line that what a check found comes from (validate/search/subject.h).
+  std::string words;               // equivalent words of a command line
+  std::vector<std::string> notes;  // sentences on the interpretation of the file
+  bool oriented = false;           // the shader reads the tangent
+  // True unless the values are known to be unchanged if both directions turn together about the normal.
+  bool may_turn = true;
+  // True unless half of the azimuths is known to represent all of them.
+  bool all_round = true;
+  std::size_t operations = 0;  // operations of an evaluation, with all calls inlined
+  // Returns the source line that causes the result of a check (validate/search/subject.h).
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain;
+  // The same for a jump between two pairs of directions.
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump;
@@ -56,25 +59,28 @@ struct LoadedShader {
       in_more_digits;
 };
 
-// The choice that the options make, checked: none where --shader is not given. Throws as load does.
+// Returns true if --shader is given. Checks the options and throws as load() does.
 bool is_given(const ShaderOptions& options);
 
-// Nothing where --shader is not given. Notes are printed on stderr unless `quiet`. Throws InputError where
-// the file is no reflectance, or the other options are given without it; EnvironmentError where this build
-// has no shader compiler.
+// Loads the shader, or returns std::nullopt if --shader is not given. Notes are printed on stderr unless
+// `quiet` is true. Throws InputError if the file is not a reflectance, or if the other options are given
+// without --shader; EnvironmentError if this build has no shader compiler.
 std::optional<LoadedShader> load(const ShaderOptions& options, const std::string& verb, bool quiet = false);
 
-// The same of a material of one term whose form is a shader; nothing of others. `words` are empty.
+// Returns the shader of a material whose only term is a shader, and std::nullopt for other materials.
+// `words` are empty.
 std::optional<LoadedShader> shader_in(const Material& material);
-// From now on materials name shaders, and those that do are read; where this build has no shader compiler
-// they are refused.
+// Enables materials that name shaders, for reading and writing. If this build has no shader compiler, such
+// materials are refused.
 void use_shaders_in_materials();
 
-// --form, --material and --set, or a shader and --set.
+// A material from --form, --material and --set, or from a shader and --set.
 struct MaterialOptions : io::MaterialChoice {
   ShaderOptions shader;
 };
+// Adds --form, --material, --set and the options of a shader.
 void add_material_options(CLI::App& verb, MaterialOptions& options);
+// Returns the chosen material, and choose_material_file() the whole file. Notes on stderr begin with `verb`.
 Material choose_material(const MaterialOptions& options, const std::string& verb);
 io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb);
 

@@ -15,14 +15,16 @@ namespace {
 
 constexpr int kFewest = 60, kMost = 200;
 
-// The length of the escape that begins here; 0: none does.
+// Returns the length of the escape sequence at the beginning of the text, or 0 if there is no escape
+// sequence.
 std::size_t escape_length(std::string_view text) {
   if (!text.starts_with("\x1b[")) return 0;
   const std::size_t end = text.find_first_not_of("0123456789;", 2);
   return end == text.npos ? text.size() : end + 1;
 }
 
-// Bytes of the longest beginning that takes at most `columns`; a character of UTF-8 takes one.
+// Returns the number of bytes of the longest prefix that takes at most `columns`. A UTF-8 character takes
+// one column.
 std::size_t fitting(std::string_view text, int columns) {
   std::size_t at = 0;
   while (at < text.size()) {
@@ -37,7 +39,7 @@ std::size_t fitting(std::string_view text, int columns) {
   return at;
 }
 
-// Where what follows a line's first part begins.
+// Returns the column at which continuation lines begin.
 std::size_t hanging_indent(std::string_view line, int columns) {
   const std::size_t own = std::min(line.find_first_not_of(' '), line.size());
   std::size_t indent = own + 2, width = 0;
@@ -60,7 +62,7 @@ void append_folded(std::string& out, std::string_view line, int columns) {
     std::size_t end = fitting(line, room);
     if (end < line.size() && line[end] != ' ') {
       std::size_t blank = line.rfind(' ', end);
-      if (blank == line.npos || line.find_first_not_of(' ') > blank) {  // one word
+      if (blank == line.npos || line.find_first_not_of(' ') > blank) {  // a single word
         const std::size_t comma = line.rfind(',', end - 1);
         blank = comma != line.npos ? comma + 1 : line.find(' ', line.find_first_not_of(' '));
       }

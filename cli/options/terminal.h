@@ -1,4 +1,4 @@
-// How text for people reaches a terminal: as wide as it is, coloured where that is wanted.
+// Text for terminals: folded to the width of the terminal, and coloured on request.
 #pragma once
 
 #include <sstream>
@@ -7,21 +7,21 @@
 
 namespace brdf::cli {
 
-// Characters in a line of the terminal, 60 to 200, also where COLUMNS says so; 0: no terminal, lines are as
-// long as they are.
+// Returns the number of characters in a line of the terminal, clamped to 60 to 200. The environment variable
+// COLUMNS overrides the size of the terminal. Returns 0 if neither is available; lines are then not folded.
 int columns_of(int descriptor);
 
-// A terminal whose user has not set NO_COLOR (no-color.org), and that is not "dumb".
+// Returns true for a terminal that is not "dumb" and if NO_COLOR is not set (no-color.org).
 bool colours_on(int descriptor);
 
-// Lines longer than `columns` (0: none is) broken at blanks. What follows stands under the last cell of the
-// line that begins in its first half (cells are parted by two blanks or more), else two further in than the
-// line. Escapes of colours have no width. A word longer than the line is broken after a comma, else left
-// whole.
+// Breaks lines longer than `columns` at blanks; 0 disables folding. Continuation lines are indented to the
+// last cell that begins in the first half of the line (cells are separated by two blanks or more), otherwise
+// by two more than the line itself. Escape sequences of colours have no width. A word longer than the line
+// is broken after a comma, or left whole if it has no comma.
 std::string folded(std::string_view text, int columns);
 
-// A line for people: to stderr when this goes. Names of files and texts of libraries that are in it cannot
-// drive the terminal (io::printable); nothing else in it may.
+// A line of text that the destructor prints on stderr. The text passes through io::printable(), which
+// prevents names of files and messages of libraries from controlling the terminal.
 class Note : public std::ostringstream {
  public:
   Note() = default;
@@ -30,7 +30,7 @@ class Note : public std::ostringstream {
   ~Note() override;
 };
 
-// Text for people: to stdout when this goes, folded to its width.
+// Text that the destructor prints on stdout, folded to the width of the terminal.
 class PlainText : public std::ostringstream {
  public:
   PlainText() = default;

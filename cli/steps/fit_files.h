@@ -1,3 +1,4 @@
+// The output of a fit of several files.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 
 namespace brdf::cli {
 
-// Writes the summary and prints where it is, or `json`.
+// Writes the summary, and prints its location, or JSON if `json` is true.
 Exit summarise(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder, bool json);
 
 }  // namespace brdf::cli

@@ -1,3 +1,4 @@
+// The fit of a stack of photographs: options and results.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +13,27 @@
 
 namespace brdf::cli {
 
+// Input and output of the fit of a stack.
 struct StackFiles {
   std::string stack, output, report;
   unsigned jobs;
   bool json;
 };
 
+// Adds the options for shapes that texels share.
 void add_share_options(CLI::App& verb, work::StackOptions& options);
+// Adds --memory-limit for the pixels in memory at a time.
 void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes);
 
-// The files that write_results() writes into a folder, but for pictures.
+// Returns the names of the files that write_results() writes into a folder, except for pictures.
 std::vector<std::string> result_names();
 
-// Writes maps, scene and page, and prints the summary.
+// Writes the maps, the scene if it can be made, and the page if `files.report` is not empty. Prints the
+// summary.
 Exit write_results(const StackFiles& files, const texel::Stack& stack, const maps::Making& making,
                    const texel::Planes& maps, std::optional<double> seconds);
 
+// Fits a stack and writes its results.
 Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options,
                  const fit::FitChoice& choice, const fit::FitOptions& options);
 

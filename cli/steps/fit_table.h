@@ -1,4 +1,4 @@
-// The fit of one table: what comes before it and what is written of it.
+// The fit of one table: the output of its results.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@
 namespace brdf::cli {
 
 struct FitTargets {
-  std::string material, report;  // files; empty: none
-  bool json = false;             // on stdout, in place of the text
+  std::string material, report;  // file names; empty: not written
+  bool json = false;             // prints JSON on stdout instead of text
 };
+// Writes the material and the report, and prints the result as text or JSON.
 Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,
                const FitTargets& targets);
 

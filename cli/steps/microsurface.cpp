@@ -43,7 +43,7 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
           ->check(CLI::Range(1, 1024))
           ->capture_default_str()};
   for (CLI::Option* detail : details) detail->needs(surface);
-  // What a material or the instrument would do to its readings says nothing about a traced surface.
+  // Options of materials and of the instrument do not apply to a traced surface.
   for (const char* name :
        {"--form", "--material", "--grid", "--step", "--blind-zone", "--aperture", "--source-aperture",
         "--noise", "--noise-floor", "--saturation", "--clip-negatives", "--sigma-columns"}) {
@@ -90,7 +90,7 @@ void print_number(double number, int width, int digits) {
     std::cout << std::setw(width) << std::setprecision(digits) << number;
 }
 
-// How many statements that are exact hold, and the greatest z among them.
+// Prints the number of exact statements that hold, and the largest z among the exact statements.
 void print_summary(const std::vector<micro::TheoryRow>& rows) {
   const auto size = [](double z) { return std::isnan(z) ? 0 : std::abs(z); };
   int exact = 0, failed = 0;

@@ -14,15 +14,16 @@ class App;
 
 namespace brdf::cli {
 
-// Adds --microsurface and the options that only it has.
+// Adds --microsurface and its own options.
 void add_microsurface_options(CLI::App& verb, micro::SampleSettings& settings);
 
-// Traces the surface with parameters given as name=value (`set`), as `brdf synth` has them. Throws
-// InputError, and EnvironmentError where this build has no ray tracer.
+// Traces the surface with parameters given as name=value (`set`) for `brdf synth`. Throws InputError for
+// invalid parameters, and EnvironmentError if this build has no ray tracer.
 io::SampleTable trace_microsurface(micro::SampleSettings settings, const std::vector<std::string>& set);
 
-// `brdf validate --microsurface`: theory against simulation, as a table or as JSON on stdout. kFailed where a
-// statement that is exact does not hold. Throws EnvironmentError where this build has no ray tracer.
+// Compares theory and simulation for `brdf validate --microsurface`, and prints a table or JSON on stdout.
+// Returns Exit::failed if an exact statement does not hold. Throws EnvironmentError if this build has no ray
+// tracer.
 Exit validate_microsurface(const micro::TheoryOptions& options, bool json);
 
 }  // namespace brdf::cli

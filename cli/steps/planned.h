@@ -1,3 +1,4 @@
+// Planned jobs, and the combination of their results.
 #pragma once
 
 #include <string>
@@ -7,15 +8,15 @@
 
 namespace brdf::cli {
 
-// A job that was planned. Names are looked up where it was planned from now on, and outputs name the command
-// that does the same at once. Throws InputError.
+// Reads a planned job. From then on, file names are resolved relative to the folder of the plan, and outputs
+// record the equivalent command without a plan. Throws InputError.
 work::Task planned(const std::string& job);
 
 struct CollectFiles {
-  std::string output, report;  // absolute
+  std::string output, report;  // absolute paths
 };
-// What the verb writes at once, from the units' results, byte by byte the same. Precondition: all units are
-// done.
+// Writes the output of the verb from the results of the units, byte by byte identical to a direct run.
+// Precondition: all units are done.
 Exit put_together(const work::Task& task, const CollectFiles& files);
 
 }  // namespace brdf::cli

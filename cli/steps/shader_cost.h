@@ -1,4 +1,4 @@
-// What an evaluation of a user's shader costs, beside the catalogue's forms as shaders.
+// The cost of an evaluation of a user's shader, compared with the catalogue's forms as shaders.
 #pragma once
 
 #include <string>
@@ -15,13 +15,14 @@ namespace brdf::cli {
 
 struct ShaderCost {
   std::string name;
-  std::size_t operations =
-      0;                 // on single numbers, calls inlined; both ways of a branch are counted, a loop once
-  double driver_ns = 0;  // per evaluation in float, of 4096 at a time, the best of some runs
+  // Operations on single numbers, with calls inlined. Both sides of a branch count, and a loop counts once.
+  std::size_t operations = 0;
+  // Nanoseconds per evaluation in float, measured on batches of 4096; the best of several runs.
+  double driver_ns = 0;
 };
 
-// The shader first, then every form by its exported GLSL, cheapest operations first. `shader` has room for
-// the renderer's arguments.
+// Returns the cost of the shader first, then of every form by its exported GLSL, in ascending order of
+// operations. `shader` must have room for the renderer's arguments.
 std::vector<ShaderCost> shader_costs(render::Device& device, const Reflectance& shader,
                                      const std::string& name, std::size_t operations);
 

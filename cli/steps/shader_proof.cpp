@@ -23,7 +23,7 @@ namespace brdf::cli {
 
 namespace {
 
-// The names of the tables beside the numbers of a configuration.
+// Names the numbers of a configuration by the tables of the form.
 io::Json parameters_of(const Reflectance& form, const render::ProofWorst& w) {
   io::Json out = io::Json::object();
   const ReflectanceInfo& info = form.info();

@@ -10,15 +10,17 @@
 
 namespace brdf::cli {
 
-// `brdf validate --gpu`: each form on 2^20 random configurations and the extremes, as a table or as JSON on
-// stdout. kFailed where a software driver differs in any bit, or a hardware device by more than the
-// tolerance. Throws EnvironmentError where there is no Vulkan driver or this build has no renderer. `--shader
-// FILE --gpu`: the same of the user's function, whose float interpreter rounds every operation correctly.
-// What differs is the driver's pow, acos and the like, no fault of the shader: always kGood. Below it, what
-// an evaluation costs beside the forms.
+// Runs `brdf validate --gpu`: compares each form on 2^20 random configurations and the extremes, and prints
+// a table or JSON on stdout. Returns Exit::failed if a software driver differs in any bit, or if a hardware
+// device differs by more than the tolerance. Throws EnvironmentError if there is no Vulkan driver or if this
+// build has no renderer.
+// With `shader` (`--shader FILE --gpu`), compares the user's function with its float interpreter, which
+// rounds every operation correctly. Differences then come from the driver's pow, acos and similar functions
+// and are not faults of the shader; the result is always Exit::good. The cost of an evaluation, compared
+// with the forms, is printed below.
 Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json,
                   const LoadedShader* shader = nullptr);
-// The reflectance with room for the shaders' arguments (render/gpu/held.h).
+// Returns the reflectance with room for the shaders' arguments (render/gpu/held.h).
 Reflectance with_room(const Material& material);
 
 }  // namespace brdf::cli

@@ -1,4 +1,4 @@
-// --shader in the verbs that show: render and view.
+// Option --shader in the verbs that show pictures: render and view.
 #pragma once
 
 #include "cli/options/shader_options.h"
@@ -11,12 +11,12 @@ struct ShownShader {
   std::vector<std::string> set;
 };
 
-// --shader, what says how to read it, and --set.
+// Adds --shader, the options that control its reading, and --set.
 void add_shown_shader(CLI::App& verb, ShownShader& shown);
-// The shader's material with its settings, with room for the renderer's arguments; nothing where --shader is
-// not given. Throws InputError.
+// Returns the shader's material with its settings and with room for the renderer's arguments, or
+// std::nullopt if --shader is not given. Throws InputError.
 std::optional<Material> shown_material(const ShownShader& shown, const std::string& verb);
-// That material among those that the job shows.
+// Adds this material to the materials that the job shows.
 void show_shader(const ShownShader& shown, const std::string& verb, render::Job& job);
 
 }  // namespace brdf::cli

@@ -14,7 +14,7 @@
 namespace brdf::cli {
 namespace {
 
-constexpr std::size_t kComparedRows = 4000;  // while a slider moves
+constexpr std::size_t kComparedRows = 4000;  // limit of rows while a slider moves
 
 fit::FitOptions default_options() {
   return fit::options_of(fit::FitChoice{});
@@ -26,7 +26,7 @@ std::vector<Reflectance> forms_in(const Material& material) {
   return forms;
 }
 
-// Compares materials with one table after another; the table's rows are made ready once.
+// Compares materials with one table after another. The rows of each table are prepared once.
 class Comparison {
  public:
   double operator()(const Material& material, const io::SampleTable& table) {
@@ -53,7 +53,8 @@ class Comparison {
   fit::FitData data_;
 };
 
-// The shapes to go on from; the weights are linear, the solver finds the best for them.
+// Returns the shape parameters as starting point. The weights are linear, and the solver finds their best
+// values.
 std::vector<fit::NamedValues> start_of(const Material& from, const fit::FitOptions& options) {
   const std::vector<Reflectance> forms = forms_in(from);
   const fit::Constraints known = fit::resolve(forms, from.channels, options);
@@ -70,7 +71,7 @@ std::vector<fit::NamedValues> start_of(const Material& from, const fit::FitOptio
   return start;
 }
 
-// The place of an estimate in the material's tables; none for what is in neither.
+// Adds the interval of an estimate at its position in the material's tables. Other estimates are ignored.
 void add_interval(const fit::Estimate& found, const Material& material, std::vector<render::Interval>& out) {
   const bool known = found.status == fit::Status::free || found.status == fit::Status::at_bound;
   if (!known) return;

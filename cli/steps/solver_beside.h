@@ -1,11 +1,12 @@
-// The fits that the window borrows: rendering and fitting know nothing of each other.
+// The fits in the viewer's window. The rendering and fitting libraries do not depend on each other.
 #pragma once
 
 #include "render/viewer/by_hand.h"
 
 namespace brdf::cli {
 
-// With this build's `fit`, by its default choices; without it a solver that can do nothing.
+// Returns a solver that uses the `fit` of this build with default options. Without `fit`, the solver has no
+// functions.
 render::Solver solver_beside();
 
 }  // namespace brdf::cli

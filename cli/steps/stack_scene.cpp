@@ -19,7 +19,7 @@ using io::Json;
 using render::Rule;
 
 constexpr double kDistance = 20;             // of the camera, in half heights of the plane
-constexpr std::size_t kPicturePixels = 512;  // of its larger side, at least
+constexpr std::size_t kPicturePixels = 512;  // least number of pixels on the larger side
 
 bool feeds_albedo(Rule rule) {
   return rule == Rule::albedo || rule == Rule::diffuse;
@@ -29,7 +29,7 @@ bool feeds_roughness(Rule rule) {
   return rule == Rule::width || rule == Rule::exponent || rule == Rule::slope || rule == Rule::roughness;
 }
 
-// What a map must hold for render::driven() to give this value.
+// Returns the map value for which render::driven() gives `value`.
 double undriven(Rule rule, double value) {
   switch (rule) {
     case Rule::diffuse:
@@ -44,7 +44,7 @@ double undriven(Rule rule, double value) {
   }
 }
 
-// The parameter that a map is made of; null where the form has none.
+// Returns the parameter that the map represents, or null if the form has no such parameter.
 const ParameterInfo* feeding(std::span<const ParameterInfo> table, const ReflectanceInfo& form,
                              bool (*feeds)(Rule)) {
   const auto found =
@@ -61,7 +61,7 @@ double middle_of(const Plane& plane) {
   return io::median(std::move(known));
 }
 
-// The first channel of each pixel first; 0 where there is no sample.
+// Returns a picture with the first channel of each pixel first. Pixels without a sample are 0.
 std::string picture_of(const texel::Planes& maps, const std::vector<std::vector<double>>& channels) {
   std::vector<unsigned char> pixels;
   for (std::size_t k = 0; k < maps.width * maps.height; ++k)
@@ -73,7 +73,7 @@ std::string picture_of(const texel::Planes& maps, const std::vector<std::vector<
   return io::png_of_pixels(maps.width, maps.height, pixels);
 }
 
-// One scene's files, and what they cannot hold.
+// Writes the files of one scene, and collects the properties that the files cannot hold.
 class SceneWriter {
  public:
   SceneWriter(const std::filesystem::path& folder, const texel::Planes& maps, const ReflectanceInfo& form,
@@ -140,7 +140,7 @@ class SceneWriter {
   std::string lost_;
 };
 
-// Every parameter at its middle value over the texels.
+// Returns a material with the median of every parameter over the texels.
 Material middle_material(const Reflectance& reflectance, const std::vector<std::string>& channels,
                          const SceneWriter& writer) {
   const ReflectanceInfo& form = info(reflectance);
@@ -155,7 +155,7 @@ Material middle_material(const Reflectance& reflectance, const std::vector<std::
   return out;
 }
 
-// A plane that fills the picture, a pixel (or several) for each texel, under one light.
+// Returns a scene of a plane that fills the picture, with one or several pixels per texel, under one light.
 Json scene_of(const texel::Planes& maps, const Material& material, const Json& textures) {
   const std::size_t larger = std::max(maps.width, maps.height),
                     scale = (kPicturePixels + larger - 1) / larger;

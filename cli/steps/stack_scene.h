@@ -1,3 +1,4 @@
+// A scene that shows the fitted maps of a stack.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +10,12 @@ namespace brdf::cli {
 
 inline constexpr const char* kSceneFile = "scene.json";
 
-// The fitted surface for `brdf render` and `brdf view`: scene.json, a plane as large as the maps in the
-// folder of these, with albedo.png, roughness.png and normal.png, which the renderer's rule
-// (render/scene/texture_rule.h) turns back into the diffuse weight and the width of every texel. These have 8
-// bits; every other parameter has its middle value in all texels. Returns what is lost by that, in words, or
-// why there is no scene: a sum of forms, shapes for each channel, or channels that are neither r, g, b nor
-// one.
+// Writes the fitted surface for `brdf render` and `brdf view`: scene.json, a plane as large as the maps, in
+// the folder of the maps, with albedo.png, roughness.png and normal.png. The renderer's rule
+// (render/scene/texture_rule.h) converts these maps to the diffuse weight and the width of every texel. The
+// maps have 8 bits; every other parameter has its median in all texels.
+// Returns a description of the resulting losses, or the reason for a missing scene: a sum of forms, shapes
+// per channel, or channels other than r, g, b or a single channel.
 std::string write_scene(const std::filesystem::path& folder, const texel::Stack& stack,
                         const maps::Settings& settings, const texel::Planes& maps);
 

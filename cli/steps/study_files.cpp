@@ -11,7 +11,7 @@
 namespace brdf::cli {
 namespace {
 
-// Not studied because the run was interrupted.
+// Returns true if the sample was not studied because the run was interrupted.
 bool was_left(const study::Row& row) {
   return row.fault == study::Fault::interrupted;
 }
@@ -35,7 +35,8 @@ void print_text(const std::vector<study::Row>& rows, const std::filesystem::path
   out << io::printable((folder / study::kPage).string()) << '\n';
 }
 
-// Why samples have no study, a line for each, and one for all that an interruption left.
+// Prints the reason for each sample without a study, one line per sample, and one line for all samples that
+// an interruption left.
 void say_faults(const std::vector<study::Row>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (const std::string& sentence : rows[k].assumptions)

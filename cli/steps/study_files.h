@@ -1,3 +1,4 @@
+// The terminal output of a study.
 #pragma once
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace brdf::cli {
 
-// Prints a line for each sample, or `json`, and on stderr why samples have no study.
+// Prints a line for each sample, or JSON if `json` is true, and on stderr the reason for each sample without
+// a study.
 Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json);
 
 }  // namespace brdf::cli

@@ -12,7 +12,7 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
   return text;
 }
 
-// The words that can be offered for an option's value: its own, or names of forms and parameters.
+// Returns the words offered for an option's value: its own words, or names of forms and parameters.
 std::vector<std::string> words_for(const OptionSurface& o) {
   return o.words.empty() ? names_for(o.takes) : o.words;
 }
@@ -21,7 +21,7 @@ std::string bash_files(const OptionSurface& o) {
   return "_brdf_files '" + (o.takes == Value::folder ? "/" : joined(suffixes_of(o.takes), "|")) + "'";
 }
 
-// What bash runs to offer values.
+// Returns the bash code that offers values.
 std::string bash_offer(const OptionSurface& o) {
   if (const auto words = words_for(o); !words.empty()) {
     const std::string offer = "_brdf_words '" + joined(words, " ") + "'";
@@ -31,7 +31,7 @@ std::string bash_offer(const OptionSurface& o) {
   return is_file(o.takes) ? bash_files(o) : ":";
 }
 
-// A word of zsh's _arguments: colons and brackets are its own.
+// Escapes a word for zsh's _arguments, in which colons and brackets are special.
 std::string zsh_text(const std::string& text) {
   std::string out;
   for (const char c : text) {

@@ -6,7 +6,7 @@
 namespace brdf::cli {
 namespace {
 
-// Text as man(7) takes it: no letter of it is a command.
+// Escapes text for man(7): no character is read as a command.
 std::string roff(std::string_view text) {
   std::string out;
   bool line_start = true;
@@ -39,7 +39,7 @@ void exit_status(std::ostream& out) {
          "something.\n";
 }
 
-// Lines as they stand.
+// Writes the lines unchanged.
 void verbatim(std::ostream& out, const std::string& text) {
   out << ".nf\n";
   std::istringstream lines(text);

@@ -33,7 +33,7 @@ OptionSurface surface_of(const CLI::Option& option) {
   return s;
 }
 
-// Those of the verb, then those of its groups.
+// Appends the options of the verb, then the options of its groups.
 void append_options(const CLI::App& verb, std::vector<OptionSurface>& options) {
   for (const CLI::Option* option : verb.get_options()) options.push_back(surface_of(*option));
   for (const CLI::App* group : verb.get_subcommands([](const CLI::App* a) { return a->get_name().empty(); }))

@@ -1,5 +1,5 @@
-// What the command line offers, read from the parser's own tables: of it man pages, completions and a list
-// for programs are made, so that none of them can lack an option.
+// The command line as a table, read from the parser's own tables. Man pages, completions and a list for
+// programs are generated from it, which ensures that each of them has every option.
 #pragma once
 
 #include <string>
@@ -14,27 +14,28 @@ class App;
 namespace brdf::cli {
 
 struct OptionSurface {
-  std::vector<std::string> names;  // "-o", "--output"; of a positional argument its one name in capitals
+  std::vector<std::string> names;  // "-o", "--output"; for a positional argument its only name, in capitals
   bool positional = false, flag = false, required = false, repeats = false;
-  std::string value;  // what its help calls the value: "FLOAT"; empty for a flag
+  std::string value;  // name of the value in the help: "FLOAT"; empty for a flag
   std::string description, initial;
   Value takes = Value::text;
-  std::vector<std::string> words;  // that it may be, where they are known
+  std::vector<std::string> words;  // permitted words, if they are known
 };
 
 struct VerbSurface {
   std::string name, description, footer;
-  std::vector<OptionSurface> options;  // positional ones first
+  std::vector<OptionSurface> options;  // positional options first
 };
 
-// The verbs of this build, in the order of `brdf --help`.
+// Returns the verbs of this build, in the order of `brdf --help`.
 std::vector<VerbSurface> surface_of(const CLI::App& app);
 
-// The program as text: a page in man(7) for every verb and one for the program, scripts for two shells, and
-// JSON.
+// The description of the program as text: a man(7) page for every verb and one for the program, scripts for
+// two shells, and JSON.
 struct Page {
-  std::string name, text;  // "brdf-fit.1"
+  std::string name, text;  // "brdf-fit.1" for example
 };
+// Return the man pages, the completion scripts of bash and zsh, and the list in JSON.
 std::vector<Page> man_pages(const CLI::App& app);
 std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);

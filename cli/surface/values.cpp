@@ -14,8 +14,8 @@ std::map<const CLI::Option*, std::vector<std::string>>& offers() {
   return all;
 }
 
-// Options mean the same in every verb. One that takes text is named here or offers its words; else it is
-// unnamed.
+// The kinds of values, by option name. An option has the same meaning in every verb. An option that takes
+// text must be listed here or offer its words; otherwise its value is `unnamed`.
 const std::map<std::string, Value, std::less<>> kByName{
     {"FORM", Value::form},
     {"--form", Value::form},
@@ -81,7 +81,7 @@ CLI::Option* offer(CLI::Option* option, std::vector<std::string> words) {
   return option;
 }
 
-// Words that were offered, or the list of a check: {8,16,32}.
+// Returns the words passed to offer(), or the list of a CLI11 check: {8,16,32}.
 std::vector<std::string> offered(const CLI::Option& option) {
   if (const auto found = offers().find(&option); found != offers().end()) return found->second;
   const std::string type = option.get_type_name();

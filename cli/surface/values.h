@@ -1,4 +1,5 @@
-// What an option takes beyond its type: which words or files a shell offers for it.
+// The kind of value that an option takes beyond its type, which determines the words or files that a shell
+// offers.
 #pragma once
 
 #include <array>
@@ -14,8 +15,9 @@ class Option;
 
 namespace brdf::cli {
 
-// unnamed: text of which nothing is said, which the test of the surface refuses; text: nothing that could be
-// offered; word: one of a list.
+// - unnamed: text without a declared kind, which the test of the surface rejects
+// - text: text for which no words can be offered
+// - word: one of a list
 enum class Value {
   unnamed,
   text,
@@ -35,22 +37,24 @@ enum class Value {
   folder
 };
 
-// The words that this option may be, of one that takes files besides them; returns it.
+// Declares words that this option accepts, in addition to files if it takes files. Returns the option.
 CLI::Option* offer(CLI::Option* option, std::vector<std::string> words);
-// The enum's names.
+// Declares the enum's names.
 template <class Enum>
 CLI::Option* offer_names(CLI::Option* option) {
   return offer(option, {kNames<Enum>.begin(), kNames<Enum>.end()});
 }
+// Returns the words that were declared, or the list of a CLI11 check.
 std::vector<std::string> offered(const CLI::Option& option);
 
-// What it takes, by its name and type.
+// Returns the kind of the option's value, by the option's name and type.
 Value value_of(const CLI::Option& option);
 
-// The names that are offered for a form, or for a parameter ("alpha="); none for other values.
+// Returns the names offered for a form or for a parameter ("alpha="). Empty for other kinds.
 std::vector<std::string> names_for(Value value);
-// The usual suffixes of such files; none: any file.
+// Returns the usual suffixes of such files. Empty: any file.
 std::vector<std::string> suffixes_of(Value value);
+// Returns true if values of this kind are files or folders.
 bool is_file(Value value);
 
 }  // namespace brdf::cli

@@ -33,7 +33,7 @@ void print(std::ostream& out, const fit::AlbedoRow& row) {
 }
 
 Exit run_albedo(const AlbedoCall& o) {
-  fit::options_of(o.albedo);  // refused before a file is read
+  fit::options_of(o.albedo);  // throws before any file is read
   const io::MaterialFile file = choose_material_file(o.material, "albedo");
   const std::vector<fit::AlbedoRow> rows = fit::albedo_rows(file, o.albedo);
   if (o.json) {

@@ -33,7 +33,7 @@ void arrange(const ConvertCall& o, io::SampleTable& table) {
   io::arrange(table, o.arrangement);
 }
 
-// A material, or samples with what lies between them.
+// Returns a material, or samples with interpolated values between them.
 Material between_samples(const ConvertCall& o) {
   const std::string& in = o.in;
   io::Content content = io::read_content(in);

@@ -9,7 +9,7 @@
 
 namespace brdf::cli {
 
-// Not among the verbs that `brdf --help` lists: the build calls it.
+// This verb is not listed by `brdf --help`; the build calls it.
 void add_describe(CLI::App& app) {
   struct DescribeCall {
     std::string as, folder;

@@ -19,7 +19,8 @@
 namespace brdf::cli {
 namespace {
 
-// The measured values times the cosine of the light, as the values that will stand beside them.
+// Multiplies the measured values by the cosine of the angle of incidence, to match the columns of computed
+// values.
 void multiply_by_cosine(io::SampleTable& table) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const double cosine = io::cos_degrees(table.theta_i[k]);
@@ -53,8 +54,8 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   }
 }
 
-// How many of the values from column `first` on are no finite numbers, said on stderr with the first row that
-// has one.
+// Counts the values from column `first` on that are not finite. Reports the count and the first such row on
+// stderr.
 std::size_t report_not_finite(const io::SampleTable& table, std::size_t first) {
   std::size_t count = 0, row = 0, column = 0;
   for (std::size_t k = 0; k < table.rows(); ++k)

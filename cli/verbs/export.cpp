@@ -38,20 +38,20 @@ struct ExportCall {
 
 constexpr const char *kMerl = "merl", *kRgl = "rgl";
 
-// What --json says besides, and how it ended.
+// Additional content of --json, and the exit code.
 struct Made {
   io::Json json;
   Exit exit = Exit::good;
 };
 
-// The loss against --max-loss.
+// Compares the loss with --max-loss.
 Exit judged_loss(const ExportCall& o, const interop::Loss& loss) {
   if (!o.max_loss || loss.rms <= *o.max_loss) return Exit::good;
   Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
   return Exit::failed;
 }
 
-// Of a table, as its users' programs read it back; `json` gets the loss.
+// Reports the loss of a table as its users' programs read it back, and stores the loss in `json`.
 Exit say_table_loss(const ExportCall& o, const Material& wanted, const Material& table, io::Json& json) {
   const std::optional<interop::Loss> loss = interop::loss_of_table(wanted, table);
   if (!loss) {
@@ -72,7 +72,8 @@ void write(const ExportCall& o, const std::string& text) {
     io::write_file_atomically(o.output, text);
 }
 
-// What the material is called there: as --name says, by its own name, or its file's.
+// Returns the name of the exported material: the value of --name, or the material's own name, or the name of
+// its file or form.
 std::string exported_name(const ExportCall& o, const io::MaterialFile& file) {
   if (!o.name.empty()) return o.name;
   if (!file.name.empty()) return file.name;
@@ -95,7 +96,7 @@ void check_output(const ExportCall& o) {
   io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
 }
 
-// Samples, with what lies between them.
+// Reads the samples and interpolates between them.
 std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
   std::optional<Material> fitted;
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
@@ -160,7 +161,7 @@ std::optional<io::ShaderLanguage> language_of(const std::string& to) {
   return std::nullopt;
 }
 
-// The formula itself, in float with the library's own functions.
+// Judges the formula itself, in float with the library's own functions.
 Made formula(const ExportCall& o, const Material& material) {
   Made made{{{"kind", "formula"}}};
   if (!o.max_loss) return made;
@@ -222,7 +223,7 @@ void print_json(const ExportCall& o, const io::Json& made) {
   std::cout << io::to_text(json);
 }
 
-// An option that the target has no use for is refused, not passed over.
+// Throws for an option that has no effect on the target, instead of ignoring the option.
 void check_use(const ExportCall& o, const interop::Program* program) {
   if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
     throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");

@@ -48,7 +48,7 @@ struct FitCall {
   bool form_given = false;
 };
 
-// The forms asked for; a shader alone, unless forms are named beside it.
+// Returns the requested forms. With a shader, returns the shader alone unless forms are named, too.
 std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
   const auto shader = load(o.shader, "fit");
   if (!shader) return fit::models_of(o.choice.form);

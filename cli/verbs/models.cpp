@@ -21,7 +21,7 @@ std::string range(const ParameterInfo& p) {
   return std::string(p.name) + " " + io::to_text(p.min) + ".." + io::to_text(p.max) + unit;
 }
 
-// One form of the list: parameters with range and unit, then one line of what is known to be violated.
+// Prints one form of the list: a line of parameters with range and unit, then a line of known violations.
 void print_line(std::ostream& out, const ReflectanceInfo& form) {
   out << "  " << std::left << std::setw(27) << form.name << (form.fittable() ? "fittable  " : "          ");
   const char* separator = "";
@@ -39,7 +39,7 @@ void print_line(std::ostream& out, const ReflectanceInfo& form) {
   out << (form.violations.empty() ? "nothing known" : "") << '\n';
 }
 
-// Forms under their families.
+// Prints the forms by family.
 void print_list() {
   PlainText out;
   const char* separator = "";

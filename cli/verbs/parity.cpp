@@ -18,7 +18,7 @@ struct ParityCall {
   bool all = false, validation = false, json = false;
 };
 
-// The forms asked for, and a shader's.
+// Returns the requested forms and the form of the shader.
 std::vector<Reflectance> asked_for(const ParityCall& o) {
   std::vector<Reflectance> forms;
   for (const std::string& name : o.forms) forms.push_back(io::require_form(name));

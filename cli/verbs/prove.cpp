@@ -34,7 +34,7 @@ struct ProveCall {
   ShaderOptions shader;
 };
 
-// The self-test makes its own shaders.
+// Refuses other options with --self-test, which makes its own shaders.
 void refuse_beside_self_test(const CLI::App& verb) {
   if (verb.count("--seed") > 0 && verb.count("--self-test") == 0)
     throw InputError("--seed: goes with --self-test");
@@ -45,7 +45,7 @@ void refuse_beside_self_test(const CLI::App& verb) {
       throw InputError(std::string(other) + ": has no effect beside --self-test: leave it out");
 }
 
-// What has no effect beside --check may not stand beside it: a user would believe that it had one.
+// Refuses options that have no effect with --check: the user would assume that they had one.
 void refuse_beside_check(const CLI::App& verb) {
   if (verb.count("--check") == 0) return;
   for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns"})
@@ -72,7 +72,7 @@ Exit run_check(const ProveCall& o) {
   return judged.good ? Exit::good : Exit::failed;
 }
 
-// A certificate is of what the check can enclose again.
+// Throws if a certificate is requested for a subject that --check cannot enclose again.
 void check_certificate_target(const ProveCall& o, const std::vector<prove::NamedMaterial>& materials) {
   if (o.output.empty()) return;
   if (is_given(o.shader))

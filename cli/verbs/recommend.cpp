@@ -52,7 +52,7 @@ Exit run_comparison(const RecommendArguments& a) {
   return Exit::good;
 }
 
-// A shader's material is what the others are to look like.
+// Uses a shader's material as the reference for the candidates.
 void choose_shader(RecommendArguments& a) {
   const auto shader = load(a.shader, "recommend");
   if (!shader && !a.set.empty()) throw InputError("--set " + a.set.front() + ": goes with --shader FILE");

@@ -112,8 +112,8 @@ struct RenderCall {
   int balls = 6;
 };
 
-// A picture of one thing, of two beside each other, and an animation; as displayed or as linear layers; or
-// measures without a file.
+// The products: a picture of one subject or of two side by side, in display values or as linear layers; an
+// animation; or measures without a file.
 enum Product : unsigned { kPng = 1, kPngOfTwo = 2, kExr = 4, kExrOfTwo = 8, kAnimation = 16, kMeasures = 32 };
 constexpr unsigned kOfTwo = kPngOfTwo | kExrOfTwo, kShown = kPng | kPngOfTwo | kAnimation, kAll = 63;
 constexpr OptionOf kRenderOptions[] = {
@@ -235,7 +235,7 @@ void add_comparison_options(CLI::App& verb, RenderCall& o) {
   verb.add_flag("--json", o.json, "Measures as JSON on stdout");
 }
 
-// The job with the row that --over asks for in place of its material.
+// Replaces the job's material by the row that --over requests.
 void make_row(RenderCall& o) {
   render::Job& job = o.job;
   if (job.materials.size() != 1 || !job.scene.empty() || !job.state.empty())
@@ -281,7 +281,7 @@ Exit run_render(const CLI::App& verb, RenderCall& o) {
   if (o.split && !job.show) job.show = "split";
   job.labels = !o.no_labels;
   if (!o.probe.empty()) job.probe = glm::ivec2(o.probe[0], o.probe[1]);
-  // Measures alone need no file.
+  // A run that prints only measures needs no file.
   if (job.output.empty() && o.probe.empty() && !o.times)
     throw InputError("-o is required (see brdf render --help)");
   if (!o.over.empty()) make_row(o);

@@ -29,7 +29,7 @@ struct SynthCall {
   std::string output;
 };
 
-// Of a stack, for which what a goniophotometer is told has no meaning.
+// Adds the options of a stack. Options of a goniophotometer do not apply to a stack.
 void add_texel_options(CLI::App& verb, SynthCall& o) {
   CLI::Option* texels = verb.add_option(
       "--texels", o.texels,

@@ -29,7 +29,7 @@
 namespace brdf::cli {
 namespace {
 
-// What is judged: functions over their domain, materials, tables; or the library itself.
+// The subjects of a validation: functions over their domain, materials, tables, or the library itself.
 enum Judged : unsigned {
   kDomain = 1,
   kMaterial = 2,
@@ -73,7 +73,7 @@ struct ValidateCall {
   bool integrators = false, microsurface = false, numerics = false, gpu = false;
 };
 
-// The pictures of the report, which are PNG files.
+// Reads the pictures of the report, which are PNG files.
 std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
   std::vector<validate::Picture> pictures;
   for (const std::string& path : o.pictures) {
@@ -85,25 +85,25 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
   return pictures;
 }
 
-// What a shader's source says of what is found.
+// Returns the facts about a finding that a shader's source provides.
 validate::OutsideFacts facts_of(const LoadedShader& shader) {
   return {shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
           shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
 }
 
-// A shader's function.
+// Returns a shader's function as a subject.
 validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
   return validate::Subject::outside(file, shader.material, facts_of(shader));
 }
 
-// --such-that, of whatever is judged over a domain.
+// Applies --such-that to all subjects that are judged over a domain.
 void restrict_all(const ValidateCall& o, std::vector<validate::Subject>& subjects) {
   if (o.such_that.empty()) return;
   const io::Condition condition(o.such_that, "--such-that");
   for (validate::Subject& subject : subjects) subject.restrict_to(condition);
 }
 
-// Forms, materials and tables with their findings.
+// Returns the findings for forms, materials and tables.
 validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
                                const validate::CheckOptions& options) {
   validate::ReportContent content;
@@ -137,7 +137,7 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
                         made == kTable      ? "tables of samples"
                         : made == kMaterial ? "materials"
                                             : "what is judged here");
-  std::vector<validate::Against> against;  // refused before the work begins
+  std::vector<validate::Against> against;  // throws before the work begins
   for (std::size_t k = 0; !o.against.empty() && k < whole_domain; ++k)
     against.push_back(validate::parse_against(content.subjects[k], o.against, o.maps));
   validate::judge_all(content, options, progress_line("brdf validate: checks"));
@@ -148,7 +148,8 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
   return content;
 }
 
-// What is proved of a subject: properties that a few boxes or the formula itself decide, in milliseconds.
+// Proves the properties of a subject that a few boxes, or the formula itself, decide in milliseconds.
+// Returns the proved properties.
 std::vector<prove::Property> proved_of(const validate::Subject& subject) {
   prove::Options brief;
   brief.search = {60, 0.2};
@@ -170,7 +171,7 @@ std::vector<prove::Property> proved_of(const validate::Subject& subject) {
   return proved;
 }
 
-// Beside each check that passed and could be proved: whether it is.
+// Marks each passed check that has a provable property as "proved" or "sampled".
 void add_proofs(validate::ReportContent& content) {
   for (const validate::Subject& subject : content.subjects) {
     std::vector<prove::Property> proved;
@@ -224,7 +225,7 @@ Exit run_integrators(const ValidateCall& o) {
   return honest ? Exit::good : Exit::failed;
 }
 
-// One mode that judges the library itself is asked for at a time.
+// Throws if more than one mode that judges the library itself is requested.
 void require_one_mode(const CLI::App& verb, const ValidateCall& o) {
   const std::tuple<bool, Judged, const char*> modes[] = {{o.integrators, kIntegrators, "--integrators"},
                                                          {o.microsurface, kTraced, "--microsurface"},

@@ -19,10 +19,10 @@
 namespace brdf::cli {
 namespace {
 
-// A saved state, a scene, or materials; two materials are A and B.
+// Returns the state from a saved state, a scene, or materials. Two materials become A and B.
 render::ViewState initial_state(const render::Job& given, int width, int height) {
   render::Job job = render::with_samples_told(given);
-  if (job.state.empty()) {  // where the split goes depends on them
+  if (job.state.empty()) {  // the position of the split depends on them
     job.width = width;
     job.height = height;
   }
@@ -44,7 +44,7 @@ render::ViewState initial_state(const render::Job& given, int width, int height)
   return render::state_of(job);
 }
 
-// What the window's title names.
+// Returns the file that the window's title names.
 std::filesystem::path file_of(const render::Job& job) {
   if (!job.state.empty()) return job.state;
   if (!job.scene.empty()) return job.scene;
@@ -113,7 +113,7 @@ void add_view(CLI::App& app) {
       std::cout << render::command_json();
       return Exit::good;
     }
-    std::vector<io::Target> targets;  // those that were asked for: the others may never be written
+    std::vector<io::Target> targets;  // only the requested targets: the others may never be written
     if (verb->count("--save-as") > 0) targets.push_back({"--save-as", options->viewer.state_file});
     if (verb->count("--screenshot") > 0) targets.push_back({"--screenshot", options->viewer.screenshot});
     std::vector<std::filesystem::path> inputs = job.materials;  // a state may be saved over itself

@@ -28,7 +28,7 @@ Exit run_work(const WorkCall& o) {
     throw InputError("--unit " + std::to_string(*o.unit) + ": the units are 0 to " +
                      std::to_string(count - 1));
   watch_for_interrupt();
-  io::limit_threads(1);  // units are what runs side by side
+  io::limit_threads(1);  // the units run in parallel
   for (std::size_t unit = o.unit.value_or(0); unit < (o.unit ? *o.unit + 1 : count); ++unit) {
     work::do_unit(task, unit, o.memory, o.check, this_program());
     if (!was_interrupted()) continue;

@@ -17,7 +17,8 @@ std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double>
     x[k] = std::clamp(0.0, low[k], high[k]);
     free[k] = low[k] < high[k] && h(Eigen::Index(k), Eigen::Index(k)) > 0;
   }
-  // Start with everything free; then bind what leaves, release what is pushed inward.
+  // Start with every unknown free. Then bind unknowns that leave the bounds, and release unknowns that the
+  // gradient pushes inward.
   for (int round = 0; round < 10 * int(n) + 10; ++round) {
     std::vector<Eigen::Index> set;
     for (std::size_t k = 0; k < n; ++k)
@@ -36,7 +37,7 @@ std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double>
       }
       target = a.ldlt().solve(b);
     }
-    // Walk towards the solution of the free set as far as the bounds allow.
+    // Move towards the solution of the free set as far as the bounds allow.
     double step = 1;
     std::size_t blocked = n;
     for (Eigen::Index i = 0; i < m; ++i) {

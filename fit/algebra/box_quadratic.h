@@ -1,3 +1,4 @@
+// Minimisation of a quadratic function within bounds.
 #pragma once
 
 #include <span>
@@ -7,7 +8,8 @@
 
 namespace brdf::fit {
 
-// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. For the few unknowns of a channel's weights.
+// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. Meant for the few unknowns of one
+// channel's weights.
 std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
                                   std::span<const double> low, std::span<const double> high);
 

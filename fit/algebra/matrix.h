@@ -1,4 +1,4 @@
-// A small dense matrix for interfaces; Eigen maps it where it computes.
+// A small dense matrix for interfaces. Computations map it to an Eigen matrix.
 #pragma once
 
 #include <cstddef>

@@ -12,9 +12,9 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kDifferenceTolerance = 1e-8;  // of integrals whose differences are taken
+constexpr double kDifferenceTolerance = 1e-8;  // for integrals that are subtracted from each other
 
-// An open end is null.
+// An open end is written as null.
 io::Json end_json(double x) {
   return std::isfinite(x) ? io::Json(x) : io::Json(nullptr);
 }
@@ -37,7 +37,7 @@ io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   return json;
 }
 
-// 95 % intervals of the albedo from the fit that the material came from.
+// Returns 95 % intervals of the albedo from the fit that produced the material.
 std::vector<std::optional<Extent>> fitted_intervals(const io::MaterialFile& file, double theta, double phi,
                                                     AlbedoOptions options,
                                                     const std::vector<AlbedoResult>& results) {

@@ -1,4 +1,4 @@
-// The albedo of a material, with the integral's bound and the fit's interval.
+// The albedo of a material, with the error bound of the integral and the confidence interval of the fit.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace brdf::fit {
 
-// What is asked, as on a command line.
+// The requested directions and integration settings, as given on a command line.
 struct AlbedoChoice {
   std::vector<double> theta;  // degrees
   double phi = 0, tolerance = 1e-6;
@@ -22,16 +22,17 @@ struct AlbedoRow {
   double theta;  // degrees
   std::string channel;
   AlbedoResult result;
-  std::optional<Extent> interval;  // 95 %, of the fit that the material came from; an open end is infinite
+  std::optional<Extent> interval;  // 95 %, from the fit that produced the material; an open end is infinite
 };
 
-// The integrals' options. Throws InputError on an angle, a tolerance or a word that is none.
+// Returns the options of the integrals. Throws InputError if an angle, a tolerance or a name is not valid.
 AlbedoOptions options_of(const AlbedoChoice& choice);
 
-// Every angle's channels in order.
+// Computes the albedo of every channel at each angle, in the order of the angles.
 std::vector<AlbedoRow> albedo_rows(const io::MaterialFile& file, const AlbedoChoice& choice);
 
-// `{"form", "results": [{"theta", "phi", "fixed", "channel", "value", "error_bound", ...}], "provenance"}`.
+// Returns `{"form", "results": [{"theta", "phi", "fixed", "channel", "value", "error_bound", ...}],
+// "provenance"}`.
 io::Json to_json(const Material& material, const std::vector<AlbedoRow>& rows, const AlbedoChoice& choice);
 
 }  // namespace brdf::fit

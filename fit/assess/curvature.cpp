@@ -9,23 +9,24 @@
 namespace brdf::fit {
 namespace {
 
-// Eigenvalues of the scaled normal matrix below this share of the largest are directions without effect.
+// Eigenvalues of the scaled normal matrix below this share of the largest belong to directions without
+// effect.
 constexpr double kSingular = 1e-12;
-// A parameter whose direction lies in such a subspace by more than this share is not identified.
+// A parameter is not identifiable if more than this share of its direction lies in such a subspace.
 constexpr double kInNullSpace = 1e-3;
-// Floors that are tried, as shares of the median value; then none.
+// Floors to be tried, as shares of the median value, in addition to no floor.
 constexpr double kFloors[] = {0.03, 0.1, 0.3, 1, 3, 10, 30};
-// By so much a floor must raise twice the logarithm of the likelihood: one that is not needed makes bright
-// values too sure.
+// A floor is accepted only if it raises twice the log-likelihood by this amount. An unnecessary floor makes
+// bright values appear too certain.
 constexpr double kLikelier = 6;
-// Share of a value's variance that its own influence leaves at least.
+// Lower limit of the share of a value's variance that remains after its own influence on the fit.
 constexpr double kLeastLeft = 1e-4;
-// Values of a higher leverage say too little of the noise to tell a floor.
+// Values of a higher leverage contain too little information on the noise to determine a floor.
 constexpr double kFreeLeverage = 0.2;
 
 using Values = std::vector<std::vector<double>>;  // [channel][row]
 
-// Inverse, null space and condition of the normal matrix.
+// Computes the inverse, null space and condition of the normal matrix.
 void invert(const RowMatrix& bread, Curvature& out) {
   const Eigen::Index n = bread.rows();
   out.scale = Eigen::VectorXd::Zero(n);
@@ -81,7 +82,7 @@ bool Curvature::without_effect(const Eigen::VectorXd& gradient) const {
 }
 
 Curvature curvature(const SampleStream& stream, const Minimum& m, const KnownMatrices* known) {
-  // Of many rows no leverage is worth a second pass.
+  // With many rows, no leverage justifies a second pass.
   const bool many = stream.data().rows() > kManyRows;
   ScoreMatrices scores =
       many ? stream.scores(m.p) : ScoreMatrices{known ? known->bread : stream.bread(m.p), {}};
@@ -101,7 +102,7 @@ Curvature curvature(const SampleStream& stream, const Minimum& m, const KnownMat
 
 namespace {
 
-// The noise of every value under a floor, up to the share that all have, in units of the residual.
+// Returns the noise of every value under a floor, up to the common factor, in units of the residual.
 Values unit_noise(const SampleStream& stream, const Values& values, const Values& slopes, double floor) {
   const FitData& data = stream.data();
   Values out = slopes;
@@ -115,7 +116,8 @@ Values unit_noise(const SampleStream& stream, const Values& values, const Values
   return out;
 }
 
-// -2 ln of the likelihood of the residuals that are free of the fit's influence, but for a constant.
+// Returns -2 ln of the likelihood, up to a constant, of the residuals that are nearly free of the fit's
+// influence.
 double unlikelihood(const Values& residuals, const Values& noise, const Values& leverage) {
   double squares = 0, logarithms = 0, count = 0;
   for (std::size_t c = 0; c < noise.size(); ++c)
@@ -149,8 +151,8 @@ struct Standardised {
   double variance = 0, correlation = 0;
 };
 
-// Of residuals over their noise, each freed of what the fit took of it. `left`: the share that the fit leaves
-// of each.
+// Computes statistics of the residuals divided by their noise, corrected for the part that the fit
+// absorbed. `left` is the share of each residual's variance that remains after the fit.
 Standardised standardised(const Values& residuals, const Values& noise, const Values& left) {
   double squares = 0, expected = 0, products = 0, pairs = 0;
   for (std::size_t k = 0; k < noise.front().size(); ++k) {

@@ -11,16 +11,16 @@
 namespace brdf::fit {
 namespace {
 
-// Share of a parameter by which it is moved: the error of a central difference is its square.
+// Relative step of a parameter. The error of a central difference is its square.
 constexpr double kDerivedStep = 1e-3;
 
-// A value of a material, and the range of its parameter.
+// A value in a material, with the range of its parameter.
 struct DerivedPlace {
   double* value;
   double min, max;
 };
 
-// Where the values stand that one parameter of the fit sets.
+// Returns the places in the material that one parameter of the fit sets.
 std::vector<DerivedPlace> places_of(Material& m, const std::string& name) {
   std::vector<DerivedPlace> out;
   for (std::size_t t = 0; t < m.terms.size(); ++t) {
@@ -44,8 +44,8 @@ std::vector<DerivedPlace> places_of(Material& m, const std::string& name) {
   return out;
 }
 
-// Moves a parameter by a step, or as far as its range goes; tangent_phi, which turns every term, in degrees.
-// Returns by how much; nothing for a parameter that the material does not have.
+// Moves a parameter by a step, clipped to its range. tangent_phi, which turns every term, is in degrees.
+// Returns the actual change, or std::nullopt if the material does not have the parameter.
 std::optional<double> move(Material& m, const std::string& name, double step) {
   if (name == kTangentInfo.name) {
     for (Term& term : m.terms) term.tangent_phi = term.tangent_phi + degrees(step);

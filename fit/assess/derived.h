@@ -1,4 +1,5 @@
-// What is computed from a fitted material, with the fit's uncertainty: the delta method on its parameters.
+// Quantities computed from a fitted material, with the uncertainty of the fit by the delta method on its
+// parameters.
 #pragma once
 
 #include <functional>
@@ -11,40 +12,44 @@
 
 namespace brdf::fit {
 
-// Values computed from a material, always as many.
+// A function that computes values from a material; the number of values is always the same.
 using Derived = std::function<std::vector<double>(const Material&)>;
 
-// 95 % intervals of f(material) = values by the covariance alone: the standard error is that of the first
-// order in the parameters (differences, central within the parameters' ranges). Its degrees of freedom are
-// those of the components together, whose variances, coming from the same residuals, are taken to err alike.
-// None where a name is no parameter of the material's.
+// Returns 95 % intervals of f(material) = values from the covariance alone. The standard error is of first
+// order in the parameters (finite differences, central within the ranges of the parameters). The degrees of
+// freedom are those of all components together. The variances of the components come from the same
+// residuals, so their errors are assumed to be fully correlated. Returns std::nullopt if a name is not a
+// parameter of the material.
 std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& covariance,
                                              std::span<const double> values, const Derived& f);
 
-// How well a fit knows its material.
+// The precision of the parameters of a fitted material.
 struct Knowledge {
   std::optional<ParameterCovariance> covariance;
-  std::vector<MaterialAtEnd> ends;  // of the parameters' intervals; none: these are of the curvature
+  std::vector<MaterialAtEnd> ends;  // of the parameters' intervals; empty: intervals of the curvature
 
   bool any() const { return covariance || !ends.empty(); }
 };
+// Returns the precision of the material of a fit.
 Knowledge knowledge_of(const FormFit& fit);
-// As a material's `fit` block keeps it; empty where it keeps nothing that can be one.
+// Reads the precision from the `fit` block of a material. The result is empty if the block holds no valid
+// data.
 Knowledge knowledge_of(const io::Json& fit);
 
-// 95 % intervals of f(material) = values: the least and the largest value over the materials at the ends of
-// the parameters' intervals, and the interval of the covariance, which knows directions between the
-// parameters. An end is infinite where a parameter's open end decides it. Nothing is returned where nothing
-// is known.
+// Returns 95 % intervals of f(material) = values. An interval is the union of two: the range of the values
+// over the materials at the ends of the parameters' intervals, and the interval of the covariance, which
+// covers directions between the parameters. An end is infinite if it comes from an open end of a parameter.
+// Returns std::nullopt if nothing is known about the material.
 std::optional<std::vector<Extent>> intervals(const Material& material, const Knowledge& known,
                                              std::span<const double> values, const Derived& f);
 
-// As a material's `fit` block keeps it. None where it holds no covariance, or one that cannot be one.
+// Convert to and from the `fit` block of a material. covariance_of() returns std::nullopt if the block
+// holds no valid covariance.
 io::Json to_json(const ParameterCovariance& covariance);
 std::optional<ParameterCovariance> covariance_of(const io::Json& fit);
 io::Json to_json(std::span<const MaterialAtEnd> ends);
 
-// A matrix as an array of its rows.
+// Returns a matrix as an array of its rows.
 io::Json rows_json(const Matrix& matrix);
 
 }  // namespace brdf::fit

@@ -7,7 +7,7 @@
 namespace brdf::fit {
 namespace {
 
-// Degrees; what a form does beyond is its limit towards grazing.
+// Degrees. Beyond the last angle, forms approach their limit at grazing incidence.
 constexpr std::array kLightAngles{0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0};
 constexpr double kAlbedoTolerance = 1e-3;
 

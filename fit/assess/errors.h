@@ -1,4 +1,4 @@
-// How far a model's values are from the measured ones, in figures for people.
+// Errors of a model's values relative to the measured ones, in figures for readers.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace brdf::fit {
 
-// Of the model's values [channel][row]; over the measured values above 0 of these rows.
+// Computes the relative errors of the model's values, [channel][row], over the rows of `range` with
+// measured values above 0.
 RelativeErrors relative_errors(const FitData& data, const std::vector<std::vector<double>>& model,
                                const RowRange& range);
 

@@ -15,7 +15,7 @@ constexpr const char* kNeverTurned =
     "second width "
     "may be the form's own error: turn the sample, or fit without --anisotropic";
 
-// "ks f0 = 0.038 (0.034 to 0.043); " of every channel, of a spectrum of the first ones.
+// Returns "ks f0 = 0.038 (0.034 to 0.043); " for every channel, or for the first ones of a spectrum.
 std::string products_text(const std::vector<Estimate>& products) {
   constexpr std::size_t kMost = 3;
   std::vector<std::string> texts;
@@ -65,9 +65,10 @@ void add_bound_findings(const std::vector<Reported>& all, const Grounds& on, Unc
 
 namespace {
 
-constexpr double kFewRows = 4;  // effective number of rows below which it is said
+constexpr double kFewRows = 4;  // effective number of rows below which a finding is added
 
-// The rows whose noise a parameter's variance is most of, by their places in the table from 1 on.
+// Returns the rows that contribute most to the variance of a parameter, by their positions in the table,
+// counted from 1.
 std::vector<std::size_t> deciding_rows(const Reported& r, const Grounds& on, const SampleStream& stream,
                                        std::size_t count) {
   const Eigen::VectorXd v = on.curvature.inverse * gradient_vector(r, on.curvature.inverse.rows());

@@ -1,18 +1,19 @@
-// Sentences about what the samples tell of the parameters, and what they do not.
+// Sentences on which parameters the samples identify and which they do not.
 #pragma once
 
 #include "fit/assess/grounds.h"
 
 namespace brdf::fit {
 
-// What is not identified, and what would tell it.
+// Returns a sentence that lists the parameters that are not identifiable and the measurements or options
+// that would identify them.
 std::string unidentified_finding(const std::vector<Reported>& all, const Grounds& on, const Uncertainty& u);
 
-// Which parameters, and sums of weights, stand at the end of the range that was asked for.
+// Adds findings on parameters, and sums of weights, that lie at an end of the requested range.
 void add_bound_findings(const std::vector<Reported>& all, const Grounds& on, Uncertainty& out);
 
-// "2 rows decide ks and alpha (rows 41 and 42 of the table): their intervals suppose that these rows scatter
-// as the others do"; empty where no parameter is decided by fewer than four.
+// Returns "2 rows decide ks and alpha (rows 41 and 42 of the table): their intervals suppose that these
+// rows scatter as the others do". Returns "" if every parameter is decided by four rows or more.
 std::string few_rows_finding(const std::vector<Reported>& all, const Grounds& on, const SampleStream& stream);
 
 }  // namespace brdf::fit

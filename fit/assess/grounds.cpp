@@ -9,8 +9,8 @@
 namespace brdf::fit {
 namespace {
 
-// Effective numbers of values up to which, and from which on, the residuals of the values that decide a
-// parameter say nothing, and enough, of their noise.
+// Effective numbers of deciding values. Up to the first, their residuals contain no information on their
+// noise; from the second on they contain enough.
 constexpr double kFewDeciding = 5, kManyDeciding = 15;
 
 }  // namespace

@@ -9,14 +9,14 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kWeight = 0.04;                            // of the lobe that may hide
-constexpr double kNarrowestLobe = 1e-4, kWidestLobe = 0.3;  // widths that are asked for
+constexpr double kWeight = 0.04;                            // of the lobe that may be hidden
+constexpr double kNarrowestLobe = 1e-4, kWidestLobe = 0.3;  // range of tested widths
 constexpr int kWidths = 14;
-constexpr double kErrors = 3;  // of the weight's standard errors a lobe must be, to be seen
+constexpr double kErrors = 3;  // a lobe is visible if its weight exceeds this many standard errors
 constexpr double kUnknownScatter = 0.05, kLeastScatter = 0.005;
-constexpr double kLeastValue = 0.01;  // of the middle value: the size of those that are next to nothing
+constexpr double kLeastValue = 0.01;  // relative to the median: assumed size of values close to zero
 
-// Ward's lobe (1992, equation 4) of weight 1 and one width at every row.
+// Ward's lobe (1992, equation 4) with weight 1 at every row, for any width.
 struct WardLobe {
   std::vector<double> slope_squared, scale;  // tan^2 theta_h; 1/(4 pi sqrt(cos_i cos_o))
 
@@ -33,7 +33,8 @@ struct WardLobe {
   }
 };
 
-// Whether a lobe of this width would be seen in a channel, whose values have these standard deviations.
+// Returns whether a lobe of this width would be visible in a channel with values of these standard
+// deviations.
 bool is_seen(const WardLobe& lobe, const std::vector<double>& values, const std::vector<double>& noise,
              double alpha) {
   double own = 0, mixed = 0, of_lobe = 0;
@@ -59,7 +60,7 @@ std::optional<double> hidden_width(const FitData& data, std::optional<double> sc
     const double least = std::max(kLeastValue * io::median(sizes), 1e-12);
     std::vector<double> noise;
     for (const double f : sizes) noise.push_back(share * std::max(f, least));
-    // From the narrowest on, for wider ones may be seen where narrower ones are not.
+    // Start with the narrowest width: wider lobes may be visible although narrower ones are not.
     double seen = kNarrowestLobe;
     for (int k = 0; k < kWidths; ++k) {
       const double alpha = kNarrowestLobe * std::pow(kWidestLobe / kNarrowestLobe, k / double(kWidths - 1));

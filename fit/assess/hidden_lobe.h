@@ -1,4 +1,4 @@
-// A highlight that the directions of a measurement would not show.
+// Detects whether the directions of a measurement could miss a highlight.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,13 @@
 
 namespace brdf::fit {
 
-// The width, as Ward's alpha, above which a highlight of weight 0.04 (what a dielectric reflects along its
-// normal) would stand out of the samples; narrower ones may lie between them. None where the narrowest that
-// is asked for, 1e-4, would be seen. Told from the directions and the values' sizes alone: for each of 14
-// widths the standard error of a lobe's weight beside a multiple of the values, whose noise is in proportion
-// to them (`scatter`, relative; 0.05 where it is not known).
+// Returns the width, as Ward's alpha, above which a highlight of weight 0.04 (the reflectance of a
+// dielectric at normal incidence) would be visible in the samples. Narrower highlights may lie between the
+// samples. Returns std::nullopt if even the narrowest tested width, 1e-4, would be visible.
+//
+// Uses only the directions and the magnitudes of the values. For each of 14 widths, computes the standard
+// error of the weight of such a lobe in a fit of the lobe plus a multiple of the values. The noise is
+// proportional to the values (`scatter`, relative; 0.05 if unknown).
 std::optional<double> hidden_width(const FitData& data, std::optional<double> scatter);
 
 }  // namespace brdf::fit

@@ -13,11 +13,11 @@ namespace {
 constexpr double kContrast = 1.75, kExcess = 1.25;
 constexpr std::size_t kFewestSeen = 3;
 constexpr double kChance = 1e-3;
-constexpr double kMatt = 1.5;           // a model's own highlight, as a multiple of its middle value
-constexpr Angle kAround = degrees(30);  // from the mirror direction: where a highlight would be
+constexpr double kMatt = 1.5;           // a highlight of the model itself, as a multiple of its median value
+constexpr Angle kAround = degrees(30);  // from the mirror direction: the region of a highlight
 constexpr double kBrightest = 0.98;     // quantile
 
-// Cosine between the viewer and the mirror direction of the light.
+// Returns the cosine of the angle between the viewer and the mirror direction of the light.
 double mirror_cosine(const FitData& data, std::size_t k) {
   return data.wi_z[k] * data.wo_z[k] - data.wi_x[k] * data.wo_x[k] - data.wi_y[k] * data.wo_y[k];
 }
@@ -35,8 +35,9 @@ struct Row {
   bool counts;
 };
 
-// At most the probability that, of all rows drawn without regard, so many of the `count` are among the
-// `first`: the hypergeometric tail's bound by relative entropy (Chvatal 1979), from either side.
+// Returns an upper bound of the probability that random draws from all rows put this many of the `count`
+// rows among the `first` ones. The hypergeometric tail is bounded by relative entropy (Chvatal 1979), from
+// both sides; the smaller bound is used.
 double chance_of(double found, double first, double count, double all) {
   const auto bound = [found](double draws, double share) {
     const double a = found / draws;
@@ -46,7 +47,8 @@ double chance_of(double found, double first, double count, double all) {
   return std::exp(-std::max(bound(first, count / all), bound(count, first / all)));
 }
 
-// The rows nearest to the mirror direction in which those that count gather; none where chance would do.
+// Returns the rows nearest to the mirror direction in which the counting rows cluster. Empty if chance can
+// explain the cluster.
 std::vector<Row> gathered(std::vector<Row> rows) {
   const auto count =
       std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
@@ -69,11 +71,11 @@ std::vector<Row> gathered(std::vector<Row> rows) {
   return rows;
 }
 
-// Whether enough values are so far above the model (side 1) or below it (-1) that they might count; saves the
-// logarithms and quantiles where the model fits.
+// Returns whether enough values are so far above the model (side 1) or below it (-1) that they might count.
+// This test saves logarithms and quantiles if the model fits.
 bool some_excess(const std::vector<double>& measured, const std::vector<double>& model, double excess,
                  int side) {
-  const double ratio = std::exp(excess) * (1 - 1e-9);  // no value is lost by rounding
+  const double ratio = std::exp(excess) * (1 - 1e-9);  // the margin keeps rounding from losing a value
   std::size_t found = 0;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const double f = std::max(model[k], 1e-300), g = measured[k];
@@ -82,8 +84,9 @@ bool some_excess(const std::vector<double>& measured, const std::vector<double>&
   return found >= kFewestSeen;
 }
 
-// `side` 1: values above the model towards the mirror direction; -1: below it away from there, where the fit
-// took the highlight's level for that of the surface.
+// Finds rows of a missing highlight. `side` 1: values above the model near the mirror direction. `side` -1:
+// values below the model away from the mirror direction, if the fit took the level of the highlight for
+// that of the surface.
 std::vector<Row> missing_highlight(const std::vector<double>& measured, const std::vector<double>& model,
                                    const std::vector<double>& mirror, double noise, int side) {
   const double contrast = std::max(std::log(kContrast), 5 * noise),

@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kThetaH[] = {0, 2, 5, 10, 20, 30, 45, 60, 90}, kThetaD[] = {0, 15, 30, 45, 60, 75, 90};
 constexpr std::size_t kFewestRows = 8;
-// Degrees that are added before a cell is looked for: instruments measure at the edges, and rounding must not
-// decide.
+// Degrees added before the cell is determined. Instruments measure at the edges of cells, and rounding must
+// not decide.
 constexpr double kInside = 1e-6;
 constexpr double kRoundingOfRatios = 1e-9;  // of ln(measured/model)
 constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
-// Of the residual over a scatter that is itself known to a factor of 1.5 at best.
+// Limit of the residual over a noise that is itself known to a factor of 1.5 at best.
 constexpr double kBeyond = 1.3;
 
 template <std::size_t n>
@@ -35,8 +35,9 @@ struct Cell {
   std::vector<double> excess;  // ln(measured/model)
 };
 
-// Whether the middle of a cell is away from 1 by more than five of its standard errors, and by a fifth of its
-// scatter. What is not known to scatter by so much, or differs by rounding alone, is not off.
+// Returns whether the median of a cell deviates from a ratio of 1 by more than five of its standard errors,
+// and by a fifth of its scatter. A cell is not off if the noise is unknown, or if the deviation is
+// rounding.
 bool is_off(const std::vector<double>& excess, double noise) {
   const double middle = io::median(excess);
   if (!(noise > 0) || std::abs(middle) < kRoundingOfRatios) return false;
@@ -94,7 +95,7 @@ Extent range_of(const std::vector<double>& values) {
   return {*low, *high};
 }
 
-// One reported parameter at each of these points, on the scale that its intervals are symmetric on.
+// Returns the values of one reported parameter on the scale on which its intervals are symmetric.
 std::vector<double> on_interval_scale(const Reported& r, const std::vector<double>& natural,
                                       const Model& model) {
   if (r.scale == kNoSlot) return natural;
@@ -107,9 +108,9 @@ struct Jackknife {
   double error = 0, freedom = 0;
 };
 
-// Of a value, from what it is without each fold: the root of its variance and its squared bias. The degrees
-// of freedom are those of a variance of values with this kurtosis (Satterthwaite's), where a few folds
-// decide.
+// Computes the jackknife error of a value from its values without each fold: the root of its variance plus
+// its squared bias. The degrees of freedom belong to a variance of values with this kurtosis
+// (Satterthwaite), in case a few folds dominate.
 Jackknife jackknife(double value, const std::vector<double>& without) {
   const double n = double(without.size());
   double mean = 0, square = 0, fourth = 0;

@@ -1,4 +1,5 @@
-// How wrong a model is, whatever its verdict: where, and how far its parameters depend on it.
+// Measures of systematic error of a model, whatever its verdict: the location of the error, and the
+// sensitivity of the parameters to it.
 #pragma once
 
 #include <optional>
@@ -9,23 +10,24 @@
 
 namespace brdf::fit {
 
-// The residual against the noise (relative), and the cell of half angles with the largest mean loss among
-// those with eight rows or more. Where the noise is not known nothing is beyond it. `model`: its values
-// [channel][row].
+// Compares the residual with the noise (relative), and finds the cell of half angles with the largest mean
+// loss among the cells with at least eight rows. If the noise is unknown, no residual counts as beyond the
+// noise. `model` holds the values of the model, [channel][row].
 LackOfFit lack_of_fit(const SampleStream& stream, const std::vector<std::vector<double>>& model,
                       std::optional<double> noise);
 
-// The solver's parameters as the other metrics have them, from the solution on all rows. A robust loss keeps
-// its kind, its scale is estimated again.
+// Returns the solver's parameters under each of the other metrics, solved from the solution on all rows. A
+// robust loss keeps its kind, and its scale is estimated again.
 std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
                                                      std::span<const double> solution,
                                                      const FitOptions& options);
 
-// Fills in how far the free parameters move. The interval with lack of fit is the jackknife's over folds
-// (Bell and McCaffrey 2002, CR3, groups of incidences as clusters), its bias within the error, Student's t
-// with the degrees of freedom that the folds' kurtosis leaves (Satterthwaite 1946): it holds where the
-// model's error is shared within an incidence, and incidences could have been others. What no incidence sees,
-// an error that all share, is not in it.
+// Fills in the movement of the free parameters. The interval with lack of fit is the interval of a
+// jackknife over folds (Bell and McCaffrey 2002, CR3, with groups of incidences as clusters). Its error
+// includes the bias, and it uses Student's t with the degrees of freedom that follow from the kurtosis of
+// the folds (Satterthwaite 1946). The interval is valid if the error of the model is shared within an
+// incidence, and if other incidences could have been measured. An error that all incidences share is not
+// included, because no incidence reveals it.
 void add_movement(const Model& model, std::span<const double> solution,
                   const std::vector<std::vector<double>>& folds,
                   const std::vector<std::vector<double>>& metrics, std::vector<Estimate>& estimates);

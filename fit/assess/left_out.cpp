@@ -8,7 +8,7 @@
 namespace brdf::fit {
 namespace {
 
-// Mean loss of every group, and of all.
+// Computes the mean loss of every group, and of all values.
 void add_losses(const FitData& data, const LossFunction& loss,
                 const std::vector<std::vector<double>>& residuals, LeftOut& out) {
   std::vector<double> rho(kBlockRows), root(kBlockRows), curvature(kBlockRows);

@@ -1,4 +1,4 @@
-// What a model predicts of directions that it was not fitted to.
+// Prediction of directions to which a model was not fitted.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace brdf::fit {
 
-// Every group of rows (data.groups) is predicted by a fit of the other folds' rows: `solutions`, one for each
-// fold (fit/assess/refits.h). `loss_scale`: what the loss is judged with, the same for all forms. A fold
-// without a finite cost makes the value infinite.
+// Predicts every group of rows (data.groups) by a fit to the rows of the other folds. `solutions` has one
+// entry for each fold (fit/assess/refits.h). `loss_scale` is the scale of the loss, the same for all forms.
+// A fold without a finite cost makes the value infinite.
 LeftOut leave_out(const SampleStream& stream, std::vector<std::vector<double>> solutions, double loss_scale,
                   const FitOptions& options);
 
-// Mean loss of a surface that reflects nothing: what a left-out value's rounding is measured by.
+// Returns the mean loss of a surface that reflects nothing, the reference for the rounding error of a
+// held-out value.
 double black_loss(const FitData& data, const Model& model, const Residual& residual);
 
 }  // namespace brdf::fit

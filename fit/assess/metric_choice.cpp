@@ -9,10 +9,10 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kLeastNoise = 0.002;  // below, shape cannot be told from noise
+constexpr double kLeastNoise = 0.002;  // below this level, noise cannot be distinguished from shape
 constexpr std::array kCompared{Metric::log, Metric::cosine_l2, Metric::log_relative};
 
-// What a relative change of a value changes the residual by.
+// Returns the change of the residual per relative change of a value.
 double gain(Metric metric, double value, double cos_i, double cos_o) {
   const double x = value * cos_i;
   if (metric == Metric::log) return x / (1 + x);
@@ -20,7 +20,8 @@ double gain(Metric metric, double value, double cos_i, double cos_o) {
   return x;
 }
 
-// The relative noise of values of a size, between the levels where it is known.
+// The relative noise as a function of the size of a value, interpolated between the levels at which it is
+// known.
 class NoiseOfSize {
  public:
   explicit NoiseOfSize(const std::vector<io::NoiseAtLevel>& levels) {

@@ -45,9 +45,9 @@ Metrics measure(const FitData& data, const std::vector<std::vector<double>>& mod
 
 namespace {
 
-// Log of measured over modelled in the direction nearest to the light, within 10 degrees of it: the middle
-// over the incidences, of those 15 degrees and more off the normal (so that the mirror direction is
-// elsewhere). None where there are fewer than three.
+// Returns the logarithm of measured over modelled in the direction nearest to the light, within 10 degrees
+// of it: the median over the incidences at 15 degrees or more from the normal (so that the mirror direction
+// is elsewhere). Returns std::nullopt for fewer than three such incidences.
 std::optional<double> retro_excess(const FitData& data, const std::vector<std::vector<double>>& model) {
   const double upright = std::cos((15_deg).radians()), within = std::cos((10_deg).radians());
   struct Nearest {
@@ -72,8 +72,8 @@ std::optional<double> retro_excess(const FitData& data, const std::vector<std::v
   return io::median(std::move(excess));
 }
 
-// Whether no value is off by `factor` and fewer than half by `far`, whatever rounding does. Saves divisions
-// where the model fits.
+// Returns whether no value deviates by `factor` and fewer than half deviate by `far`, with a margin for
+// rounding. This test saves divisions if the model fits.
 bool all_near(const FitData& data, const std::vector<std::vector<double>>& model, double factor, double far) {
   constexpr double margin = 1 - 1e-9;
   std::size_t off = 0, far_off = 0, count = 0;
@@ -93,8 +93,9 @@ bool all_near(const FitData& data, const std::vector<std::vector<double>>& model
 
 Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>& model,
                     std::optional<double> noise) {
-  // Off by more than a factor of two (and five times the noise), weighted by the light reflected: a
-  // retro-reflector's whole lobe is, a good fit's tails are not.
+  // A value is off if it deviates by more than a factor of two (and five times the noise). Values are
+  // weighted by the reflected light: the whole lobe of a retro-reflector is off, the tails of a good fit
+  // are not.
   constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
   const double five_times = 5 * noise.value_or(0), factor = std::exp(std::max(std::log(2.0), five_times)),
                most = std::max(kMiddle, five_times), far = std::exp(most);
@@ -109,7 +110,7 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   if (all_near(data, model, factor, far)) return retro_reflects();
   double off = 0, all = 0;
   std::size_t far_off = 0, count = 0;
-  // visit(larger, ratio) of modelled and measured light.
+  // Calls visit(larger, ratio) for each pair of modelled and measured light.
   const auto for_each_value = [&](auto&& visit) {
     for (std::size_t c = 0; c < model.size(); ++c)
       for (std::size_t k = 0; k < data.rows(); ++k) {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kExact = 25;
 
-// P(sum of ranks of the positive differences >= found): twice the ranks are whole numbers, ties or not.
+// Returns P(sum of ranks of the positive differences >= found). Twice the ranks are whole numbers, even
+// with ties.
 double exact_ranks(const std::vector<int>& twice, int found) {
   int all = 0;
   for (int r : twice) all += r;

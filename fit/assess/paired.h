@@ -1,4 +1,4 @@
-// Whether one model predicts left-out rows worse than another beyond chance.
+// Tests whether one model predicts held-out rows worse than another beyond chance.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,23 @@
 
 namespace brdf::fit {
 
-// One-sided probabilities of differences a - b as large as these where a is no worse than b: Student's t of
-// the mean over all values, groups counted by their rows (the difference's error from the scatter between
-// groups), and Wilcoxon's signed ranks of the groups' own differences, which a single group cannot decide.
-// Exact to 25 groups, the normal approximation with ties beyond. 1 where fewer than two groups differ.
+// One-sided p-values of the differences a - b under the hypothesis that a is no worse than b. `t`:
+// Student's t test of the mean over all values, with groups weighted by their rows (the error of the
+// difference comes from the scatter between groups). `ranks`: Wilcoxon's signed-rank test of the
+// differences per group, which a single group cannot decide. The ranks are exact up to 25 groups; beyond,
+// the normal approximation with ties is used. Both are 1 if fewer than two groups differ.
 struct PairedTest {
   double t = 1, ranks = 1;
   double standard_error = 0;  // of the mean difference
   bool worse() const { return t < 0.05 || ranks < 0.05; }
 };
+// Compares the held-out values of two models, one for each group.
 PairedTest paired_test(const std::vector<RowGroup>& groups, const std::vector<double>& a,
                        const std::vector<double>& b);
 
-// The same for the logarithm of the groups' ratios a/b, each group counted once; values below `rounding` are
-// taken for it. What one model gains on another is nearer to a common factor than to a common amount, so that
-// few groups decide.
+// Returns the p-value for the logarithms of the ratios a/b of the groups, with every group counted once.
+// Values below `rounding` are replaced by `rounding`. An improvement of one model over another is closer to
+// a common factor than to a common amount, so a few groups suffice.
 double paired_ratio_test(const std::vector<double>& a, const std::vector<double>& b, double rounding);
 
 }  // namespace brdf::fit

@@ -10,15 +10,16 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kPenalty = 1e4;  // by it a point of the profile misses its value by 2e-4 of its distance
-constexpr double kSolved = 1e-3;  // of the level: to which a cost is minimised
-constexpr int kSteps = 24;        // of one solution
+// With this penalty a point of the profile misses its value by 2e-4 of its distance.
+constexpr double kPenalty = 1e4;
+constexpr double kSolved = 1e-3;  // relative to the level: accuracy of a minimised cost
+constexpr int kSteps = 24;        // of one minimisation
 
 }  // namespace
 
 ProfileCoordinate::ProfileCoordinate(const Model& model, const Reported& r, std::size_t index)
     : model_(model), r_(r), index_(index), slot_(r.slot) {
-  // A weight that one unknown sets alone.
+  // A weight that is set by a single unknown.
   if (slot_ == kNoSlot && r.scale == kNoSlot && r.times == kNoSlot && model.linear() && !r.divided &&
       r.gradient.size() == 1 && r.gradient[0].second == 1)
     slot_ = r.gradient[0].first;

@@ -11,25 +11,28 @@
 
 namespace brdf::fit {
 
-// A point of the profile: the parameter on the scale of its interval, and by which the cost is above its
-// minimum there.
+// A point of the profile. `x` is the parameter on the scale of its interval; `rise` is the cost there minus
+// the minimum cost.
 struct ProfilePoint {
   double x = 0, rise = 0;
   std::vector<double> p;  // the solver's parameters
 };
 
-// A reported parameter, or a product of two, on the scale of its interval: the solver's where it has one.
+// A reported parameter, or a product of two, on the scale of its interval. This is the solver's scale if
+// the parameter has one.
 class ProfileCoordinate {
  public:
-  // `r`: number `index` of the reported parameters; it is referred to.
+  // `r` is number `index` of the reported parameters; it must outlive this object.
   ProfileCoordinate(const Model& model, const Reported& r, std::size_t index);
 
-  // Of the slot that is held, or kNoSlot: then the value is reached by a penalty.
+  // Returns the slot that is held, or kNoSlot if the value is reached by a penalty.
   std::size_t slot() const { return slot_; }
+  // Return the limits of the coordinate.
   double low() const;
   double high() const;
+  // Returns the coordinate at the solver's parameters p.
   double at(std::span<const double> p) const;
-  // With the gradient by the solver's parameters.
+  // Returns the value and its gradient by the solver's parameters.
   std::pair<double, Eigen::VectorXd> with_gradient(std::span<const double> p) const;
 
  private:
@@ -41,16 +44,16 @@ class ProfileCoordinate {
   std::size_t index_, slot_;
 };
 
-// Minimises the cost over all parameters within their bounds while one coordinate has a value.
+// Minimises the cost over all parameters within their bounds while one coordinate is held at a value.
 class ProfileSolver {
  public:
-  // `level`: the rise that is looked for; costs are minimised to a thousandth of it.
+  // `level` is the rise of interest; costs are minimised to a thousandth of it.
   ProfileSolver(const SampleStream& stream, const Minimum& minimum, const ProfileCoordinate& coordinate,
                 double level, const std::atomic<bool>* interrupted);
 
-  // The least cost near x from one start; the shapes may be held as the start has them. What is returned is a
-  // point that was evaluated: where the minimisation stops early its rise is that of its own parameters, not
-  // less.
+  // Returns the least cost near x from one start. `hold_shapes` holds the shapes at their starting values.
+  // The returned point was evaluated: if the minimisation stops early, the rise is the actual rise of the
+  // returned parameters.
   ProfilePoint least_at(double x, std::vector<double> start, bool hold_shapes = false) const;
 
  private:

@@ -10,22 +10,23 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kOnLevel = 0.02;   // of the root of the rise
-constexpr double kParabola = 0.15;  // within which the root of the rise follows the parabola
-constexpr double kFar = 2.5;  // times an end's distance: five standard errors where the profile is a parabola
+constexpr double kParabola = 0.15;  // tolerance within which the root of the rise follows the parabola
+// Times the distance of an end: five standard errors if the profile is a parabola.
+constexpr double kFar = 2.5;
 constexpr double kClosed = 2.25;  // times the root of the level, which a profile must reach beyond an end
-constexpr double kPlateau =
-    5;  // times an end's distance: a profile that is not that far up there has stopped rising
-constexpr int kEdgeHalvings = 10;  // of the stretch in which a plateau ends
-constexpr double kJump = 1e-3;     // share of its size within which a crossing that is no crossing is known
-constexpr double kFactor = 3;      // between weights that are compared by their logarithms
-constexpr double kLeastWeight = 1e-9;  // of the larger of two, for the other's logarithm
-constexpr double kSlowest = 0.5;       // of the parabola's pace, beyond the level
-constexpr double kNearLimit =
-    1.2;                     // times the end's distance: closer than that the limit says nothing of the pace
-constexpr int kPoints = 40;  // of one side
-constexpr int kRounds = 4;   // in which an end is looked for further out
+// Times the distance of an end. A profile that is still low at this distance has stopped rising.
+constexpr double kPlateau = 5;
+constexpr int kEdgeHalvings = 10;      // of the interval in which a plateau ends
+constexpr double kJump = 1e-3;         // relative length within which a false crossing (a jump) is detected
+constexpr double kFactor = 3;          // ratio of weights above which their logarithms are compared
+constexpr double kLeastWeight = 1e-9;  // relative to the larger of two weights, for the other's logarithm
+constexpr double kSlowest = 0.5;       // relative to the rate of the parabola, beyond the level
+// Times the distance of the end. A limit closer than this gives no information on the rate.
+constexpr double kNearLimit = 1.2;
+constexpr int kPoints = 40;            // of one side
+constexpr int kRounds = 4;             // of the search for an end further out
 constexpr std::size_t kBestSeeds = 3;  // of the shapes of the grid
-constexpr double kStepBeyond = 0.1;    // of its distance, beyond an end
+constexpr double kStepBeyond = 0.1;    // step beyond an end, relative to its distance
 
 class ProfileSearch {
  public:
@@ -72,7 +73,7 @@ class ProfileSearch {
     return best;
   }
 
-  // From the way so far: straight on from the minimum or between the points on either side.
+  // Returns a start on the path so far: straight on from the minimum, or between the points on either side.
   std::vector<double> way_to(double x) const {
     std::vector<double> p = start_.minimum.p;
     if (inside_ && outside_) {
@@ -90,8 +91,8 @@ class ProfileSearch {
 
   ProfilePoint at(double x) { return solve_at(x, way_to(x)); }
 
-  // To the level from what is inside it; open at the limit, and where no crossing is found. Where the profile
-  // jumps over the level the end is the point beyond.
+  // Searches from the inside for the crossing with the level. The end is open at the limit, and if no
+  // crossing is found. If the profile jumps over the level, the end is the point beyond the jump.
   ProfileEnd cross(double guess) {
     for (int k = 0; k < kPoints && !stopped(); ++k) {
       const double x = is_beyond(guess, limit_) ? limit_ : guess;
@@ -120,7 +121,7 @@ class ProfileSearch {
     return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, true, false};
   }
 
-  // Of weights, which may differ by powers of ten along a valley.
+  // Weights can differ by powers of ten along a valley.
   bool logarithmic(double a, double b) const {
     return weight_ && std::min(a, b) >= 0 && std::max(a, b) > kFactor * std::min(a, b);
   }
@@ -132,7 +133,7 @@ class ProfileSearch {
 
   bool is_beyond(double x, double y) const { return side_ * (x - y) >= 0; }
 
-  // Between a point on a plateau and one above it: where the profile leaves the plateau.
+  // Returns the edge of a plateau, between a point on the plateau and one above it.
   ProfilePoint edge_of_plateau() {
     for (int k = 0; k < kEdgeHalvings && !stopped(); ++k) {
       ProfilePoint point = at(between(inside_->x, outside_->x, 0.5));
@@ -141,10 +142,10 @@ class ProfileSearch {
     return *inside_;
   }
 
-  // Whether the profile goes on rising beyond an end that it crosses. A profile that bends moves its end out
-  // so far that no point is further from the minimum, in units of the end's distance, than the root of its
-  // rise says; one that stops rising, to where the plateau ends. Where it falls below the level again, that
-  // point is inside.
+  // Checks whether the profile keeps rising beyond a crossing. If the profile bends, the end moves out
+  // until no point is further from the minimum, in units of the end's distance, than the root of its rise.
+  // If the profile stops rising, the end moves to the edge of the plateau. If the profile falls below the
+  // level again, that point is taken as inside.
   void look_beyond(ProfileEnd& end, bool& fell) {
     const double reach = distance(end.at.x);
     double farthest = reach;
@@ -188,7 +189,7 @@ class ProfileSearch {
     }
   }
 
-  // The least cost at x from starts that the way here has not seen.
+  // Returns the least cost at x from starts that are not on the path so far.
   std::optional<ProfilePoint> elsewhere(double x) {
     std::vector<ProfilePoint> seeds;
     const auto add = [&](std::vector<double> p) {
@@ -223,7 +224,7 @@ class ProfileSearch {
     return settled(known ? origin_ + side * error_ : origin_ + kStepBeyond * (limit_ - origin_));
   }
 
-  // The crossing beyond which the profile rises on.
+  // Returns the crossing beyond which the profile keeps rising.
   ProfileEnd settled(double guess) {
     for (int round = 0; round < kRounds && !stopped(); ++round) {
       ProfileEnd end = cross(guess);
@@ -237,8 +238,8 @@ class ProfileSearch {
     return {inside_ ? *inside_ : ProfilePoint{origin_, 0, start_.minimum.p}, true, false};
   }
 
-  // To points that other profiles have met beyond the end, by the rules of look_beyond(), and from other
-  // shapes.
+  // Moves an end out to points that other profiles found beyond it, by the rules of look_beyond(), and to
+  // points reached from other shapes.
   void extend(int side, std::span<const CostedPoint> known, ProfileEnd& end) {
     for (int round = 0; round < kRounds && !end.open && !stopped(); ++round) {
       begin(side);
@@ -254,7 +255,7 @@ class ProfileSearch {
     }
   }
 
-  // Moves the end out to what the known points say.
+  // Moves the end out to the positions that the known points imply.
   void reach_for(std::span<const CostedPoint> known, ProfileEnd& end) {
     const double reach = distance(end.at.x);
     double farthest = (1 + kStepBeyond) * reach;
@@ -280,10 +281,11 @@ class ProfileSearch {
   ProfileCoordinate coordinate_;
   ProfileSolver solver_;
   double level_, plateau_level_, error_;
-  bool weight_,
-      may_vanish_;  // a lobe without weight leaves its shape free: five standard errors must speak for it
+  // may_vanish_: a lobe without weight leaves its shape free; the evidence for such a lobe must reach five
+  // standard errors.
+  bool weight_, may_vanish_;
   double origin_ = 0, limit_ = 0;
-  Eigen::VectorXd follows_;  // how the solver's parameters move with this one
+  Eigen::VectorXd follows_;  // derivatives of the solver's parameters by this one
   int side_ = 1;
   bool quadratic_ = true;
   std::optional<ProfilePoint> inside_, outside_;  // nearest to the level

@@ -1,5 +1,5 @@
-// The profile of one reported parameter: the least cost at each of its values, all others free within their
-// bounds.
+// The profile of one reported parameter: the least cost at each of its values, minimised over all other
+// parameters within their bounds.
 #pragma once
 
 #include <atomic>
@@ -12,19 +12,19 @@
 
 namespace brdf::fit {
 
-// Where the profile crosses its level on one side.
+// The crossing of the profile and its level on one side.
 struct ProfileEnd {
-  // On the level to 2 % of its root; at the limit of the range where the profile stays below the level.
+  // On the level to 2 % of its root. At the limit of the range if the profile stays below the level.
   ProfilePoint at;
-  // The profile stays below the level up to the limit of the range, or beyond the crossing it does not go on
-  // rising: to five times the level (some five standard errors), or at half the pace of a parabola up to the
-  // limit.
+  // True if the profile stays below the level up to the limit of the range. Also true if the profile does
+  // not keep rising beyond the crossing: to five times the level (about five standard errors), or up to the
+  // limit at half the rate of a parabola.
   bool open = false;
   // The profile reaches the limit of the range before it reaches five times the level.
   bool limit_is_near = false;
 };
 
-// A point whose cost is known, by what it is above the minimum's.
+// A point with known cost, given as the rise above the minimum cost.
 struct CostedPoint {
   std::vector<double> p;  // the solver's parameters
   double rise = 0;
@@ -34,25 +34,26 @@ struct ProfileSides {
   ProfileEnd low, high;
   // At each end, and at 2.5 times its distance, the root of the rise is within 15 % of the parabola's.
   bool quadratic = true;
-  std::vector<CostedPoint> near;  // every point below five times the level that the search met
+  std::vector<CostedPoint> near;  // every point below five times the level that the search evaluated
 };
 
-// The level, and how far from the minimum the curvature expects it: t standard errors on the scale of the
-// interval. `of_lobes`: the highest level of the parameters of lobes, of a parameter that is one: a valley is
-// as long for a weight as it is for the width that goes along it.
+// The level, and its distance from the minimum according to the curvature: t standard errors on the scale
+// of the interval. `of_lobes` is the highest level of the parameters of lobes, set for a parameter of a
+// lobe: a valley is as long for a weight as for the width that changes with it.
 struct ProfileLevel {
   double rise = 0, error = 0, of_lobes = 0;
 };
 
-// Points besides the minimum whose cost may be within reach of it: the other minima, and the shapes of the
-// grid with the best weights for them. The latter are found when they are first asked for; several threads
-// may ask.
+// Points other than the minimum with a cost that may be close to the minimum: the other minima, and the
+// shapes of the grid with their best weights. The grid's points are computed on the first request. points()
+// may be called from several threads.
 class ProfileSeeds {
  public:
   ProfileSeeds(const SampleStream& stream, std::vector<std::vector<double>> minima)
       : stream_(stream), points_(std::move(minima)), any_(!points_.empty()) {}
+  // Returns the points, and computes them on the first call.
   const std::vector<std::vector<double>>& points();
-  bool any() const { return any_; }  // other minima
+  bool any() const { return any_; }  // other minima exist
 
  private:
   const SampleStream& stream_;
@@ -61,7 +62,7 @@ class ProfileSeeds {
   std::once_flag filled_;
 };
 
-// What the search starts from.
+// The inputs of the search.
 struct ProfileStart {
   const SampleStream& stream;
   const Minimum& minimum;
@@ -70,13 +71,13 @@ struct ProfileStart {
   const std::atomic<bool>* interrupted = nullptr;
 };
 
-// Where the profile of `r`, number `index` of the reported parameters, crosses the level on the way out from
-// the minimum. The points are exact whatever stops the search: their costs are costs, and their values the
-// parameter's.
+// Finds the ends of the profile of `r`, number `index` of the reported parameters, on both sides of the
+// minimum. The points are exact even if the search is interrupted: each cost and each parameter value was
+// evaluated.
 ProfileSides find_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level);
 
-// Moves the ends out to points that the way there did not see: `known` ones below five times the level, and
-// other shapes, over their grids, for a valley that bends away.
+// Moves the ends outwards to points that the search from the minimum did not reach. It uses the `known`
+// points below five times the level, and other shapes, over their grids, in case a valley bends away.
 void extend_ends(const ProfileStart& start, const Reported& r, std::size_t index, ProfileLevel level,
                  std::span<const CostedPoint> known, ProfileSides& sides);
 

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double kLogMove = 0.5, kRangeMove = 0.25;  // of a shape along a valley, on the solver's scale
 
-// A weight whose upper limit is nobody's wish.
+// Returns whether the upper limit of a weight is the default rather than the user's choice.
 bool is_boundless(const Reported& r) {
   return r.weight && !r.divided && r.max >= kWeightMax;
 }
 
-// The interval that a profile's two ends are, and whether it tells the parameter.
+// Sets the interval from the two ends of a profile, and the status: whether the profile identifies the
+// parameter.
 void take_profile(const ProfileSides& sides, std::size_t index, const Grounds& on, Reported& r) {
   Estimate& e = r.estimate;
   const auto value = [&](const ProfileEnd& end) {
@@ -39,8 +40,8 @@ void take_profile(const ProfileSides& sides, std::size_t index, const Grounds& o
   if (e.status != Status::free) e.standard_error = e.freedom = 0;
 }
 
-// Which parameters have a profile: not those that are held, and not those that nothing is known of for
-// another reason.
+// Returns whether a parameter has a profile. Held parameters have no profile, nor have parameters that are
+// unknown for another reason.
 bool has_profile(const Reported& r, const Grounds& on) {
   if (r.gradient.empty() || r.without_lobe || on.few || (on.unturned && asks_for_turn(r, on.model)))
     return false;
@@ -48,15 +49,15 @@ bool has_profile(const Reported& r, const Grounds& on) {
                              [&](const auto& g) { return on.curvature.scale(Eigen::Index(g.first)) > 0; });
 }
 
-// By how much the noise raises the cost in the direction of a parameter, against noise of variance 1: the
-// larger, the further up its profile the interval ends.
+// Returns the variance of a parameter relative to its variance under noise of variance 1. The larger the
+// ratio, the higher the level of the profile at which the interval ends.
 double noise_ratio(const Reported& r, const Grounds& on) {
   const Eigen::VectorXd g = gradient_vector(r, on.curvature.inverse.rows());
   const double own = g.dot(on.curvature.inverse * g);
   return own > 0 ? square(on.error_of(g, r.estimate.deciding)) / own : 0;
 }
 
-// The same parameter as one before it: widths that are tied have one slot.
+// Returns the first parameter with the same slot: tied widths share one slot.
 std::size_t first_of_slot(const std::vector<Reported>& all, std::size_t k) {
   for (std::size_t before = 0; before < k && all[k].slot != kNoSlot; ++before)
     if (all[before].slot == all[k].slot) return before;
@@ -67,7 +68,7 @@ bool is_of_lobe(const Reported& r) {
   return !r.weight || r.info->role == Role::specular;
 }
 
-// Of the noise ratios: the largest, and the largest of the lobes' parameters.
+// The largest noise ratio of all parameters, and of the parameters of lobes.
 struct Ratios {
   double all = 0, of_lobes = 0;
 };
@@ -78,13 +79,13 @@ ProfileLevel level_of(const Reported& r, const Grounds& on, const Ratios& larges
   const double of_lobes = is_of_lobe(r) ? 0.5 * t * t * largest.of_lobes : 0;
   if (on.curvature.without_effect(g)) return {0.5 * t * t * largest.all, 0, of_lobes};
   const double error = t * error_on_scale(r, on.model, on.error_of(g, r.estimate.deciding));
-  // Of a tangent the search's scale is in radians.
+  // For a tangent, the search is in radians.
   const bool own_unit = r.slot != kNoSlot && r.scale == kNoSlot;
   return {0.5 * t * t * noise_ratio(r, on), own_unit ? error / r.gradient[0].second : error, of_lobes};
 }
 
-// Whether a shape moves along a profile by so much that another value of it goes with another one of the
-// parameter.
+// Returns whether a shape moves so far along a profile that different values of the parameter go with
+// different values of the shape.
 bool shapes_move(const ProfileSides& sides, const Grounds& on) {
   for (const ProfileEnd* end : {&sides.low, &sides.high})
     for (std::size_t k = 0; k < on.model.shape_slots(); ++k) {
@@ -96,7 +97,7 @@ bool shapes_move(const ProfileSides& sides, const Grounds& on) {
   return false;
 }
 
-// Whether the material at an end has a weight that could as well be any larger one.
+// Returns whether a weight of the material at an end could just as well have any larger value.
 bool is_unbounded(const std::vector<double>& p, const std::vector<Reported>& all, const Grounds& on) {
   const std::vector<Reported> there = reported_parameters(on.model, p);
   for (std::size_t k = 0; k < all.size(); ++k)
@@ -105,7 +106,7 @@ bool is_unbounded(const std::vector<double>& p, const std::vector<Reported>& all
   return false;
 }
 
-// Those of the other minima whose cost is near enough for an interval to reach them.
+// Returns the other minima with a cost low enough for an interval to reach them.
 std::vector<std::vector<double>> minima_within_reach(const SampleStream& stream, const Grounds& on,
                                                      double ratio, const ProfileOptions& options) {
   constexpr double kReach = 5;  // times the highest level
@@ -116,7 +117,7 @@ std::vector<std::vector<double>> minima_within_reach(const SampleStream& stream,
   return out;
 }
 
-// The profile of ks f0 wherever the samples know neither of the two.
+// Adds the profile of ks f0 for each pair in which neither factor is identifiable.
 void add_products(const ProfileStart& start, const std::vector<Reported>& all, const Grounds& on,
                   const Ratios& largest, Uncertainty& out) {
   for (std::size_t f0 = 0; f0 < all.size(); ++f0) {

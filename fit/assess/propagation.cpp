@@ -30,7 +30,7 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
   std::vector<double> errors;
   std::set<std::string> seen;
   for (const Reported& r : all) {
-    // Where two widths are tied the second is no parameter of its own.
+    // If two widths are tied, the second is not a separate parameter.
     const std::string name = name_of_parameter(r, model);
     if (!seen.insert(name).second) continue;
     const Eigen::VectorXd g = gradient_vector(r, c.matrix.rows());
@@ -70,14 +70,14 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
 
 namespace {
 
-constexpr double kShare = 0.95;  // of the values and of their light that a prediction's error is about
+constexpr double kShare = 0.95;  // share of the values, and of their light, that the prediction error covers
 
 // A value of the model: its relative standard error and its light.
 struct Predicted {
   double error, light;
 };
 
-// Those above 0, channel by channel.
+// Returns the values above 0, channel by channel.
 std::vector<Predicted> predicted(const SampleStream& stream, std::span<const double> p,
                                  const RowMatrix& covariance) {
   Matrix c{stream.model().size(), stream.model().size()};

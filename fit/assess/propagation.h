@@ -1,4 +1,4 @@
-// From the covariance of the solver's parameters to that of what is made of them.
+// Propagation of the covariance of the solver's parameters to quantities that depend on them.
 #pragma once
 
 #include <span>
@@ -11,26 +11,29 @@
 
 namespace brdf::fit {
 
-// Above this many rows no value has a leverage worth a second pass.
+// Above this many rows no value has a leverage that justifies a second pass.
 inline constexpr std::size_t kManyRows = 100000;
 
-// Of the solver's parameters, 0 for those held; `inverse`: of the normal matrix.
+// Covariance of the solver's parameters, 0 for held parameters. `inverse` is the inverse of the normal
+// matrix.
 struct SlotCovariance {
   const RowMatrix &matrix, &inverse;
 };
 
-// The gradient of a reported parameter by all of the solver's.
+// Returns the gradient of a reported parameter by all of the solver's parameters.
 Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n);
 
-// Of what is neither held nor at a bound; parameters that are set together are one. The components are the
-// principal ones of the correlations; each one's degrees of freedom are counted as a parameter's are.
+// Returns the covariance of the parameters that are neither held nor at a bound. Parameters that are set
+// together count as one. The components are the principal components of the correlations; the degrees of
+// freedom of each component are counted in the same way as for a parameter.
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
                                          double freedom);
 
-// Relative standard error that 95 % of the model's values keep to, and 95 % of the light.
+// Returns the relative standard error that 95 % of the model's values, and 95 % of the light, do not
+// exceed.
 double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance);
-// Whether that is at most `error`.
+// Returns whether that prediction error is at most `error`.
 bool predicts_within(double error, const SampleStream& stream, std::span<const double> p,
                      const RowMatrix& covariance);
 

@@ -11,11 +11,11 @@
 namespace brdf::fit {
 namespace {
 
-// Without a fold. Against a hundred iterations to 1e-10 the left-out values differ by less than 2e-3 of
-// themselves where a fifth of the rows is left out, by less than 2e-4 for an eleventh.
+// Without a fold. Compared with a hundred iterations to 1e-10, the relative difference of the held-out
+// values is less than 2e-3 if a fifth of the rows is held out, and less than 2e-4 for an eleventh.
 constexpr int kFoldIterations = 6;
 constexpr double kFoldTolerance = 1e-6;
-// Of a replicate, a standard error away.
+// For a replicate: its solution is about a standard error away.
 constexpr int kReplicateIterations = 30;
 constexpr double kReplicateTolerance = 1e-8;
 constexpr double kTail = 0.025;

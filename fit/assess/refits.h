@@ -1,8 +1,9 @@
-// A model solved again on other rows than all: without a fold, or on rows drawn from them.
+// Solves a model again on a different set of rows: without one fold, or on rows drawn from all rows.
 //
-// Each refit is solved from the solution on all rows and knows of no other, so that whoever has the solution
-// can do any of them. Its normal equations are sums over groups of rows (data.groups): those of the folds
-// that are kept, or the groups that were drawn, as often as they were.
+// Each refit starts from the solution on all rows and is independent of the other refits, so any of them
+// can be computed from that solution alone. The normal equations of a refit are sums over groups of rows
+// (data.groups): the groups of the kept folds, or the groups that were drawn, each as often as it was
+// drawn.
 #pragma once
 
 #include <span>
@@ -13,20 +14,23 @@
 
 namespace brdf::fit {
 
-// Folds that are left out: all where cross-validation is asked for, unless there are fewer than two.
+// Returns the number of held-out folds: all folds if cross-validation is requested and there are at least
+// two, otherwise 0.
 std::size_t count_folds(const RowGroups& groups, const FitOptions& options);
-// Those, and the bootstrap's replicates; of fewer than two groups there are none.
+// Returns the number of folds plus the number of bootstrap replicates. There are no replicates of fewer
+// than two groups.
 std::size_t count_refits(const RowGroups& groups, const FitOptions& options);
 
-// The solver's parameters of refit number k: of the folds first, then of the replicates, each of which draws
-// as many groups as there are with replacement (Efron and Tibshirani 1993, section 8.3: the unit of
-// resampling is what is independent), by random numbers that follow from the seed and its number alone.
+// Returns the solver's parameters of refit number k. The folds come first, then the replicates. Each
+// replicate draws as many groups as there are, with replacement (Efron and Tibshirani 1993, section 8.3:
+// the unit of resampling is the independent unit). The random numbers depend only on the seed and on the
+// number of the replicate.
 std::vector<double> refit(const SampleStream& all, std::span<const double> solution, std::size_t k,
                           const FitOptions& options);
 
-// Fills in what the replicates say of the free parameters: their standard deviation, and the interval between
-// their 2.5 % and 97.5 % quantiles (the percentile interval, section 13.3). Nothing where there are fewer
-// than two.
+// Fills in the statistics of the replicates for the free parameters: their standard deviation, and the
+// interval between their 2.5 % and 97.5 % quantiles (the percentile interval, section 13.3). Does nothing
+// if there are fewer than two replicates.
 void add_bootstrap(const Model& model, std::span<const std::vector<double>> replicates,
                    std::vector<Estimate>& estimates);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLogError = 1, kRangeError = 0.5, kFresnelError = 0.25, kWeightError = 0.5;
 constexpr double kTangentError = 22.5;
 
-// The slot that sets one shape parameter of a term in a group.
+// Returns the slot that sets one shape parameter of a term in a group.
 std::size_t shape_slot(const Model& model, std::size_t term, std::size_t parameter, std::size_t group) {
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
@@ -56,7 +56,7 @@ void add_weights(const Model& model, std::span<const double> p, std::size_t t, s
   const TermModel& term = model.terms()[t];
   const int divided = weight_of_f0(term.info->lobes);
   std::vector<double> lobes(model.lobes());
-  bool any_lobe = false;  // that f0 divides, in any channel
+  bool any_lobe = false;  // divided by f0, in any channel
   for (std::size_t c = 0; c < model.channels().size() && divided >= 0; ++c)
     any_lobe = any_lobe || model.table_weights(p, t, c)[std::size_t(divided)].value > 0;
   for (std::size_t c = 0; c < model.channels().size(); ++c) {
@@ -229,7 +229,7 @@ std::vector<std::string> names_with(const std::vector<Reported>& all, Status sta
 
 namespace {
 
-// An f0 that is not identified, or is that of a weight which is not.
+// Returns an f0 that is not identifiable, or that divides a weight which is not identifiable.
 const Reported* unidentified_split(const std::vector<Reported>& all) {
   for (const Reported& f0 : all) {
     if (!f0.divided || f0.estimate.status == Status::fixed) continue;
@@ -244,7 +244,7 @@ const Reported* unidentified_split(const std::vector<Reported>& all) {
 }  // namespace
 
 std::string advice(const std::vector<Reported>& all, const Model& model) {
-  // Any of these that is not identified.
+  // Returns any unidentifiable parameter with one of these roles.
   const auto unidentified = [&](std::initializer_list<Role> roles) -> const Reported* {
     for (const Reported& r : all)
       if (r.estimate.status == Status::unidentified &&

@@ -1,4 +1,4 @@
-// What a fit found: for every model its material, and how well it is known.
+// The result of a fit: for every model its material, with the uncertainty and quality of the fit.
 #pragma once
 
 #include <limits>
@@ -23,12 +23,12 @@ enum class Verdict {
   determined,
   not_identifiable,
   misfit,
-  breaks_energy,  // reflects more than it receives at an angle of the light that was measured
+  breaks_energy,  // reflects more light than it receives at a measured angle of incidence
   diverged,
   interrupted
 };
-// Where intervals come from: the curvature of the cost at its minimum, clipped to the ranges, which is
-// approximate, or the cost's profile within the bounds.
+// The origin of intervals: the curvature of the cost at its minimum, clipped to the ranges (approximate),
+// or the profile of the cost within the bounds.
 enum class IntervalsBy { curvature, profile };
 enum class Status { free, fixed, at_bound, unidentified };  // of one parameter
 
@@ -50,8 +50,9 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Status>{"free", "fi
 
 namespace brdf::fit {
 
-// Whether the material may be used (exit code 0): converged, at_bound with its warning, or determined, where
-// weights share what the samples do not divide between them, and every prediction is known.
+// Returns whether the material may be used (exit code 0): converged, at_bound (with its warning), or
+// determined. For determined, the samples do not fix the division among the weights, but every prediction
+// is known.
 inline bool usable(Verdict verdict) {
   return verdict == Verdict::converged || verdict == Verdict::at_bound || verdict == Verdict::determined;
 }
@@ -62,75 +63,80 @@ struct Extent {
   double low = kUnknown, high = kUnknown;
 };
 
-// How one reported parameter is known.
+// The estimate of one reported parameter, with its uncertainty.
 struct Estimate {
   Status status = Status::free;
   std::string name;     // as in the material: alpha_x, kd; terms[1].ks in a sum
-  std::string channel;  // empty: shared by all channels
+  std::string channel;  // empty if all channels share the parameter
   double value = 0;     // tangent_phi in degrees
   double standard_error = 0;
   double freedom = 0;  // degrees of freedom of its variance
-  double deciding =
-      kUnknown;  // how many values decide it: 1 over the sum of their squared shares of its variance
-  double low = kUnknown, high = kUnknown;  // 95 %: of the values' scatter, the model taken as right
-  // An end where only the range of the parameter stops the interval, or where the samples never speak against
-  // what lies beyond: low and high are the range's limits then.
+  // Effective number of values that decide the parameter: 1 over the sum of their squared shares of its
+  // variance.
+  double deciding = kUnknown;
+  double low = kUnknown, high = kUnknown;  // 95 %, from the noise of the values if the model is correct
+  // True if only the range of the parameter limits the interval, or if the samples never contradict values
+  // beyond this end. low and high are then the limits of the range.
   bool low_open = true, high_open = true;
-  // The others are of free parameters. 95 %, whatever the model's lack of fit: from how far the parameter
-  // moves as folds of incidences are left out; never inside the first.
+  // The remaining members are set for free parameters. with_lack_of_fit is the 95 % interval that allows
+  // for lack of fit. It comes from the movement of the parameter when folds of incidences are left out, and
+  // always contains low and high.
   Extent with_lack_of_fit;
-  Extent left_out, other_metrics;  // where it is without each fold, and under each of the other metrics
-  // Of bootstrap replicates, where there are any: their 95 %, and their standard deviation.
+  Extent left_out, other_metrics;  // range of the value over the folds, and over the other metrics
+  // The 95 % interval and the standard deviation of bootstrap replicates, if there are any.
   Extent bootstrap;
   double bootstrap_error = kUnknown;
 };
 
-// Root mean square of the four residuals in use, each over the values it is defined for.
+// The root mean square of each residual (for cube_root, the mean of its terms), over the values for which
+// the residual is defined.
 struct Metrics {
   double log = kUnknown, cosine_l2 = kUnknown, log_relative = kUnknown;
   double cube_root = kUnknown;  // mean of (((f - g) c_i)^2)^(1/3)
 };
 
-// Relative, over the measured values above 0.
+// Relative errors, over the measured values above 0.
 struct RelativeErrors {
   double median = kUnknown, ninth_decile = kUnknown;  // of |model - value|/value
-  double off_by_two = kUnknown;  // share of the light that is off by more than a factor of two
+  double off_by_two = kUnknown;  // share of the light with an error of more than a factor of two
 };
 
-// What a form predicts of rows that it was not fitted to.
+// The prediction of a form for rows to which it was not fitted.
 struct LeftOut {
-  double value = kUnknown;       // mean of the loss that was minimised, rho(r^2), over the values left out
-  std::vector<double> by_group;  // the same for every group of rows
+  double value = kUnknown;       // mean of the loss that was minimised, rho(r^2), over the held-out values
+  std::vector<double> by_group;  // the same mean for every group of rows
   RelativeErrors errors;
   double median_standard_error = 0;            // of errors.median, over the folds
-  std::vector<std::vector<double>> solutions;  // [fold] the solver's parameters, without that fold's rows
+  std::vector<std::vector<double>> solutions;  // [fold] the solver's parameters without the rows of the fold
 };
 
-// A cell of half angles where the residual is large.
+// A cell of half angles with a large residual.
 struct WorstRegion {
   HalfAngleRange range;
   std::size_t rows = 0;
-  double ratio = 1;  // measured over modelled, in the middle
-  double share = 0;  // of what was minimised
+  double ratio = 1;  // median of measured over modelled values
+  double share = 0;  // share of the cost
 };
 
 struct LackOfFit {
   static constexpr std::size_t kMostOthers = 3;
-  // Normalised median deviation of ln(measured/model) over the noise.
+  // Normalised median deviation of ln(measured/model), divided by the noise.
   std::optional<double> residual_over_scatter;
   std::optional<WorstRegion> worst;
-  std::vector<WorstRegion> others;  // that are off beyond the scatter too, by their share
-  bool beyond_scatter = false;      // the residual is 1.3 times the scatter, or some cell is off beyond it
+  std::vector<WorstRegion> others;  // other cells beyond the noise, sorted by their share
+  bool beyond_scatter = false;      // the residual is 1.3 times the noise, or some cell exceeds the noise
   bool exact = false;               // the residual is rounding
 
-  // Whether anything says how good is good enough.
+  // Returns whether there is a reference to judge the residual by.
   bool judged() const { return exact || residual_over_scatter.has_value(); }
 };
 
-// A shape over wavelength: the scale of a parameter as a polynomial in x = 1000 nm / wavelength.
+// A shape as a function of wavelength: the scale of a parameter is a polynomial in x = 1000 nm /
+// wavelength.
 struct SmoothCurve {
   std::string parameter;  // alpha, terms[1].alpha
-  std::string scale;      // of what it is a polynomial: "ln", "ln1p", "square", "identity"
+  // The function of the parameter that is a polynomial: "ln", "ln1p", "square", "identity".
+  std::string scale;
   std::vector<double> coefficients, standard_errors;  // by powers of x
 };
 
@@ -145,40 +151,40 @@ struct Correlations {
   Matrix matrix;
 };
 
-// Of what a fit determines of a material's parameters, identified or not, as a sum over components that vary
-// independently of each other; what is held, at a bound and without effect is not in it.
+// The covariance of the parameters of a material that a fit determines, identifiable or not, as a sum over
+// components that vary independently. Parameters that are held, at a bound or without effect are excluded.
 struct ParameterCovariance {
   std::vector<std::string> names;  // as options name them: alpha, kd[r], terms[1].f0; tangent_phi in degrees
-  Matrix components;               // [component][parameter]: the covariance is their transpose times them
+  Matrix components;               // [component][parameter]: the covariance is the product A'A
   std::vector<double> freedom;     // [component]: degrees of freedom of its variance
 };
 
-// The largest directional albedo over the angles of the light.
+// The largest directional albedo over the angles of incidence.
 struct LargestAlbedo {
   double value, theta;  // degrees
   std::string channel;
 
-  // More than all of the light, beyond the integral's own error.
+  // More than all of the light, beyond the error of the integral.
   static constexpr double kMost = 1 + 2e-3;
   bool breaks_energy() const { return value > kMost; }
 };
 
-// The material at an end of a parameter's interval: as good a description of the samples as the interval
-// says. Where the end is open, so are materials beyond.
+// The material at an end of a parameter's interval. It describes the samples as well as the interval
+// requires. If the end is open, materials beyond it do so too.
 struct MaterialAtEnd {
   Material material;
   bool open = false;
 };
 
-// What the samples let a fit say, whatever its form.
+// Properties of the samples that limit the conclusions of a fit, whatever its form.
 struct Context {
   std::optional<double> scatter;  // relative
-  bool interpolated = false;      // that scatter is an instrument's software's: rows were interpolated
+  bool interpolated = false;      // the noise is that of an instrument's software, which interpolated rows
   HeldOut held_out = HeldOut::many;
-  std::size_t lights = 0;  // or viewers, or cells of directions: what was left out one by one
+  std::size_t lights = 0;  // or viewing directions, or cells of directions: the units that were held out
   std::string side;        // "incidences"
-  // Width of the narrowest highlight (Ward's alpha) that a sample would show: a narrower one may lie between
-  // them; none: no highlight may.
+  // The width (Ward's alpha) of the narrowest highlight that the samples would show. A narrower highlight
+  // may lie between the samples. std::nullopt if no highlight can be hidden.
   std::optional<double> hidden_width;
 };
 
@@ -186,65 +192,67 @@ struct FormFit {
   Context about;
   std::string form;  // "ward", "oren_nayar+ward"
   Verdict verdict = Verdict::diverged;
-  std::vector<std::string> findings;  // sentences, the verdict's reason first
+  std::vector<std::string> findings;  // sentences; the reason for the verdict comes first
   Material material;
   double median_relative_error = kUnknown;
   RelativeErrors errors;
   LackOfFit lack_of_fit;
   Metrics metrics;
-  std::optional<LeftOut> left_out;  // none: not asked for, interrupted, or a single direction
+  std::optional<LeftOut> left_out;  // std::nullopt: not requested, interrupted, or a single direction
   std::size_t replicates = 0;       // of the bootstrap
   double bic = kUnknown;            // of the chosen residual: n ln(mean r^2) + p ln n
   std::size_t parameters = 0;
   std::vector<Estimate> estimates;
-  bool light_is_off = false;    // a misfit by the share of the light that is in the wrong place
-  std::string few_rows_decide;  // which parameters few rows decide, and which rows; empty: none
-  bool has_free_scale = false;  // the samples are uncalibrated: nothing is known of energy
+  bool light_is_off = false;    // a misfit because of the share of light in the wrong place
+  std::string few_rows_decide;  // the parameters that few rows decide, and these rows; may be empty
+  bool has_free_scale = false;  // the samples are uncalibrated, so energy cannot be judged
   IntervalsBy intervals = IntervalsBy::curvature;
   std::vector<MaterialAtEnd> ends;  // of profiles
   std::vector<SmoothCurve> smooth;  // of --shape smooth
   Correlations correlations;
-  std::optional<ParameterCovariance> covariance;  // none where some direction has no effect at all
-  std::optional<double> prediction_error;  // relative standard error of what the model gives at the samples
+  std::optional<ParameterCovariance> covariance;  // std::nullopt if some direction has no effect at all
+  std::optional<double> prediction_error;  // relative standard error of the model's values at the samples
   std::optional<LargestAlbedo> largest_albedo;
-  std::optional<LargestAlbedo> largest_measured_albedo;  // over the angles of the light that were measured
+  std::optional<LargestAlbedo> largest_measured_albedo;  // over the measured angles of incidence
   double condition = 0;                                  // of the scaled normal matrix
   double loss_scale = 0;
   std::vector<MinimumReport> minima;
   int starts = 0, iterations = 0, passes = 0;
-  std::string solver_status;   // the optimiser's own: converged, iteration_limit, failed, interrupted
-  std::string solver_message;  // and its words
+  std::string solver_status;   // of the optimiser: converged, iteration_limit, failed, interrupted
+  std::string solver_message;  // its message
 
-  // Some start gave a finite cost. Otherwise the material is the form's defaults, and no error is known.
+  // Returns whether some start gave a finite cost. Otherwise the material has the form's default
+  // parameters, and no error is known.
   bool solved() const { return !minima.empty(); }
 };
 
-// What --form auto added, or tried to add, to the model of the step before.
+// A term that --form auto added, or tried to add, to the model of the previous step.
 struct Step {
   std::string added;          // "a second lobe"
-  std::string model;          // the one tried
-  double left_out = 0;        // its value
-  double difference = 0;      // by which that is below the one of the model so far
+  std::string model;          // the model that was tried
+  double left_out = 0;        // held-out value of that model
+  double difference = 0;      // held-out value of the model so far minus left_out
   double standard_error = 0;  // of the difference, from the scatter between groups
-  double p = 1;               // one-sided, of a fall like this by chance, for all that were tried together
+  double p = 1;               // one-sided p-value of such a fall, corrected for all models tried
   std::size_t tried = 1;
   bool kept = false;
-  // Not kept though it would halve the error: the incidences cannot tell that from chance.
+  // Returns whether the step was not kept although it would halve the error. The incidences cannot
+  // distinguish such a fall from chance.
   bool refused_halving() const { return !kept && difference > left_out; }
 };
 
 struct FitResult {
   std::size_t rows = 0, beyond_max_theta = 0, outside_domain = 0;
   std::vector<std::string> channels;
-  sheet::DataSheet sheet;  // of the samples as they were read; empty of a table that a program made
+  sheet::DataSheet sheet;  // of the samples as they were read; empty for a table that a program computed
   MetricChoice metric;     // the residual in use
   std::optional<double> noise_floor;  // relative, from the table itself (io/samples/noise.h)
   std::vector<std::optional<double>> channel_noise;
-  RowGroups groups;              // what was left out together
-  double left_out_rounding = 0;  // left-out values below are 0 but for rounding
-  std::vector<Step> steps;       // of --form auto; empty otherwise
-  std::vector<FormFit> ranking;  // best first: by the left-out value (else the median error)
-  std::size_t recommended = 0;   // the simplest usable one that is not worse than the best; else the best
+  RowGroups groups;              // the groups that were held out together
+  double left_out_rounding = 0;  // held-out values below this are rounding errors of 0
+  std::vector<Step> steps;       // of --form auto; otherwise empty
+  std::vector<FormFit> ranking;  // best first: by the held-out value, or by the median error without one
+  std::size_t recommended = 0;   // the simplest usable model not worse than the best, or else the best
   bool interrupted = false;
 };
 

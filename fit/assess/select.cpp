@@ -11,8 +11,8 @@ namespace {
 constexpr double kPerfect = 1e-9;  // median errors below this are rounding
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What forms are ranked by. Without a solution nothing is known: such a form ranks last, and so does one that
-// was interrupted before its rows were left out.
+// The value by which forms are ranked. A form without a solution ranks last, because nothing is known about
+// it. A form that was interrupted before its rows were held out ranks last too.
 class Value {
  public:
   explicit Value(const FitResult& result)
@@ -31,7 +31,7 @@ class Value {
   bool left_out_;
 };
 
-// Three significant digits: differences beyond them say nothing about a surface.
+// Rounds to three significant digits; smaller differences are irrelevant for a surface.
 double rounded(double value) {
   if (!(value > 0) || std::isinf(value)) return value;
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
@@ -41,7 +41,8 @@ double rounded(double value) {
 bool as_good(const FitResult& result, const Value& value, const FormFit& f, const FormFit& best) {
   if (std::isinf(value(f))) return false;
   if (rounded(value(f)) <= rounded(value(best))) return true;
-  // Few incidences that differ much decide nothing: that the test is silent is not enough.
+  // A few incidences that differ much decide nothing, so it is not enough that the test finds no
+  // difference.
   if (!f.left_out || !best.left_out || value(f) > kAsGood * value(best)) return false;
   return !paired_test(result.groups.groups, f.left_out->by_group, best.left_out->by_group).worse();
 }
@@ -50,7 +51,7 @@ bool as_good(const FitResult& result, const Value& value, const FormFit& f, cons
 
 namespace {
 
-// A form that predicts worse than one whose light is in the wrong place has no better word for it.
+// A form with worse predictions than a misfit by the share of light becomes a misfit too.
 void follow_misfits(std::vector<FormFit>& ranking) {
   const FormFit* off = nullptr;
   for (FormFit& f : ranking) {
@@ -87,7 +88,8 @@ std::vector<std::size_t> rank(FitResult& result) {
     if (usable(f.verdict) && simpler && as_good(result, value, f, result.ranking.front()))
       result.recommended = k;
   }
-  // A material that keeps energy, if there is one, before one that does not, even if it predicts worse.
+  // A material that conserves energy, if there is one, is preferred to one that does not, even if its
+  // predictions are worse.
   if (result.ranking[result.recommended].verdict == Verdict::breaks_energy)
     for (std::size_t k = result.ranking.size(); k-- > 0;)
       if (usable(result.ranking[k].verdict)) result.recommended = k;

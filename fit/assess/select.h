@@ -1,20 +1,24 @@
-// Choosing between models.
+// Ranking of the models.
 #pragma once
 
 #include "fit/assess/result.h"
 
 namespace brdf::fit {
 
-// Times the least left-out value: what lies above is never as good, however few the groups that tell them
-// apart.
+// A model is never as good as the best if its held-out value exceeds this factor times the least one, even
+// if too few groups are left out to distinguish the two.
 inline constexpr double kAsGood = 1.1;
 
-// Sorts best first by the left-out value (where none was asked for, by the median error); equal values (three
-// digits) by whether they are usable, then by number of parameters; forms without a finite cost last. A
-// usable form below one that is a misfit by the share of its light becomes one, too: the rule may not reverse
-// the order. Sets `recommended`: the usable form with the fewest parameters whose left-out value is at most a
-// tenth above the first one's and that the paired test does not find worse; where that one breaks energy, the
-// first that is usable. Returns where each stood before.
+// Sorts the ranking, best first, and sets `recommended`. Returns the previous position of each entry.
+//
+// The order is by the held-out value, or by the median error if held-out values were not requested. Equal
+// values (three digits) are ordered by whether the forms are usable, then by the number of parameters.
+// Forms without a finite cost come last. A usable form that ranks below a misfit by the share of its light
+// becomes a misfit too, because the verdicts must not contradict the order.
+//
+// `recommended` is the usable form with the fewest parameters whose held-out value is at most a tenth above
+// the value of the first form and that the paired test does not find worse. If this form breaks energy
+// conservation, the first usable form is recommended.
 std::vector<std::size_t> rank(FitResult& result);
 
 }  // namespace brdf::fit

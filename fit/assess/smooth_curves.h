@@ -1,3 +1,4 @@
+// Shapes that are smooth over wavelength, as polynomials with their uncertainty.
 #pragma once
 
 #include <span>
@@ -7,7 +8,7 @@
 
 namespace brdf::fit {
 
-// The coefficients of every shape that is smooth over wavelength, with their standard errors.
+// Returns the coefficients of every shape that is smooth over wavelength, with their standard errors.
 std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const double> p,
                                        const RowMatrix& covariance);
 

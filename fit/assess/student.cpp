@@ -16,11 +16,11 @@ double t_quantile(double freedom) {
 
 namespace {
 
-constexpr double kManyFree = 60;  // from here on Student's t is as good
-constexpr double kWidest = 12.8;  // of one value alone it is 12.706
+constexpr double kManyFree = 60;  // from here on Student's t is accurate enough
+constexpr double kWidest = 12.8;  // for a single value the quantile is 12.706
 constexpr int kAngles = 48, kHalvings = 16;
 
-// P(z^2 > c^2 variance): the mean over an angle of the product of (1 + c^2 share/sin^2)^(-1/2).
+// Returns P(z^2 > c^2 variance): the mean over an angle of the product of (1 + c^2 share/sin^2)^(-1/2).
 double beyond(double c, const std::array<double, NoiseShares::kLargest>& largest,
               const NoiseShares::Others& others) {
   double mean = 0;
@@ -54,7 +54,7 @@ double t_tail(double freedom, double t) {
 }
 
 double widening(double freedom) {
-  // By 1/freedom, over which it is nearly straight.
+  // Tabulated over 1/freedom, in which the function is nearly linear.
   constexpr std::size_t kParts = 1024;
   static const std::vector<double> table = [] {
     std::vector<double> out{1};

@@ -1,22 +1,25 @@
-// Student's t distribution, and of a variance that a few values decide.
+// Student's t distribution, and the distribution for a variance that a few values decide.
 #pragma once
 
 #include "fit/solve/noise_shares.h"
 
 namespace brdf::fit {
 
-// 97.5 % quantile; infinite below one degree of freedom.
+// Returns the 97.5 % quantile. The quantile is infinite for fewer than one degree of freedom.
 double t_quantile(double freedom);
-// 97.5 % quantile of z over the root of a variance that is estimated from values with these shares of it: of
-// z^2 against the weighted sum of the squares of as many independent normal numbers, by an integral over an
-// angle (Craig 1991); those beside the largest are taken as equal. Student's t with the freedom of the shares
-// is wider where one value outweighs many small ones, below which the variance cannot fall. To 1e-3.
+// Returns the 97.5 % quantile of z over the root of a variance that is estimated from values with these
+// shares of it. The distribution is that of z^2 over a weighted sum of the squares of as many independent
+// normal numbers. It is computed by an integral over an angle (Craig 1991), accurate to 1e-3; the values
+// other than the largest are assumed to be equal. Student's t with the degrees of freedom of the shares is
+// wider if one value outweighs many small ones, because the variance cannot fall below the contribution of
+// the small ones.
 double t_quantile(const NoiseShares& shares);
-// P(T >= t).
+// Returns P(T >= t).
 double t_tail(double freedom, double t);
 
-// By how much wider a 95 % interval is than one of a variance that is known: t_quantile() over that of
-// infinitely many degrees of freedom, to 1e-4, in a few nanoseconds. 1 or more.
+// Returns the ratio of the width of a 95 % interval to the width for a known variance: t_quantile() divided
+// by its value for infinitely many degrees of freedom. Accurate to 1e-4, takes a few nanoseconds. The
+// result is at least 1.
 double widening(double freedom);
 
 }  // namespace brdf::fit

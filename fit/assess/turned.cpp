@@ -8,11 +8,12 @@
 namespace brdf::fit {
 namespace {
 
-// Configurations are compared in cells of this many degrees. The offset keeps round angles off the edges.
+// Configurations are compared in cells of this many degrees. The offset keeps round angles away from the
+// edges.
 constexpr double kPolarCell = 5, kAzimuthCell = 10, kOffset = 1.234;
-constexpr double kUpright = 2;   // degrees: no azimuth of its own
+constexpr double kUpright = 2;   // degrees: below this angle a direction has no azimuth
 constexpr double kTurn = 10;     // degrees between two azimuths of the sample
-constexpr double kTogether = 5;  // within which light and half vector turn alike
+constexpr double kTogether = 5;  // degrees within which light and half vector must turn by the same angle
 constexpr std::size_t kMostTurns = 16;
 
 double polar(double z) {
@@ -25,8 +26,8 @@ std::int64_t cell(double angle, double size) {
   return std::int64_t(std::floor((angle + kOffset) / size));
 }
 
-// A configuration's azimuths: of the light (where it stands upright, of the viewer), and of the half vector,
-// which tables of isotropic materials hold still while the light goes round it.
+// The azimuths of a configuration: of the light (or of the viewer, if the light is at the normal), and of
+// the half vector. Tables of isotropic materials keep the half vector fixed while the light goes around it.
 struct Turn {
   double light, half;
   bool differs(const Turn& t) const {

@@ -11,13 +11,14 @@
 namespace brdf::fit {
 namespace {
 
-// Relative noise below which a profile would be one of rounding.
+// Relative noise below which a profile would be one of rounding errors.
 constexpr double kRoundingNoise = 1e-9;
 
-// Of estimates alone no more rows are worth a pass that counts the degrees of freedom of each variance.
+// For estimates alone, more rows than this do not justify a pass that counts the degrees of freedom of each
+// variance.
 constexpr std::size_t kLeanRows = 4096;
 
-// The unknowns that one channel's values depend on: its own, and those that it shares.
+// Returns the number of unknowns on which the values of one channel depend: its own and the shared ones.
 std::size_t parameters_of_a_channel(const Model& model) {
   std::size_t count = 0;
   for (const Slot& slot : model.slots()) {
@@ -28,7 +29,7 @@ std::size_t parameters_of_a_channel(const Model& model) {
   return count;
 }
 
-// How much each of the samples' gradients moves each parameter.
+// Returns the influence of each sample's gradient on each parameter.
 std::vector<std::vector<double>> influences(const std::vector<Reported>& all, const RowMatrix& inverse) {
   std::vector<std::vector<double>> out;
   for (const Reported& r : all) {
@@ -54,8 +55,9 @@ Correlations correlations_of(const std::vector<Reported>& all, const std::vector
   return out;
 }
 
-// The covariance of what is made of the parameters: the working noise's, raised in the directions in which
-// the consistent covariance is larger, by the share `trust` of the excess.
+// Returns the covariance for quantities derived from the parameters. This is the covariance of the working
+// noise, raised in the directions in which the consistent covariance is larger, by the share `trust` of the
+// excess.
 RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, double trust) {
   const Eigen::SelfAdjointEigenSolver<RowMatrix> own(working);
   const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
@@ -86,7 +88,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   out.condition = c.condition;
   const bool many = stream.data().rows() > kManyRows, lean = detail == Detail::estimates;
   const bool unshared = many || (lean && stream.data().rows() > kLeanRows);
-  // Fewer rows than three for each parameter of a channel say nothing about the errors of any of them.
+  // With fewer than three rows for each parameter of a channel, no error can be estimated for any of them.
   const std::size_t per_channel = parameters_of_a_channel(model);
   const bool few = stream.data().rows() < 3 * per_channel;
   if (few) {
@@ -100,7 +102,8 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
       !sample_was_turned(stream.data());
   std::optional<WorkingNoise> working;
   if (!lean && !many && !few) working = working_noise(stream, m, c);
-  // The channels of a row may share their noise: every channel has the degrees of freedom of its own rows.
+  // The channels of a row may share their noise, so every channel has the degrees of freedom of its own
+  // rows.
   const double freedom = double(stream.data().rows()) - double(per_channel);
   const Grounds on{model,   m,
                    c,       working ? &working->covariance : nullptr,
@@ -113,7 +116,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   }
   for (Reported& r : all) {
     judge_parameter(r, on, out);
-    // Without the working noise the variance is known from the values that decide only.
+    // Without the working noise, only the deciding values contribute to the variance.
     Estimate& e = r.estimate;
     if (lean && e.status == Status::free && e.deciding < freedom) e.freedom = e.deciding;
   }
@@ -126,7 +129,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
       if (all[k].estimate.status == Status::free) certain.push_back(k);
     out.correlations = correlations_of(all, certain, c.covariance);
     out.smooth = smooth_curves(model, m.p, c.covariance);
-    // Of parameters that profiles show to be unknown the curvature says nothing.
+    // The curvature has no meaning for parameters that profiles show to be unknown.
     const bool bent = out.profiled && any_unidentified;
     if (c.null_space.cols() == 0 && !few && !bent)
       out.covariance = parameter_covariance(

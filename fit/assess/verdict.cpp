@@ -8,7 +8,7 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kNegligible = 1e-7;  // share of a lobe in the model below which it is absent
+constexpr double kNegligible = 1e-7;  // share of a lobe in the model below which the lobe is absent
 
 }  // namespace
 
@@ -39,7 +39,8 @@ Verdict verdict_of(const Minimum& m, const Uncertainty& u, const Misfit& misfit)
     return std::any_of(u.estimates.begin(), u.estimates.end(),
                        [&](const Estimate& e) { return e.status == s; });
   };
-  // Of a form that does something else than the surface, no direction would tell the parameters.
+  // If the form deviates systematically from the surface, no further direction would determine the
+  // parameters.
   if (misfit.misfit) return Verdict::misfit;
   if (u.singular && !u.determined()) return Verdict::not_identifiable;
   if (any(Status::unidentified)) return u.determined() ? Verdict::determined : Verdict::not_identifiable;

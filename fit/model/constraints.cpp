@@ -11,7 +11,7 @@
 namespace brdf::fit {
 namespace {
 
-// One option, --fix for example, as it is applied to all that it names.
+// One option, for example --fix, as applied to all parameters that it names.
 struct Given {
   std::string option, name;
   [[noreturn]] void refuse(const std::string& reason) const {
@@ -23,10 +23,10 @@ struct Given {
   }
 };
 
-// What is said of a parameter that is to have one value for all channels.
+// The argument of an option that ties a parameter to one value for all channels.
 struct Tied {};
 
-// A parameter that a name stands for.
+// A parameter to which a name refers.
 struct Target {
   Constraint* constraint;
   const ParameterInfo* info;
@@ -38,7 +38,7 @@ bool all_diffuse(const ReflectanceInfo& info) {
                      [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
-// As the table has it: a range of one value is held there.
+// Returns the constraint of the table. A parameter with a range of a single value is held there.
 Constraint constraint_of(const ParameterInfo& p) {
   if (p.min < p.max) return {{}, {}, p.min, p.max, false, {}};
   return {{p.min}, {}, p.min, p.max, false, "has one value only, " + io::to_text(p.min)};
@@ -83,7 +83,7 @@ class Resolver {
     out_.terms.push_back(std::move(term));
   }
 
-  // What has no derivative is not searched.
+  // Holds whole-number parameters: they have no derivative and are not searched.
   void hold_whole_numbers() {
     for (std::size_t t = 0; t < forms_.size(); ++t)
       for (std::size_t k = 0; k < forms_[t].info().shape.size(); ++k) {
@@ -96,8 +96,8 @@ class Resolver {
       }
   }
 
-  // Two diffuse terms of a sum would be collinear: that of a form which is nothing else stays, else the
-  // first.
+  // Two diffuse terms of a sum would be collinear. The term of a purely diffuse form stays, otherwise the
+  // first one.
   void keep_one_diffuse_part() {
     for (std::size_t t = 0; t < forms_.size(); ++t) {
       const ReflectanceInfo& info = forms_[t].info();
@@ -152,8 +152,8 @@ class Resolver {
     if (!effective) given.refuse(reason.empty() ? name_of_sum(forms_) + " has no such parameter" : reason);
   }
 
-  // What a table of refractive indices says of a parameter: one value per channel, or where a shape has one
-  // value for all the mean.
+  // Returns the values of a parameter from a table of refractive indices: one per channel, or the mean if
+  // one value serves all channels.
   NamedValues from_constants(const Given& given, const Target& target, const NamedValues& said) const {
     const Role role = target.info->role;
     if (role != Role::f0 && role != Role::index && role != Role::extinction)
@@ -214,7 +214,7 @@ class Resolver {
   std::size_t channels_;
   const FitOptions& options_;
   Constraints out_;
-  std::set<const Constraint*> said_;  // by the option that is being applied
+  std::set<const Constraint*> said_;  // constraints already set by the option that is being applied
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What the user holds, bounds and starts: names are resolved to parameters once, and what would have no
-// effect is refused with the reason.
+// Parameters that the user fixes, bounds and starts. Names are resolved to parameters once. An option that
+// would have no effect is rejected with the reason.
 #pragma once
 
 #include <array>
@@ -12,23 +12,23 @@
 
 namespace brdf::fit {
 
-// The azimuth of the tangent, which is no form's own, as options and reports name it.
+// The azimuth of the tangent, which belongs to no form, under its name in options and reports.
 inline constexpr ParameterInfo kTangentInfo{"tangent_phi", -180,      180,   0,
                                             180,           "degrees", false, "azimuth of the tangent"};
 
-// The components of the surface's normal where it is fitted.
-inline constexpr double kSteepest = 0.95;  // either component
+// The components of the surface's normal, if the normal is fitted.
+inline constexpr double kSteepest = 0.95;  // of either component
 inline constexpr std::array<ParameterInfo, 2> kNormalInfo{
     ParameterInfo{"normal.x", -kSteepest, kSteepest, 0, kSteepest, "", false, "the surface's normal along x"},
     ParameterInfo{"normal.y", -kSteepest, kSteepest, 0, kSteepest, "", false,
                   "the surface's normal along y"}};
 
-// One parameter's.
+// The constraints of one parameter.
 struct Constraint {
-  std::vector<double> fixed, start;  // one value, or one per channel; empty: none given
-  double low = 0, high = 0;          // the table's range, or as bounded
+  std::vector<double> fixed, start;  // one value, or one per channel; empty if not given
+  double low = 0, high = 0;          // the range of the table, or the given bounds
   bool tied = false;                 // one value for all channels
-  std::string idle;                  // why what is said of it has no effect; empty: it has
+  std::string idle;                  // reason why options have no effect here; empty if they have an effect
 
   bool same_limits(const Constraint& c) const {
     return fixed == c.fixed && low == c.low && high == c.high && tied == c.tied;
@@ -47,17 +47,19 @@ struct Constraints {
   Constraint tangent;  // degrees
 };
 
-// Of a sum of forms. A name may stand for several parameters: "kd" for every term's, "terms[1].kd" for one's,
-// and what the two widths of a form are called together ("alpha") for both. Tables of refractive indices are
-// asked for the channels. Throws InputError on names that none has, values out of range or in the wrong
-// number, and on what has no effect.
+// Resolves the options for a sum of forms. A name may refer to several parameters: "kd" to the parameters
+// of all terms, "terms[1].kd" to that of one term, and the common name of the two widths of a form
+// ("alpha") to both widths. Tables of refractive indices are evaluated for the channels. Throws InputError
+// if no parameter has the name, if values are out of range or their number is wrong, or if an option has no
+// effect.
 Constraints resolve(std::span<const Reflectance> forms, std::span<const std::string> channels,
                     const FitOptions& options);
 
-// "ward", "oren_nayar+ward".
+// Returns "ward" or "oren_nayar+ward".
 std::string name_of_sum(std::span<const Reflectance> forms);
 
-// A parameter's name in a sum of so many terms: "alpha_x", or "terms[1].alpha_x".
+// Returns the name of a parameter in a sum of `terms` terms: "alpha_x" for one term, otherwise
+// "terms[1].alpha_x".
 std::string name_in_sum(std::size_t terms, std::size_t term, std::string_view parameter);
 
 }  // namespace brdf::fit

@@ -12,10 +12,10 @@
 namespace brdf::fit {
 namespace {
 
-// Tables with more rows are grids without common incidences: rows are grouped by degrees of theta_i.
+// Tables with more rows are grids without common incidences. Their rows are grouped by degrees of theta_i.
 constexpr std::size_t kManyIncidences = 100000;
 
-// Whether a value has a residual under the metric.
+// Returns whether a value has a residual under the metric.
 bool in_domain(Metric metric, double value, double cos_i, double cos_o) {
   constexpr double margin = 1e-6;
   switch (metric) {
@@ -55,7 +55,8 @@ Weighting chosen_weighting(const io::SampleTable& table, const FitOptions& optio
   return sigma ? Weighting::sigma : Weighting::uniform;
 }
 
-// Groups, then directions, then values: rows that are equal in all of them are the same measurement.
+// Sorts by groups, then directions, then values. Rows that are equal in all of them are the same
+// measurement.
 void sort_rows(FitData& data) {
   data.groups = group_rows(data.directions(0, data.rows()), data.rows());
   std::vector<const std::vector<double>*> keys{&data.wi_z, &data.wi_x, &data.wi_y,
@@ -143,7 +144,7 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
   if (data.rows() == 0 && data.outside_domain == 0)
     throw InputError(table.source + ": no row has both polar angles within --max-theta " +
                      io::to_text(options.max_theta) + " degrees");
-  // Every model fits such a table, by reflecting nothing.
+  // Every model fits a table without positive values by reflecting nothing.
   const auto reflects = [](const std::vector<double>& column) {
     return std::any_of(column.begin(), column.end(), [](double value) { return value > 0; });
   };
@@ -162,7 +163,7 @@ FitData subset(const FitData& data, const std::vector<bool>& keep) {
 }
 
 FitData within_domain(const FitData& data, Metric metric) {
-  std::vector<bool> keep;  // empty: all
+  std::vector<bool> keep;  // empty means all rows
   if (metric != Metric::log && metric != Metric::log_relative) return empty_like(data);
   for (const auto& channel : data.values)
     for (std::size_t k = 0; k < data.rows(); ++k)
@@ -178,7 +179,7 @@ FitData thinned(const FitData& data, std::size_t rows) {
   const std::size_t count = std::min(rows, data.rows());
   const double step = double(data.rows()) / double(std::max<std::size_t>(count, 1));
   for (std::size_t k = 0; k < count; ++k) {
-    // Steps by the golden ratio's fraction keep the choice off the grid's own period.
+    // Steps by the fraction of the golden ratio keep the choice from aligning with the period of a grid.
     const double jitter = count == data.rows() ? 0 : std::fmod(double(k) * 0.6180339887498949, 1.0);
     append_row(data, std::min(std::size_t((double(k) + jitter) * step), data.rows() - 1), out);
   }

@@ -9,7 +9,7 @@ LobeColumns::LobeColumns(const Reflectance& form)
       lobes_(info(form).lobes.size()),
       shape_parameters_(info(form).shape.size()),
       rows_(lobes_ * (2 + shape_parameters_) * kBlockRows),
-      turned_(0),  // made when they are needed
+      turned_(0),  // allocated on first use
       displaced_(0) {}
 
 void LobeColumns::evaluate_point(std::span<const double> shape, Angle tangent_phi, Partial partial,

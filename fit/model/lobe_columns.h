@@ -1,4 +1,4 @@
-// The lobes of a block of rows, column by column: what the solver streams over.
+// The lobes of a block of rows in columns, over which the solver streams.
 #pragma once
 
 #include <span>
@@ -11,16 +11,18 @@ namespace brdf::fit {
 
 inline constexpr std::size_t kBlockRows = 256;  // rows per block; a multiple of the widest vector
 
-// One form's lobes and derivatives at up to kBlockRows pairs of directions. Rows below the horizon give 0.
+// The lobes of one form, and their derivatives, at up to kBlockRows pairs of directions. Rows below the
+// horizon give 0.
 class LobeColumns {
  public:
   explicit LobeColumns(const Reflectance& form);
 
-  // Directions in the surface's frame; `detector`: quadrature over its aperture, empty for none.
+  // Evaluates the lobes. The directions are in the surface's frame. `detector` is a quadrature over the
+  // aperture of the detector; empty for no aperture.
   void evaluate(std::span<const double> shape, Angle tangent_phi, Partial partial,
                 const Directions<double>& directions, std::span<const ApertureNode> detector);
-  // Columns of the last evaluation, kBlockRows entries each;
-  // derivative d counts the shape parameters, then tangent_phi.
+  // Return columns of the last evaluation, kBlockRows entries each. The index of a derivative, d, counts
+  // the shape parameters, then tangent_phi.
   double* lobe(std::size_t k) { return &rows_[k * (1 + derivatives_) * kBlockRows]; }
   double* derivative(std::size_t k, std::size_t d) { return lobe(k) + (1 + d) * kBlockRows; }
 

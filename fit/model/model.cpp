@@ -83,7 +83,7 @@ Gradient Model::shape_slopes(std::span<const double> p, std::size_t s, std::size
   const Slot& slot = slots_[s];
   if (slot.nodes == 1) return {{s, slot.slope(p[s])}};
   const double u = scaled_value(p, s, group);
-  // Between nodes a polynomial may leave the range, where the value stays at its end.
+  // Between nodes a polynomial may leave the range; the value is then clamped to the end.
   const double slope = u >= slot.low && u <= slot.high ? slot.slope(u) : 0;
   Gradient out;
   for (std::size_t k = 0; k < slot.nodes; ++k) out.push_back({s + k, slope * slots_[s + k].share[group]});
@@ -102,7 +102,7 @@ Angle Model::tangent_phi(std::span<const double> p) const {
 Vec3<double> Model::normal(std::span<const double> p) const {
   if (!fits_normal()) return {0, 0, 1};
   const double x = p[normal_slot_], y = p[normal_slot_ + 1];
-  constexpr double kFlattest = 1e-3;  // a solver's step may leave the hemisphere: it stays at its rim
+  constexpr double kFlattest = 1e-3;  // a solver's step may leave the hemisphere: clamp to its rim
   const double z = std::sqrt(std::max(1 - x * x - y * y, kFlattest * kFlattest));
   const double length = std::sqrt(x * x + y * y + z * z);
   return {x / length, y / length, z / length};
@@ -197,7 +197,8 @@ void Model::apply_start(std::vector<double>& p) const {
       continue;
     }
     const Constraint& c = constraints_.terms[slot.term].shape[slot.members[0]];
-    // Of a value for every channel a node takes that of the channel which it has the largest share of.
+    // Given a value for every channel, a node takes the value of the channel in which the node has its
+    // largest share.
     const std::size_t channel =
         slot.nodes == 1
             ? slot.group
@@ -208,7 +209,7 @@ void Model::apply_start(std::vector<double>& p) const {
 
 namespace {
 
-// The unknowns whose lobes' weights come closest to these.
+// Returns the unknowns that bring the weights of the lobes closest to the target.
 std::vector<double> closest_unknowns(const WeightMap& map, std::span<const double> target) {
   Matrix h(map.unknowns, map.unknowns);
   std::vector<double> g(map.unknowns, 0);

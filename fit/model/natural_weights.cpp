@@ -13,7 +13,7 @@ namespace {
 constexpr double kRounding = 1e-12;  // of a sum of weights
 constexpr double kAtBound = 1e-9;    // of a sum that the solver has brought to its bound
 
-// The place of the only specular weight, where f0 divides it.
+// The place of the only specular weight, if f0 divides it.
 struct Interface {
   std::size_t term, weight, f0;
 };
@@ -30,7 +30,7 @@ std::optional<Interface> interface_of(std::span<const Reflectance> forms) {
   return speculars == 1 ? found : std::nullopt;
 }
 
-// 1 - f0, of an f0 that is held or is an unknown itself.
+// Returns 1 - f0 for an f0 that is held or is itself an unknown.
 Product without(const Product& f0) {
   if (f0.factors.empty()) return {1 - f0.scale, {}};
   return {1, {{f0.factors[0].slot, true}}};
@@ -111,7 +111,7 @@ NaturalWeights::NaturalWeights(std::span<const Reflectance> forms, const Constra
   make_lobes();
 }
 
-// What shares a slot: all channels, or every one for itself.
+// Returns the groups of channels that share a slot: one for all channels, or one per channel.
 std::vector<std::size_t> NaturalWeights::groups(const Place& place) const {
   if (constraint(place).tied) return {kEveryGroup};
   std::vector<std::size_t> all(channels_.size());
@@ -130,7 +130,7 @@ std::size_t NaturalWeights::add_slot(const Place& place, std::size_t group, doub
   return first_ + slots_.size() - 1;
 }
 
-// A weight that is an unknown itself; `most`: beside its own bounds, [channel].
+// Adds a weight that is itself an unknown. `most`, [channel], limits it in addition to its own bounds.
 void NaturalWeights::add_alone(const Place& place, std::span<const double> most) {
   const Constraint& c = constraint(place);
   for (const std::size_t group : groups(place)) {
@@ -144,12 +144,13 @@ void NaturalWeights::add_alone(const Place& place, std::span<const double> most)
   }
 }
 
-// Where all else is held, a dielectric's f0 is at most what that leaves of 1.
+// Adds the unknowns for f0. If all other weights are held, f0 of a dielectric is at most what they leave of
+// 1.
 void NaturalWeights::add_f0s() {
   std::vector<double> most;
   if (physical_ == Physical::dielectric)
     for (std::size_t c = 0; c < channels_.size(); ++c)
-      most.push_back(2 - held(c));  // 1 is the specular weight
+      most.push_back(2 - held(c));  // the held sum includes the specular weight, 1
   for (std::size_t t = 0; t < forms_.size(); ++t)
     if (const int f0 = forms_[t].info().weight_index(Role::f0); f0 >= 0)
       if (const Place place{t, std::size_t(f0)}; !constraint(place).is_fixed()) {
@@ -161,7 +162,7 @@ void NaturalWeights::add_f0s() {
       }
 }
 
-// The sum of a channel's weights that are held.
+// Returns the sum of a channel's weights that are held.
 double NaturalWeights::held(std::size_t channel) const {
   double sum = 0;
   for (std::size_t t = 0; t < forms_.size(); ++t)
@@ -170,7 +171,8 @@ double NaturalWeights::held(std::size_t channel) const {
   return sum;
 }
 
-// What the weights that are held leave of 1, [channel]; the least of it for all where some weight is shared.
+// Returns the remainder to 1 of the held weights, [channel]. If some weight is shared, all channels have
+// the smallest remainder.
 std::vector<double> NaturalWeights::room(const std::vector<Place>& free) const {
   std::vector<double> room(channels_.size(), 1);
   for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -189,9 +191,10 @@ std::vector<double> NaturalWeights::room(const std::vector<Place>& free) const {
   return room;
 }
 
-// The sum of a channel's weights is at most 1; of a dielectric, what f0 leaves of 1 is the others'.
+// Bounds the sum of a channel's weights by 1. For a dielectric, the remainder of 1 - f0 belongs to the
+// other weights.
 void NaturalWeights::add_bounded(std::vector<Place> free) {
-  std::vector<Product> rest(channels_.size());  // what is left of every channel's stick
+  std::vector<Product> rest(channels_.size());  // the remainder of every channel's stick
   if (physical_ == Physical::dielectric) {
     const Interface at = *interface_of(forms_);
     for (std::size_t c = 0; c < channels_.size(); ++c) rest[c] = without(weights_[at.term][c][at.f0]);
@@ -209,7 +212,8 @@ void NaturalWeights::add_bounded(std::vector<Place> free) {
         if (!is_f0({t, k}) && (!constraint({t, k}).is_fixed() || constraint({t, k}).fixed_in(0) != 0))
           summed_.push_back({t, k});
   }
-  // What all channels share is broken off first: a share of what a channel's own leaves would differ.
+  // Weights that all channels share are broken off first. Shares of a remainder that differs between
+  // channels would give different weights.
   std::stable_partition(free.begin(), free.end(), [&](const Place& place) { return constraint(place).tied; });
   for (const Place& place : free) {
     const ParameterInfo& table = info_of(place);
@@ -268,7 +272,7 @@ void NaturalWeights::set(std::vector<double>& p, const WeightTable& values) cons
     double sum = 0, count = 0;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       if (!slots_[s].in_group(c)) continue;
-      // The slot itself comes last: what stands before it is set already.
+      // The slot itself is the last factor; the preceding factors are already set.
       Product before = weights_[term][c][k];
       before.factors.pop_back();
       const double whole = before.value(p);
@@ -286,7 +290,7 @@ bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& co
   const std::vector<Constraint>& weights = constraints.terms[at->term].weights;
   const Constraint &specular = weights[at->weight], &f0 = weights[at->f0];
   if (specular.is_fixed() ? !held_at_one(specular) : specular.low > 1 || specular.high < 1) return false;
-  // What is held beside a weight that is free would have to be taken off the share of both.
+  // A held weight in addition to a free weight would have to be subtracted from the shares of both.
   bool free = false, held = false;
   for (std::size_t t = 0; t < forms.size(); ++t)
     for (std::size_t k = 0; k < constraints.terms[t].weights.size(); ++k) {
@@ -296,7 +300,7 @@ bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& co
       held = held || std::any_of(c.fixed.begin(), c.fixed.end(), [](double value) { return value != 0; });
     }
   if (held && (free || f0.is_fixed())) return false;
-  // A weight that all channels share cannot follow from an f0 that they do not.
+  // A weight that all channels share cannot follow from an f0 that differs between channels.
   for (const TermConstraints& term : constraints.terms)
     for (const Constraint& c : term.weights)
       if (c.tied && &c != &specular && &c != &f0 && !f0.tied && f0.fixed.size() != 1) return false;

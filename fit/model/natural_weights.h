@@ -1,7 +1,7 @@
-// Weights whose channels share some, or whose sum is bounded: the solver's unknowns are then the weights
-// themselves, each within its own bounds. A sum that is at most 1 is a stick that is broken: the first weight
-// is a share of 1, the next a share of what that leaves. So every weight, and every lobe's, is a product of
-// unknowns u or 1 - u.
+// Weights that are shared between channels or have a bounded sum. The solver's unknowns are then the
+// weights themselves, each within its own bounds. A sum of at most 1 is divided like a stick that is
+// broken: the first weight is a share of 1, the next a share of the remainder. Hence every weight, of a
+// table or of a lobe, is a product of factors u or 1 - u with unknowns u.
 #pragma once
 
 #include <span>
@@ -34,29 +34,34 @@ struct Product {
 
 class NaturalWeights {
  public:
+  // Returns whether the options require natural weights: a weight is tied, or --physical is set.
   static bool asked_for(const Constraints& constraints, Physical physical);
 
-  // The slots are to be appended to those that there are, `first` in number. Throws InputError on constraints
-  // that do not go together.
+  // The slots of the weights will be appended to `first` existing slots. Throws InputError if the
+  // constraints contradict each other.
   NaturalWeights(std::span<const Reflectance> forms, const Constraints& constraints,
                  const std::vector<std::string>& channels, Physical physical, std::size_t first);
 
   const std::vector<Slot>& slots() const { return slots_; }
+  // Returns weight number `k` of a term's table in one channel.
   const Product& weight(std::size_t term, std::size_t channel, std::size_t k) const {
     return weights_[term][channel][k];
   }
+  // Returns the weight of a lobe of a term in one channel.
   const Product& lobe(std::size_t term, std::size_t channel, std::size_t lobe) const {
     return lobes_[term][channel][lobe];
   }
+  // Returns whether all channels share weight number `k` of a term.
   bool shared(std::size_t term, std::size_t k) const;
-  // What --physical bounds together: "kd + ks", and the channels where that is at its bound. Empty where
-  // there is no more than one such weight.
+  // The sum that --physical bounds: its name, "kd + ks", and the channels in which the sum is at its bound.
+  // Empty if the sum has no more than one weight.
   struct Sum {
     std::string name;
     std::vector<std::size_t> at_bound;
   };
   Sum bounded_sum(std::span<const double> p) const;
-  // Sets the slots of p so that the weights come close to these: the mean over the channels that share one.
+  // Sets the slots of p so that the weights come close to `values`. A slot that several channels share
+  // takes their mean.
   void set(std::vector<double>& p, const WeightTable& values) const;
 
  private:
@@ -86,16 +91,17 @@ class NaturalWeights {
   Physical physical_;
   std::size_t first_;
   std::vector<Slot> slots_;
-  std::vector<Place> summed_;  // what is at most 1 together; empty: a single weight
+  std::vector<Place> summed_;  // the weights with a sum of at most 1; empty for a single weight
   std::vector<Place> place_;   // [slot]
   std::vector<std::vector<std::vector<Product>>> weights_;  // [term][channel][weight]
   std::vector<std::vector<std::vector<Product>>> lobes_;    // [term][channel][lobe]
 };
 
-// Whether the weights can be those of a dielectric under these constraints: there is one specular weight, f0
-// divides it, and what is held and tied allows it to be 1 and the rest to follow from f0.
+// Returns whether the weights can be those of a dielectric under these constraints. This requires one
+// specular weight that is divided by f0. The fixed and tied parameters must permit this weight to be 1 and
+// the other weights to follow from f0.
 bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);
-// Whether they can only be that: the specular weight is held at 1.
+// Returns whether the weights can only be those of a dielectric, because the specular weight is fixed at 1.
 bool must_be_dielectric(std::span<const Reflectance> forms, const Constraints& constraints);
 
 }  // namespace brdf::fit

@@ -8,10 +8,10 @@ namespace brdf::fit {
 namespace {
 
 constexpr std::size_t kFewest = 2, kFew = 5, kMost = 1000;
-constexpr double kSame = 1e-3;             // degrees: directions closer are one
+constexpr double kSame = 1e-3;             // degrees: closer directions count as one
 constexpr double kCell = 1, kSector = 30;  // degrees
 
-// Whole numbers for steps below 1, so that 30 degrees are 30.
+// Uses whole numbers for steps below 1, so that 30 degrees are exactly 30.
 double degrees_of(std::int32_t count, double step) {
   return step < 1 ? count / std::round(1 / step) : count * step;
 }
@@ -28,7 +28,7 @@ struct PairKey {
 };
 
 struct Hash {
-  // The same on every machine, whatever the width of its pointers.
+  // Gives the same result on every machine, whatever the width of its pointers.
   static std::uint64_t of(const PairKey& k) {
     std::uint64_t h = 0;
     for (std::int32_t v : {k.first.theta, k.first.phi, k.second.theta, k.second.phi})
@@ -38,7 +38,7 @@ struct Hash {
   std::size_t operator()(const PairKey& k) const { return std::size_t(of(k)); }
 };
 
-// Along the normal the azimuth says nothing.
+// At the normal, the azimuth is undefined and is set to 0.
 Key key_of(const Vec3<double>& v, double theta_step, double phi_step) {
   const double theta = radians(std::atan2(std::hypot(v.x, v.y), v.z)).degrees();
   const double phi = radians(std::atan2(v.y, v.x)).degrees();
@@ -52,7 +52,7 @@ enum class Side { light, viewer, pair };
 
 class Numbering {
  public:
-  // Gives up beyond `most` distinct directions.
+  // Stops after more than `most` distinct directions.
   Numbering(const Directions<double>& d, std::size_t rows, Side of, double theta_step, double phi_step,
             std::size_t most)
       : side(of), theta_step_(theta_step), phi_step_(phi_step) {
@@ -99,7 +99,8 @@ class Numbering {
     return out;
   }
 
-  // Azimuths from the end of the largest gap between them; of a pair, the second one from the first.
+  // Returns the keys with azimuths measured from the end of the largest gap between them. The second
+  // azimuth of a pair is measured from the first.
   std::vector<PairKey> turned_keys() const {
     const auto turn = std::int32_t(std::lround(360 / phi_step_));
     std::vector<std::int32_t> azimuths;

@@ -1,5 +1,5 @@
-// Rows that belong together because one direction stood still while they were taken: what is left out
-// together.
+// Groups of rows that share one direction which was kept fixed while they were measured. The rows of a
+// group are held out together.
 #pragma once
 
 #include <cstdint>
@@ -9,48 +9,52 @@
 
 namespace brdf::fit {
 
-// At most so many groups are left out one by one; more are dealt out to as many folds by a hash of their
-// directions: at random, as the error of a parameter by folds supposes, but always the same.
+// Up to this many groups are held out one by one. More groups are distributed over this many folds by a
+// hash of their directions. The distribution is random, as the error of a parameter by folds assumes, but
+// reproducible.
 inline constexpr std::size_t kMostFolds = 11;
 
 struct RowRange {
   std::size_t first = 0, rows = 0;
 };
 
-// Rows of one direction of the stepped side, or of a cell of directions.
+// The rows of one direction of the stepped side, or of a cell of directions.
 struct RowGroup {
-  double theta = 0, phi = 0;  // of that direction, or of the cell's centre; degrees, phi in [0, 360)
-  RowRange range;             // in the order below
+  double theta = 0, phi = 0;  // of that direction, or of the centre of the cell; degrees, phi in [0, 360)
+  RowRange range;             // in the order of the groups
   std::size_t fold = 0;
 };
 
-// What leaving groups out speaks of.
+// The kind of prediction that holding out groups tests.
 enum class HeldOut {
-  many,           // whole lights (or viewers), of which there are many
-  few,            // the same, of which there are fewer than five
-  interpolation,  // one direction alone stood still, or none: neighbours of what is left out stay in the fit
+  many,           // whole incidences (or viewing directions), of which there are many
+  few,            // whole incidences (or viewing directions), fewer than five
+  interpolation,  // one or no direction was kept fixed: neighbours of held-out rows stay in the fit
 };
 
 struct RowGroups {
   bool by_viewer = false;  // the viewer was stepped and the light scanned
-  bool by_pair = false;    // every pair of directions is its own group: theta and phi are the light's
+  bool by_pair = false;    // every pair of directions is a group; theta and phi belong to the light
   std::vector<RowGroup> groups;
-  std::vector<std::uint32_t> group_of;  // [row], as given
+  std::vector<std::uint32_t> group_of;  // [row], in the given order
   std::size_t folds = 0;
   HeldOut held_out = HeldOut::many;
 
-  // What the groups are of: "incidences".
+  // Returns the kind of the groups: "incidences".
   const char* name() const { return by_pair ? "pairs of directions" : by_viewer ? "viewers" : "incidences"; }
 };
 
-// All rows of a fold, which lie together.
+// Returns the rows of a fold, which are contiguous.
 RowRange rows_of_fold(const RowGroups& groups, std::size_t fold);
 
-// The stepped side is the one with fewer distinct directions (to a thousandth of a degree), as long as it has
-// two. Above 1,000 directions on either side the light's cells of 1 degree by 30 are the groups; below two on
-// both, the pairs. Where one side has a single direction, so that those of the other are all that can be left
-// out, what is left out lies between what is fitted. Folds depend on the directions alone, not on the order
-// of rows, and not on a turn of all of them about the normal.
+// Groups the rows by the stepped side. This is the side with fewer distinct directions (to a thousandth of
+// a degree), provided it has 2 to 1,000 of them; otherwise the other side, under the same condition. If
+// neither side qualifies, the groups are cells, 1 degree by 30 degrees, of the directions of a side with
+// more than 1,000 (of the light if both have more). If this gives fewer than two groups, or no side has so
+// many directions, the groups are pairs of directions.
+// If one side has a single direction, only directions of the other side can be held out; they lie between
+// the fitted directions. Folds depend on the directions alone, not on the order of the rows, and not on a
+// rotation of all directions about the normal.
 RowGroups group_rows(const Directions<double>& directions, std::size_t rows);
 
 }  // namespace brdf::fit

@@ -1,4 +1,5 @@
-// What the solver searches: one slot per free parameter, from the forms' tables and the user's constraints.
+// The unknowns of the solver: one slot per free parameter, from the tables of the forms and the constraints
+// of the user.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +11,9 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// True where every lobe's derivative by the parameter vanishes at its
-// lower bound, as sigma's does in Oren-Nayar: such a parameter enters by
-// its square, and on its own scale a solver would never leave the bound.
+// Returns whether the derivative of every lobe by the parameter vanishes at the lower bound, as for sigma
+// in Oren-Nayar. Such a parameter enters by its square; on its own scale a solver would never leave the
+// bound.
 bool flat_at_minimum(const Reflectance& form, const ReflectanceInfo& info, std::size_t parameter) {
   std::vector<double> shape;
   for (const ParameterInfo& q : info.shape) shape.push_back(q.initial);
@@ -34,7 +35,7 @@ Scale scale_of(const Reflectance& form, const ReflectanceInfo& info, std::size_t
   return flat_at_minimum(form, info, parameter) ? Scale::square : Scale::identity;
 }
 
-// The weights of a term's lobes as they follow from its table's weights, column by column.
+// Builds the map from the weights of a term's table to the weights of its lobes, column by column.
 class WeightMapBuilder {
  public:
   WeightMapBuilder(const ReflectanceInfo& info, const std::vector<Constraint>& constraints,
@@ -63,7 +64,7 @@ class WeightMapBuilder {
  private:
   using Column = std::vector<double>;
 
-  // The lobes' weights where this weight is `size` and all others are 0.
+  // Returns the weights of the lobes if this weight is `size` and all others are 0.
   Column column(std::size_t weight, double size, double f0 = 0) const {
     std::vector<double> weights(info_.weights.size(), 0);
     weights[weight] = size;
@@ -87,8 +88,8 @@ class WeightMapBuilder {
       add_unknown(column(weight, 1), c.low, c.high);
   }
 
-  // A weight whose lobes f0 divides: as unknowns the weights at the lowest and the highest f0, so that the
-  // bounds of both are plain bounds.
+  // Adds a weight with lobes that f0 divides. The unknowns are the weights at the lowest and the highest
+  // f0, so the bounds of both parameters are plain bounds.
   void add_with_f0(std::size_t weight, std::size_t f0) {
     const Constraint &w = constraints_[weight], &f = constraints_[f0];
     const ParameterInfo& table = info_.weights[weight];
@@ -187,7 +188,8 @@ void Model::add_shape_slots(bool anisotropic) {
   index_partials();
 }
 
-// The slots of one parameter, or of two that are tied: one in every group of channels, unless it is held.
+// Adds the slots of one parameter, or of two tied parameters: one for every group of channels, unless the
+// parameter is held.
 void Model::add_shape_parameter(std::size_t t, const std::vector<std::size_t>& members) {
   TermModel& term = terms_[t];
   const Constraint& c = constraints_.terms[t].shape[members[0]];
@@ -221,7 +223,7 @@ void Model::add_shape_parameter(std::size_t t, const std::vector<std::size_t>& m
   }
 }
 
-// The values of a smooth shape at its nodes.
+// Adds the slots of a smooth shape, one for the value at each node.
 void Model::add_nodes(Slot slot) {
   slot.group = kEveryGroup;
   slot.nodes = smooth_->nodes.size();
@@ -252,7 +254,7 @@ void Model::add_normal_slots() {
   }
 }
 
-// Which slot each derivative belongs to.
+// Sets the slot of each derivative.
 void Model::index_partials() {
   partial_slot_.assign(groups_ * partials_, kNoSlot);
   const auto set = [&](std::size_t group, const TermModel& term, int partial, std::size_t slot) {

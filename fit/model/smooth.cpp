@@ -12,7 +12,7 @@
 namespace brdf::fit {
 namespace {
 
-// Of each channel, 1000 nm / wavelength.
+// Returns 1000 nm / wavelength of each channel.
 std::vector<double> wavenumbers(std::span<const std::string> channels) {
   std::vector<double> out;
   for (const std::string& channel : channels) {
@@ -27,7 +27,7 @@ std::vector<double> wavenumbers(std::span<const std::string> channels) {
   return out;
 }
 
-// Lagrange's polynomial of one node.
+// Evaluates Lagrange's polynomial of one node.
 double share_at(const std::vector<double>& nodes, std::size_t node, double x) {
   double share = 1;
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -41,7 +41,7 @@ Matrix SmoothBasis::coefficients() const {
   const std::size_t n = nodes.size();
   Matrix out(n, n);
   for (std::size_t node = 0; node < n; ++node) {
-    std::vector<double> power{1};  // of the product so far
+    std::vector<double> power{1};  // coefficients of the product so far, by powers
     for (std::size_t k = 0; k < n; ++k) {
       if (k == node) continue;
       const double scale = 1 / (nodes[node] - nodes[k]);

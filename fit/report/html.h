@@ -1,4 +1,4 @@
-// The report of one fit, as a self-contained HTML file.
+// Writes the report of one fit as a self-contained HTML file.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace brdf::fit {
 
-// Verdict with its warnings, a sphere (unless it is not wanted), slices with bands, where the fit deviates,
-// parameters, ranking, samples; correlations and minima folded (fit/report/page.h).
+// Returns the page: the verdict with its warnings, a sphere (if `sphere` is true), slices with bands, a map
+// of the deviations, parameters, ranking, samples; correlations and minima are folded (fit/report/page.h).
 std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options,
                         bool sphere = true);
 

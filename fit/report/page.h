@@ -1,5 +1,5 @@
-// The parts of a page about a fit, in the order in which a reader asks. Each adds its heading, and nothing
-// where it has nothing to show.
+// The sections of a page about a fit, in the order of a reader's questions. Each function adds its heading,
+// or nothing if it has nothing to show.
 #pragma once
 
 #include <memory>
@@ -13,38 +13,41 @@
 
 namespace brdf::fit {
 
-// The best form in one sentence, and what must be known at once; the mark is amber where anything is in
+// Adds the best form in one sentence, with the most important warnings. The mark is amber if anything is in
 // doubt.
 void add_verdict(io::HtmlReport& report, const FitResult& result);
 
-// The fitted material, the samples and the difference on a sphere that turns (io/page/sphere/page.h); nothing
-// where the channels are no colours.
+// Adds the fitted material, the samples and their difference on a sphere that can be rotated
+// (io/page/sphere/page.h). Adds nothing if the channels are not colours.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
-// Of samples that were prepared, whose material has no io::sphere::obstacle().
+// Adds the sphere for prepared samples. The caller has ensured that io::sphere::obstacle() reports no
+// obstacle for the material.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
                 const std::shared_ptr<const measured::MeasuredReflectance>& seen);
 
-// Samples and the fitted curve in the plane of incidence, up to three channels and four angles of the light.
-// The curve is evaluated every half degree and where a sample is; `aperture` is the detector's, in degrees.
+// Adds plots of the samples and the fitted curve in the plane of incidence, for up to three channels and
+// four angles of incidence. The curve is evaluated every half degree and at each sample. `aperture` is that
+// of the detector, in degrees.
 void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);
 
-// Mean of ln(fitted/measured) over the half angles.
+// Adds a map of the mean of ln(fitted/measured) over the half angles.
 void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);
 
-// Of a spectrum: each band's weights over wavelength, with their intervals.
+// For a spectrum, adds the weights of each band over wavelength, with their intervals.
 void add_spectra(io::HtmlReport& report, const FormFit& fit);
 
-// Parameters by their plain names, a column for each channel; every interval folded beneath.
+// Adds the parameters by their plain names, one column for each channel, with all intervals in a folded
+// table below.
 void add_parameters(io::HtmlReport& report, const FormFit& fit);
 
-// All forms, best first; what few ask for folded beneath.
+// Adds all forms, best first, with the less common figures in a folded table below.
 void add_ranking(io::HtmlReport& report, const FitResult& result);
 
-// What was fitted: rows, residual, scatter.
+// Adds the facts about the fitted samples: rows, residual, noise.
 void add_samples(io::HtmlReport& report, const FitResult& result, const io::SampleTable& table,
                  const FitOptions& options);
 
-// Correlations, minima and the steps of --form auto, folded.
+// Adds correlations, minima and the steps of --form auto, folded.
 void add_workings(io::HtmlReport& report, const FitResult& result);
 
 }  // namespace brdf::fit

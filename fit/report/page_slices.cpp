@@ -1,5 +1,5 @@
-// Measured against fitted: slices through the plane of incidence, and where the fit deviates over the half
-// angles.
+// Plots of measured and fitted values: slices in the plane of incidence, and a map of the deviations over
+// the half angles.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kSlices = 4, kLeastRows = 4, kMostChannels = 3;
 constexpr double kCurveStep = 0.5;  // degrees, of a curve
 
-// Fitted values [channel][row].
+// Computes fitted values, [channel][row].
 std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
                                                double aperture) {
   std::vector out(material.channels.size(), std::vector<double>(d.count));
@@ -37,13 +37,14 @@ std::vector<std::vector<double>> fitted_values(const Material& material, const D
   return out;
 }
 
-// The rows of one light in the plane of incidence, by the detector's angle.
+// The rows of one incidence in the plane of incidence, sorted by the angle of the detector.
 struct Slice {
   double theta_i, phi_i;  // degrees
   std::vector<std::pair<double, std::size_t>> rows;
 };
 
-// Up to four angles of the light, from the steepest to the flattest; of each the azimuth with most rows.
+// Returns slices for up to four angles of incidence, from the steepest to the flattest. For each angle,
+// uses the azimuth with most rows.
 std::vector<Slice> slices_of(const io::SampleTable& table) {
   std::map<double, std::map<double, Slice>> by_light;
   for (std::size_t k = 0; k < table.rows(); ++k)
@@ -65,7 +66,7 @@ std::vector<Slice> slices_of(const io::SampleTable& table) {
   return io::evenly(std::move(all), kSlices);
 }
 
-// Every half degree between the outermost samples, and where the samples are.
+// Returns every half degree between the outermost samples, and the angles of the samples.
 std::vector<double> angles_of(const Slice& slice) {
   std::vector<double> angles;
   for (const auto& [angle, row] : slice.rows) angles.push_back(angle);
@@ -79,12 +80,13 @@ std::vector<double> angles_of(const Slice& slice) {
 struct Curve {
   std::vector<double> angles;
   std::vector<std::vector<double>> values;  // [channel shown][angle]
-  std::vector<std::vector<Extent>> bands;   // the same; empty: not known
+  std::vector<std::vector<Extent>> bands;   // [channel shown][angle]; empty if unknown
 };
 
 constexpr double kOpenBand = 1e3;  // times a value
 
-// The material in these channels alone, behind the first, by whose weights some forms mix channels.
+// Returns the material in these channels alone, after the first channel. Some forms mix channels by the
+// weights of the first one.
 Material in_channels(const Material& material, const std::vector<std::size_t>& channels) {
   Material out;
   std::vector<std::size_t> kept{0};
@@ -101,7 +103,7 @@ Material in_channels(const Material& material, const std::vector<std::size_t>& c
   return out;
 }
 
-// Of these channels, with the 95 % band.
+// Returns the curve of these channels with its 95 % band.
 Curve curve_of(const FormFit& fit, const Slice& slice, const std::vector<std::size_t>& channels,
                double aperture) {
   Curve curve{angles_of(slice), {}, {}};
@@ -133,7 +135,7 @@ Curve curve_of(const FormFit& fit, const Slice& slice, const std::vector<std::si
   return curve;
 }
 
-// Red, green and blue, where they can be told; else the first ones.
+// Returns red, green and blue if they can be identified, otherwise the first channels.
 std::vector<std::size_t> shown_channels(const std::vector<std::string>& channels) {
   std::vector<std::size_t> shown;
   const auto colours = io::channel_colours(channels);
@@ -142,7 +144,7 @@ std::vector<std::size_t> shown_channels(const std::vector<std::string>& channels
   return shown;
 }
 
-// Of one channel, the `shown`th of the curves.
+// Returns the plot of one channel, which is number `shown` of the curves.
 io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slices,
                     const std::vector<Curve>& curves, std::size_t channel, std::size_t shown) {
   io::Plot plot;
@@ -162,7 +164,7 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
     line.colour = int(s);
     if (!curves[s].bands.empty())
       for (const Extent& band : curves[s].bands[shown]) {
-        // An open band leaves the plot.
+        // An open band extends beyond the plot.
         const double value = line.y[line.low.size()];
         line.low.push_back(std::max(band.low, value / kOpenBand));
         line.high.push_back(std::min(band.high, value * kOpenBand));
@@ -175,7 +177,7 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
 
 constexpr std::size_t kMapCells = measured::ResidualMap::kCells;
 
-// Blue where the fit is too dark, red where too bright, transparent where nothing was measured.
+// Returns the pixels: blue if the fit is too dark, red if too bright, transparent if nothing was measured.
 std::vector<unsigned char> pixels_of(const std::vector<double>& cells, double largest, std::size_t scale) {
   const std::size_t width = kMapCells * scale;
   std::vector<unsigned char> rgba(width * width * 4, 0);

@@ -1,4 +1,4 @@
-// What a fit to a spectrum found, over wavelength.
+// The results of a fit to a spectrum, over wavelength.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ struct Band {
   const Estimate* estimate;
 };
 
-// A parameter that every channel has a value of its own for.
+// A parameter with a separate value for every channel.
 struct Spectrum {
   std::string symbol;
   std::vector<Band> bands;  // by wavelength

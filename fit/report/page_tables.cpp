@@ -1,4 +1,4 @@
-// The verdict and the tables of a fit's page.
+// The verdict and the tables on the page of a fit.
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +14,7 @@ namespace {
 using io::Cell;
 using io::Mark;
 
-// The value with its interval, which is the wider one where the form lacks something.
+// Returns the value with its interval, which is the wider one if the form has lack of fit.
 Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::string>& weak) {
   switch (e.status) {
     case Status::unidentified:

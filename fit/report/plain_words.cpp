@@ -15,11 +15,11 @@ namespace {
 
 using io::Mark;
 
-constexpr double kWideFactor = 4;    // of a parameter on a logarithmic scale
-constexpr double kWideShare = 0.5;   // of the value
-constexpr double kWideRange = 0.05;  // of the usual range
+constexpr double kWideFactor = 4;    // for a parameter on a logarithmic scale
+constexpr double kWideShare = 0.5;   // relative to the value
+constexpr double kWideRange = 0.05;  // relative to the usual range
 
-// Where a name stands: which term, which table; none of tangent_phi, which belongs to no form.
+// The term and the table entry of a name. `form` is null for tangent_phi, which belongs to no form.
 struct NamedPlace {
   const ReflectanceInfo* form = nullptr;
   const ParameterInfo* info = nullptr;
@@ -40,7 +40,7 @@ bool is_weight(Role role) {
   return role == Role::diffuse || role == Role::specular;
 }
 
-// Both axes of the form have this value, so that one name stands for both.
+// Returns whether both axes of the form have this value, so that one name suffices for both.
 bool has_one_width(const FormFit& fit, const Estimate& e, const NamedPlace& at) {
   if (!at.form || !at.form->anisotropic()) return false;
   const auto [along, across] = at.form->axes();
@@ -56,7 +56,8 @@ bool has_one_width(const FormFit& fit, const Estimate& e, const NamedPlace& at) 
   });
 }
 
-// The sum of all weights of an estimate's channel (of the first for what all share).
+// Returns the sum of all weights of an estimate's channel (of the first channel if all channels share the
+// estimate).
 double weights_of_channel(const FormFit& fit, const Estimate& e) {
   double sum = 0;
   const Material& m = fit.material;
@@ -81,7 +82,8 @@ bool is_weak(const FormFit& fit, const Estimate& e) {
   return extent.high - extent.low > 2 * std::max(kWideShare * std::abs(e.value), kWideRange * range);
 }
 
-// Whether a finding's first word is a parameter, whose name has its own case: "f0 is at its upper bound 1".
+// Returns whether the first word of a finding is a parameter. Its case must then not change: "f0 is at its
+// upper bound 1".
 bool begins_with_name(const FormFit& fit, std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" ,"));
   return std::any_of(fit.estimates.begin(), fit.estimates.end(),

@@ -1,5 +1,5 @@
-// What a fit found, in words for people: how it stands, what must be known at once, what its parameters are
-// called.
+// The results of a fit in plain words: the state of the fit, the most important warnings, and the names of
+// its parameters.
 #pragma once
 
 #include <optional>
@@ -13,25 +13,28 @@
 
 namespace brdf::fit {
 
-// "ks (r, g, b)", "f0 (r)": free parameters that the samples leave wide open. Of a weight or an angle half of
-// the 95 % interval is beyond half of the value (and a twentieth of the parameter's usual range, or of the
-// channel's weights); a parameter on a logarithmic scale varies by more than a factor of 4. Where the form
-// lacks something, the interval is the one with lack of fit.
+// Returns the free parameters that the samples barely determine: "ks (r, g, b)", "f0 (r)". A weight or an
+// angle is listed if half of its 95 % interval exceeds half of its value (and a twentieth of the
+// parameter's usual range, or of the channel's weights). A parameter on a logarithmic scale is listed if
+// its interval spans more than a factor of 4. If the form has lack of fit, the interval with lack of fit is
+// used.
 std::vector<std::string> weakly_determined(const FormFit& fit);
-// The same as a clause; empty where there is none.
+// Returns the same list as a clause; empty if the list is empty.
 std::string weakness_text(const FormFit& fit);
 
-// Findings, conditions (fit/report/states.h), weak parameters and lack of fit, each with its mark.
+// Returns the findings, conditions (fit/report/states.h), weakly determined parameters and lack of fit,
+// each with its mark.
 std::vector<io::Remark> remarks_on(const FormFit& fit);
 
-// A parameter as people know it.
+// A parameter with its plain name.
 struct NamedParameter {
-  std::string plain;     // "surface roughness", in a sum with the form
-  std::string symbol;    // as options and JSON name it: alpha, kd, terms[1].ks
+  std::string plain;     // "surface roughness"; in a sum with the name of the form
+  std::string symbol;    // name in options and JSON: alpha, kd, terms[1].ks
   std::string meaning;   // one sentence
-  bool repeats = false;  // the second axis of a form whose axes have one value: said already
+  bool repeats = false;  // second axis of a form with equal axes, already listed
   const ParameterInfo* info = nullptr;
 };
+// Returns the names of the parameter of an estimate.
 NamedParameter named(const FormFit& fit, const Estimate& estimate);
 
 }  // namespace brdf::fit

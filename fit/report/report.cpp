@@ -21,7 +21,7 @@ std::string error_text(double error) {
   return error < 10 ? io::percent(error) : std::to_string(std::llround(100 * error)) + " %";
 }
 
-// The value with its interval; where the model is wrong, also with what that adds.
+// Returns the value with its interval and, if the model has lack of fit, the interval that includes it.
 std::string estimate_text(const Estimate& e, const std::string& name, bool wrong) {
   switch (e.status) {
     case Status::unidentified:
@@ -43,7 +43,7 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
   return text + ")";
 }
 
-// In the colour of its mark.
+// Returns the text in the colour of its mark.
 std::string shown(const std::string& text, io::Mark mark, const TextStyle& style) {
   if (!style.colours) return text;
   const char* colour = mark == io::Mark::good      ? "\x1b[32m"
@@ -55,10 +55,10 @@ std::string shown(const std::string& text, io::Mark mark, const TextStyle& style
 
 // A column of the ranking: its heading, then its cells.
 struct Column {
-  int width;  // least, with the blanks to the next
+  int width;  // minimum, including the blanks before the next column
   std::string heading;
   std::vector<std::string> cells;
-  int dropped = 0;  // when a terminal is too narrow; 0: never
+  int dropped = 0;  // order of removal if a terminal is too narrow; 0: never removed
   int needed() const {
     std::size_t widest = heading.size();
     for (const std::string& cell : cells) widest = std::max(widest, cell.size());
@@ -66,14 +66,14 @@ struct Column {
   }
 };
 
-// Forms by what they are worth. Of a terminal too narrow for all columns some stay out, and it says so.
+// Prints the ranked forms. If the terminal is too narrow for all columns, some are omitted, with a note.
 void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
-  // The widths are least ones; `dropped`: of a terminal too narrow, in this order, for what says least goes
-  // first.
+  // The widths are minima. `dropped` gives the order of removal if the terminal is too narrow; the least
+  // important column goes first.
   std::vector<Column> table{{0, "form", {}},       {17, "verdict", {}},     {10, "held out", {}, 3},
                             {9, "median", {}},     {8, "90 %", {}, 2},      {10, "off by 2", {}, 1},
                             {11, "x scatter", {}}, {0, "parameters", {}, 4}};
-  if (style.columns == 0) table[0].width = 28;  // a form of the catalogue; sums are longer
+  if (style.columns == 0) table[0].width = 28;  // enough for a form of the catalogue; sums are longer
   for (const FormFit& fit : result.ranking) {
     const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
     const double value = fit.left_out ? fit.left_out->value : kUnknown,

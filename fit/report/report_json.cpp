@@ -12,7 +12,7 @@ namespace {
 
 using io::Json;
 
-// Infinite or undefined numbers have no JSON.
+// JSON cannot represent infinite or undefined numbers; they become null.
 Json number(double x) {
   return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
@@ -23,9 +23,10 @@ Json extent_json(const Extent& e) {
 
 Json estimate_json(const Estimate& e) {
   Json j{{"status", name_of(e.status)}};
-  // An unidentified value is no value: the material needs one, a reader must not.
+  // The value of an unidentifiable parameter is null. The material needs a value, but readers must not use
+  // it.
   j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
-  // An end that is open is null.
+  // An open end is null.
   if (e.status != Status::fixed) j.update(extent_json(interval_of(e)));
   if (e.status != Status::fixed) j["deciding_values"] = number(e.deciding);
   if (e.status == Status::free)
@@ -68,7 +69,7 @@ Json errors_json(const RelativeErrors& e) {
           {"light_off_by_two", number(e.off_by_two)}};
 }
 
-// The same groups for every form.
+// Returns the held-out values of the groups, which are the same for every form.
 Json left_out_json(const RowGroups& groups, const std::vector<double>& values) {
   Json j = Json::array();
   for (std::size_t g = 0; g < values.size(); ++g) {
@@ -101,7 +102,7 @@ Json lack_of_fit_json(const LackOfFit& lack) {
   return j;
 }
 
-// By powers of 1000 nm / wavelength.
+// Writes the coefficients by powers of 1000 nm / wavelength.
 Json smooth_json(const std::vector<SmoothCurve>& curves) {
   Json j = Json::object();
   for (const SmoothCurve& curve : curves) {
@@ -160,7 +161,7 @@ Json statistics_json(const FormFit& fit) {
   return j;
 }
 
-// How the residual was chosen; null where it was asked for.
+// Returns the reason for the chosen residual; null if the user requested it.
 Json choice_json(const MetricChoice& choice) {
   if (choice.asked) return nullptr;
   Json j{{"reason", choice.reason}, {"noise_unevenness", Json::object()}};
@@ -247,7 +248,7 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
   j["metric_choice"] = choice_json(result.metric);
   j["samples"] = samples_json(result, table, options);
   j.update(statistics_json(fit));
-  constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // in a file that people read
+  constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // limits for a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)
     j["covariance"] = to_json(*fit.covariance);
   if (!fit.ends.empty() && fit.ends.size() <= kMostEnds) j["ends"] = to_json(fit.ends);

@@ -40,7 +40,7 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
-constexpr double kFarWorse = 10;  // times the first form's left-out error
+constexpr double kFarWorse = 10;  // times the held-out error of the first form
 constexpr double kRoundingError = 1e-11;
 
 std::string share_of(double error) {
@@ -68,7 +68,7 @@ Condition headline_of(const FormFit& f) {
   return f.about.interpolated ? Condition::interpolated : Condition::describes;
 }
 
-// "2.0 times what they scatter", or where it is only some place.
+// Returns "2.0 times what they scatter", or a phrase for a deviation in some directions only.
 std::string beyond_in_words(const FormFit& f) {
   const double times = f.lack_of_fit.residual_over_scatter.value_or(kUnknown);
   return times > 1.3 ? times_text(times) + " times what they scatter"
@@ -80,7 +80,7 @@ std::string scatter_in_words(const FormFit& f) {
 }
 
 std::string degrees_of_width(double alpha) {
-  // Where half of the peak is left, on either side, as the viewer turns.
+  // The full width at half of the peak, as the viewer turns.
   return io::short_number(4 * radians(std::atan(alpha * std::sqrt(std::log(2.0)))).degrees(), 2);
 }
 

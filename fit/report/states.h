@@ -1,5 +1,5 @@
-// How a fit stands: one table from what was found to the mark, the exit code and the sentence that every face
-// shows.
+// The state of a fit: one table that maps the findings to the mark, the exit code and the sentence that
+// every interface shows.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace brdf::fit {
 
-// What can be said of a fit. Several hold at once; the first that holds makes the headline.
+// The conditions of a fit. Several can hold at once; the first one that holds is the headline.
 enum class Condition {
   interrupted,
   diverged,
@@ -22,7 +22,7 @@ enum class Condition {
   scatter_unknown,
   interpolated,
   describes,
-  // Beside the headline.
+  // In addition to the headline.
   determined,
   at_bound,
   breaks_energy_elsewhere,
@@ -63,24 +63,27 @@ inline constexpr std::array<std::string_view, 19> kNames<fit::Condition>{"interr
 
 namespace brdf::fit {
 
+// The mark and the exit code of a condition.
 struct State {
   Condition condition;
   io::Mark mark;
   bool usable;  // exit code 0
 };
 
-// Every condition's mark and exit code.
+// Returns the mark and the exit code of a condition.
 const State& state_of(Condition condition);
-// Those that hold, the headline's first.
+// Returns the conditions that hold, the headline first.
 std::vector<Condition> conditions_of(const FormFit& fit);
 
-// The worst mark of the conditions that hold.
+// Returns the worst mark of the conditions that hold.
 io::Mark mark_of(const FormFit& fit);
-// A form in a ranking: unknown (grey) where it predicts ten times worse than the first.
+// Returns the mark of a form in a ranking: unknown (grey) if its predictions are ten times worse than the
+// predictions of the first form.
 io::Mark mark_in_ranking(const FormFit& fit, const FormFit& first);
-// How the fit stands, in one sentence.
+// Returns the state of the fit in one sentence.
 std::string verdict_sentence(const FormFit& fit);
-// What a condition beside the headline says; empty for the others, and where a finding says it already.
+// Returns the sentence of a condition in addition to the headline. Empty for other conditions, and if a
+// finding already has the sentence.
 std::string sentence_of(Condition condition, const FormFit& fit);
 
 }  // namespace brdf::fit

@@ -8,8 +8,8 @@
 namespace brdf::fit {
 namespace {
 
-// Eight lanes in vectors as wide as registers are: g++ keeps wider ones in memory, copied word by word, which
-// costs a factor of seven.
+// Eight lanes in vectors as wide as the registers. g++ keeps wider vectors in memory and copies them word
+// by word, which costs a factor of seven.
 struct __attribute__((may_alias)) Quads {
   typedef double Vector __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias));
   static constexpr std::size_t width = 4;
@@ -22,8 +22,8 @@ struct __attribute__((may_alias)) Octet {
 };
 static_assert(kLanes == 8);
 
-// A value explains at most so much of its own residual: one that fixes a parameter alone counts as very
-// uncertain, not as infinitely so.
+// Upper limit of the share of its own residual that a value explains. A value that alone determines a
+// parameter counts as very uncertain, not as infinitely uncertain.
 constexpr double kMostLeverage = 0.99;
 
 inline double clamped(double x, double low, double high) {
@@ -51,7 +51,7 @@ void add_lanes(Lanes& to, const Lanes& a, const Lanes& b) {
 template <class Lanes>
 void add_gram_in(std::size_t m, const double* const* a, std::size_t n, const double* const* b, bool symmetric,
                  std::size_t entries, double* h) {
-  // Four columns at a time: one load of the row's column serves four products.
+  // Processes four columns at a time: one load of the row's column serves four products.
   for (std::size_t i = 0; i < m; ++i) {
     const Lanes* x = lanes<Lanes>(a[i]);
     for (std::size_t j = symmetric ? i : 0; j < n; j += 4) {

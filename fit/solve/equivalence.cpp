@@ -9,16 +9,16 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kSamePoint = 1e-3;
-constexpr double kBarrier = 1e-4;        // rise of the cost between two minima that makes them two
-constexpr double kCostRounding = 1e-20;  // of a cost, as a share of that of a black surface
+constexpr double kBarrier = 1e-4;        // rise of the cost between two minima that makes them distinct
+constexpr double kCostRounding = 1e-20;  // of a cost, relative to that of a black surface
 
 void swap_slots(Minimum& m, std::size_t a, std::size_t b) {
   std::swap(m.p[a], m.p[b]);
   std::swap(m.at_bound[a], m.at_bound[b]);
 }
 
-// Pairs of slots that change places where the frame turns by a right angle: the widths along and across of
-// every term. None where some are held, tied or bounded apart.
+// Returns the pairs of slots that exchange places if the frame turns by a right angle: the widths along and
+// across of every term. Empty if some of them are held, tied or bounded differently.
 std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& model) {
   const auto shape_slot = [&](std::size_t term, int member, std::size_t group) {
     for (std::size_t s = 0; s < model.shape_slots(); ++s) {
@@ -47,7 +47,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossed_slots(const Model& mode
   return pairs;
 }
 
-// The tangent in (-45, 45] degrees, or in (-90, 90] where the widths cannot change places.
+// Turns the tangent to (-45, 45] degrees, or to (-90, 90] if the widths cannot exchange places.
 void turn_tangent(const Model& model, Minimum& m) {
   const std::size_t t = model.tangent_slot();
   if (t == kNoSlot) return;
@@ -59,7 +59,8 @@ void turn_tangent(const Model& model, Minimum& m) {
     for (const auto& [along, across] : crossed) swap_slots(m, along, across);
 }
 
-// Whether both terms of a sum are the same form under the same constraints (one diffuse part apart).
+// Returns whether both terms of a sum are the same form under the same constraints, except for a held
+// diffuse weight.
 bool interchangeable(const Model& model) {
   if (model.terms().size() != 2 || model.terms()[0].form != model.terms()[1].form) return false;
   const TermConstraints &a = model.constraints().terms[0], &b = model.constraints().terms[1];
@@ -73,7 +74,7 @@ bool interchangeable(const Model& model) {
   return true;
 }
 
-// The unknowns of two maps that have the same effect on the lobes, as pairs of slots.
+// Returns the unknowns of two maps that have the same effect on the lobes, as pairs of slots.
 std::vector<std::pair<std::size_t, std::size_t>> matching_unknowns(const WeightMap& a, const WeightMap& b) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t u = 0; u < a.unknowns; ++u)
@@ -86,7 +87,7 @@ std::vector<std::pair<std::size_t, std::size_t>> matching_unknowns(const WeightM
   return pairs;
 }
 
-// Gives each of two equal terms the weights of the other, where both are free.
+// Exchanges the weights of two equal terms, if both are free.
 void exchange_natural_weights(const Model& model, WeightTable& weights, Minimum& m) {
   for (std::size_t c = 0; c < model.channels().size(); ++c)
     for (std::size_t k = 0; k < weights[0][c].size(); ++k)
@@ -100,7 +101,7 @@ void exchange_natural_weights(const Model& model, WeightTable& weights, Minimum&
   }
 }
 
-// The narrower of two equal lobes first.
+// Puts the narrower of two equal lobes first.
 void order_lobes(const Model& model, Minimum& m) {
   if (!interchangeable(model)) return;
   std::vector<std::size_t> first, second;
@@ -138,7 +139,7 @@ bool same_point(const Model& model, const Minimum& a, const Minimum& b) {
   return true;
 }
 
-// The least cost that weights can give these shapes.
+// Returns the least cost over all weights for these shapes.
 double cost_of_shapes(const SampleStream& stream, std::vector<double> p) {
   const Model& model = stream.model();
   const std::size_t first = model.shape_slots(), count = model.size() - first;

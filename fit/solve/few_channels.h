@@ -1,4 +1,4 @@
-// A spectrum's shape, told by a few of its bands.
+// Determines the shape of a spectrum from a few of its bands.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,13 @@ namespace brdf::fit {
 
 struct FewChannels {
   FitData data;
-  Model model;  // of the same slots of shapes as the model of all channels
+  Model model;  // has the same shape slots as the model of all channels
 };
 
-// Where many channels share one shape: some of them, evenly spread, from the first to the last. Minima are
-// looked for on these; the work grows with the cube of the number of unknowns, and each channel has its own
-// weights. None where the channels are few, have shapes of their own, or options with a value for each.
+// Returns a subset of the channels, evenly spread from the first to the last, if many channels share one
+// shape. Minima are searched on this subset, because the work grows with the cube of the number of unknowns
+// and each channel has its own weights. Returns std::nullopt if there are few channels, if they have shapes
+// of their own, or if an option has a value for each channel.
 std::optional<FewChannels> few_channels(const FitData& data, const Model& model, const FitOptions& options);
 
 }  // namespace brdf::fit

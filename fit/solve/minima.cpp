@@ -14,10 +14,10 @@
 namespace brdf::fit {
 namespace {
 
-constexpr std::size_t kCoarseRows = 4096;  // what the starts are solved on
-constexpr std::size_t kMiddleShare = 16;   // then every 16th row, then all
+constexpr std::size_t kCoarseRows = 4096;  // rows on which the starts are solved
+constexpr std::size_t kMiddleShare = 16;   // next, every 16th row is used, then all rows
 constexpr std::size_t kReseats = 12;       // widths at which a lobe of a sum is tried again
-constexpr std::size_t kPolished = 6;       // minima that are solved on all rows
+constexpr std::size_t kPolished = 6;       // number of minima that are solved on all rows
 
 void add_minimum(const SampleStream& stream, Minimum m, std::vector<Minimum>& minima) {
   for (Minimum& other : minima) {
@@ -40,7 +40,7 @@ Minimum to_minimum(const Model& model, Solution s) {
   return m;
 }
 
-// What solving took.
+// The work of solving.
 struct Tally {
   int passes = 0, iterations = 0;
   bool interrupted = false;
@@ -76,7 +76,7 @@ class Search {
     return finished(std::move(minima));
   }
 
-  // From the minima of a few channels (few_channels.h), whose shapes are kept as starts.
+  // Starts from the minima of a few channels (few_channels.h) and keeps their shapes as starts.
   SearchResult run_from(SearchResult few, std::size_t shapes) {
     estimated_scale_ = residual_.loss.kind != LossFunction::Kind::none && residual_.loss.scale <= 0;
     if (estimated_scale_) residual_.loss.scale = few.loss_scale;
@@ -100,7 +100,8 @@ class Search {
     return std::move(result_);
   }
 
-  // The scale came from crude weights: take it again from the best fit, and solve again from there.
+  // The scale was estimated from crude weights. Estimate the scale again from the best fit, and solve again
+  // from there.
   std::vector<Minimum> with_scale_of_best(const FitData& data, std::vector<Minimum> minima) {
     if (!estimated_scale_ || minima.empty()) return minima;
     const SampleStream stream(data, model_, residual_, options_.aperture);
@@ -148,8 +149,9 @@ class Search {
     return o;
   }
 
-  // In a sum, one lobe can be caught by a few outliers where it keeps the other from its place. Each lobe in
-  // turn is taken out and tried at every width of the grid, the others held; the best is solved again.
+  // In a sum, a lobe can be trapped by a few outliers and keep the other lobe from its place. Each lobe in
+  // turn is removed and tried at every width of the grid, with the others held. The best result is solved
+  // again.
   Minimum reseat_lobes(const SampleStream& stream, Minimum m, double tolerance, Tally& tally) const {
     if (model_.terms().size() < 2) return m;
     for (std::size_t s = 0; s < model_.shape_slots(); ++s) {
@@ -160,7 +162,7 @@ class Search {
       for (std::size_t k = 0; k < kReseats; ++k) {
         std::vector<double> p = m.p;
         for (std::size_t other = 0; other < model_.shape_slots(); ++other) {
-          const Slot& same = model_.slots()[other];  // the same parameter of other channels, too
+          const Slot& same = model_.slots()[other];  // includes the same parameter of other channels
           if (same.same_parameter(slot)) p[other] = grid_value(same, k, kReseats);
         }
         start_weights(stream, p);
@@ -187,7 +189,8 @@ class Search {
     return to_minimum(model_, std::move(s));
   }
 
-  // Side by side; the minima are compared in the starts' order, so that nothing depends on the threads.
+  // Solves the starts in parallel. The minima are compared in the order of the starts, so no result depends
+  // on the threads.
   std::vector<Minimum> solve_all(const FitData& data, const std::vector<std::vector<double>>& starts,
                                  double tolerance) {
     const SampleStream stream(data, model_, residual_, options_.aperture);
@@ -209,9 +212,9 @@ class Search {
     return collected(stream, solved, tallies);
   }
 
-  // The best few, solved again on other rows; the rest keep their place in the list with the cost they had.
+  // Solves the best few minima again on other rows. The other minima are dropped.
   std::vector<Minimum> polish(const FitData& data, const std::vector<Minimum>& minima, double tolerance) {
-    // A minimum far above the best is listed, not polished: it cannot become the answer.
+    // A minimum far above the best cannot become the result, so it is dropped.
     std::size_t count = std::min<std::size_t>(minima.size(), 1);
     while (count < std::min(minima.size(), kPolished) && minima[count].cost <= 1.5 * minima[0].cost + 1e-300)
       ++count;
@@ -230,7 +233,7 @@ class Search {
     return collected(stream, solved, tallies);
   }
 
-  // In the order of the starts.
+  // Collects the minima in the order of the starts.
   std::vector<Minimum> collected(const SampleStream& stream, std::vector<std::optional<Minimum>>& solved,
                                  const std::vector<Tally>& tallies) {
     std::vector<Minimum> minima;
@@ -258,7 +261,7 @@ Residual chosen_residual(const FitData& data, const FitOptions& options) {
   if (options.metric == Metric::cube_root) {
     if (options.loss != Loss::none)
       throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
-    // The cube root of a square has an infinite slope at 0: it is rounded off below a thousandth of the data.
+    // The cube root of a square has an infinite slope at 0. It is smoothed below a thousandth of the data.
     double sum = 0;
     std::size_t count = 0;
     for (std::size_t c = 0; c < data.values.size(); ++c)
@@ -274,7 +277,7 @@ Residual chosen_residual(const FitData& data, const FitOptions& options) {
   return r;
 }
 
-// Tuning constants of 95 % efficiency at the normal distribution.
+// Uses tuning constants with 95 % efficiency for the normal distribution.
 double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p) {
   std::vector<double> size;
   for (const auto& channel : stream.residual_values(p))

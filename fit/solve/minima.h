@@ -1,4 +1,4 @@
-// Where to start, and the distinct minima that the starts reach.
+// The starting points, and the distinct minima that they reach.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ inline constexpr double kSameCost = 1e-6;  // relative difference of equal costs
 struct Minimum {
   std::vector<double> p;
   double cost = 0;
-  int basin = 0;  // starts that ended here
+  int basin = 0;  // number of starts that ended here
   std::vector<int> at_bound;
   Termination termination = Termination::failed;
   std::string message;
@@ -26,18 +26,20 @@ struct SearchResult {
   double loss_scale = 0;
 };
 
-// Deterministic grid of shapes (12 points in one dimension, 6 x 6 in two), --start and random starts; each
-// with the best weights of the linearised residual; solved on a thinned set first where there are many rows.
+// Finds the minima of the cost. The starting points are a deterministic grid of shapes (12 points in one
+// dimension, 6 x 6 in two), --start, and random points. Each has the best weights of the linearised
+// residual. If there are many rows, a thinned set is solved first.
 SearchResult find_minima(const FitData& data, const Model& model, const Residual& residual,
                          const FitOptions& options);
 
-// The residual that the options ask for. Throws InputError where a loss does not go with the metric.
+// Returns the residual that the options request. Throws InputError if the loss cannot be combined with the
+// metric.
 Residual chosen_residual(const FitData& data, const FitOptions& options);
 
-// A robust loss's scale by the residuals' normalised median deviation.
+// Returns the scale of a robust loss from the normalised median deviation of the residuals.
 double robust_scale(const SampleStream& stream, const LossFunction& loss, std::span<const double> p);
 
-// Solves from one point on all rows: for refits.
+// Solves from one starting point on all rows. Used for refits.
 Solution refine(const SampleStream& stream, std::span<const double> start, const SolveOptions& options);
 
 }  // namespace brdf::fit

@@ -9,13 +9,14 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-12, kMostDamping = 1e12;
-constexpr double kStrongDamping = 0.1;        // from here on a step is short because it was made so
-constexpr double kNear = 1e-6, kMargin = 10;  // promises below this share of the cost fall evenly
-constexpr double kStepRounding = 1e-12;       // share of a parameter below which a step is rounding
+constexpr double kStrongDamping = 0.1;  // from here on a step is short because of the damping
+// Predicted reductions below this share of the cost fall at a constant rate.
+constexpr double kNear = 1e-6, kMargin = 10;
+constexpr double kStepRounding = 1e-12;  // share of a parameter below which a step is rounding
 
 struct Move {
   std::vector<double> by;
-  double promised = 0;  // by which the quadratic falls
+  double promised = 0;  // reduction of the quadratic
 
   bool is_rounding(std::span<const double> p) const {
     for (std::size_t k = 0; k < p.size(); ++k)
@@ -52,7 +53,7 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
   for (std::size_t k = 0; k < s.p.size(); ++k) s.p[k] = std::clamp(s.p[k], low[k], high[k]);
   NormalEquations here = objective(s.p);
   s.passes = 1;
-  double damping = kFirstDamping, last = 0;  // promised by the last step, where that was taken
+  double damping = kFirstDamping, last = 0;  // predicted reduction of the last step, if it was taken
   s.termination = std::isfinite(here.cost) ? Termination::iteration_limit : Termination::failed;
   for (; s.termination == Termination::iteration_limit && s.iterations < options.max_iterations;
        ++s.iterations) {
@@ -64,11 +65,11 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
     std::vector<double> p = s.p;
     for (std::size_t k = 0; k < p.size(); ++k) p[k] = std::clamp(p[k] + step.by[k], low[k], high[k]);
     const bool small = damping < kStrongDamping && !(step.promised > options.tolerance * here.cost);
-    // Near the minimum each step promises the same share of what the one before did.
+    // Near the minimum, the predicted reductions form a geometric series.
     const bool lands = last > 0 && damping < kStrongDamping && step.promised <= kNear * here.cost &&
                        kMargin * step.promised * (step.promised / last) <= options.tolerance * here.cost;
     if (small || lands || step.is_rounding(s.p)) {
-      s.p = std::move(p);  // what is left to gain after it is below the tolerance: not worth a pass
+      s.p = std::move(p);  // the remaining gain is below the tolerance: not worth a pass
       s.termination = Termination::converged;
       break;
     }

@@ -1,4 +1,4 @@
-// Minimisation from a start near the minimum, for many small problems one after another.
+// Minimisation from a start near the minimum, for a sequence of many small problems.
 #pragma once
 
 #include <span>
@@ -7,10 +7,11 @@
 
 namespace brdf::fit {
 
-// Levenberg-Marquardt (Marquardt 1963) whose every step minimises the damped quadratic within the bounds,
-// exactly (fit/algebra/box_quadratic.h): what a bound holds and what it releases is decided in the step, and
-// no problem is set up. Ends where the quadratic promises less than `tolerance` of the cost, or the next one
-// would by how these promises fall. The solution is that of solve(): the same cost, the same bounds.
+// Minimises by Levenberg-Marquardt (Marquardt 1963). Every step minimises the damped quadratic within the
+// bounds, exactly (fit/algebra/box_quadratic.h). The step itself decides which parameters a bound holds or
+// releases, and no problem object is set up. Stops if the quadratic predicts a reduction of less than
+// `tolerance` of the cost, or if the trend of the predictions implies this for the next step. The solution
+// equals that of solve(): the same cost, the same bounds.
 Solution solve_nearby(const Objective& objective, std::span<const double> start, std::span<const double> low,
                       std::span<const double> high, const SolveOptions& options);
 

@@ -1,4 +1,4 @@
-// Whose noise a parameter's variance is: many values' or a few.
+// The distribution of a parameter's variance over the values: whether many values or a few contribute.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,12 @@
 
 namespace brdf::fit {
 
-// Parts of a variance, one for each value: their sum, the sum of their squares, and the largest.
+// The parts of a variance, one for each value: their sum, the sum of their squares, and the largest parts.
 class NoiseShares {
  public:
   static constexpr std::size_t kLargest = 8;
 
+  // Adds the part of one value.
   void add(double variance) {
     sum_ += variance;
     squares_ += variance * variance;
@@ -21,18 +22,20 @@ class NoiseShares {
     least_ = std::size_t(std::min_element(largest_.begin(), largest_.end()) - largest_.begin());
   }
 
+  // Adds the parts of several values.
   void add(std::span<const double> variances) {
-    NoiseShares all = *this;  // a local one stays in registers
+    NoiseShares all = *this;  // a local copy stays in registers
     for (const double variance : variances) all.add(variance);
     *this = all;
   }
 
-  // Whether there is any noise.
+  // Returns whether there is any noise.
   bool any() const { return squares_ > 0; }
-  // Degrees of freedom of the variance that is estimated from these values (Satterthwaite 1946).
+  // Returns the degrees of freedom of the variance that is estimated from these values (Satterthwaite
+  // 1946).
   double freedom() const { return sum_ * sum_ / squares_; }
-  // The largest parts as shares of the whole; then what the others have together, and their degrees of
-  // freedom.
+  // Return the largest parts as shares of the whole, and the total share of the other parts with their
+  // degrees of freedom.
   std::array<double, kLargest> largest() const {
     std::array<double, kLargest> out = largest_;
     for (double& share : out) share /= sum_;
@@ -51,7 +54,7 @@ class NoiseShares {
  private:
   double sum_ = 0, squares_ = 0;
   std::array<double, kLargest> largest_{};
-  std::size_t least_ = 0;  // of the largest
+  std::size_t least_ = 0;  // index of the smallest of the largest parts
 };
 
 }  // namespace brdf::fit

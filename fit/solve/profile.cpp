@@ -8,8 +8,8 @@
 namespace brdf::fit {
 namespace {
 
-constexpr double kWithoutEffect =
-    1e-12;  // an eigenvalue of the scaled matrix below this share of the largest
+// Eigenvalues of the scaled matrix below this share of the largest belong to directions without effect.
+constexpr double kWithoutEffect = 1e-12;
 
 RowMatrix pseudo_inverse(const RowMatrix& m) {
   Eigen::VectorXd scale(m.rows());

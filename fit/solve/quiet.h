@@ -1,10 +1,11 @@
+// Control of the messages that the solver writes to the terminal.
 #pragma once
 
 namespace brdf::fit {
 
-// For a program, before it fits: what Ceres writes to the terminal through glog is left out, except for what
-// ends the process. The summaries of fits say the same. It changes glog for the whole process, so no library
-// calls it.
+// Suppresses the messages that Ceres writes to the terminal through glog, except messages that end the
+// process. The summaries of fits contain the same information. A program calls this once, before it fits.
+// The setting is global to the process, so no library calls this function.
 void silence_solver_log();
 
 }  // namespace brdf::fit

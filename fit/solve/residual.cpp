@@ -22,7 +22,7 @@ BRDF_CLONES void slopes_at_values(const ResidualInputs& b, double offset, double
   for (std::size_t j = 0; j < b.rows; ++j) out[j] = slope_at_value<kWithCosO>(b, offset, j);
 }
 
-// ln((f c + u)/(g c + u)) without cancellation; linearised: its first order in f - g.
+// Computes ln((f c + u)/(g c + u)) without cancellation. If linearised, computes its first order in f - g.
 template <bool kWithCosO, bool kLinearised, bool kKnown>
 BRDF_CLONES void log_residuals(const ResidualInputs& b, double offset, double* __restrict r,
                                double* __restrict d) {
@@ -51,7 +51,7 @@ BRDF_CLONES void linear_residuals(const ResidualInputs& b, double* __restrict r,
   }
 }
 
-// Over what the noise makes of a residual: its slope at the measurement, times sigma.
+// Divides by the standard deviation of a residual: its slope at the measurement, times sigma.
 BRDF_CLONES void divide_linear_by_noise(const ResidualInputs& b, double* __restrict r, double* __restrict d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
     const double w = 1 / (b.cos_i[j] * b.sigma[j]);

@@ -1,4 +1,4 @@
-// Residuals of a block of values, with their derivatives by the model, and robust losses on them.
+// Residuals of a block of values, with their derivatives by the model, and robust losses.
 #pragma once
 
 #include <cstddef>
@@ -17,26 +17,27 @@ struct Residual {
   Metric metric = Metric::log;
   LossFunction loss;
   // Linearised at the measurement, r'(g) (f - g): linear in the weights, and close to the metric near the
-  // data. Used to start the weights.
+  // data. Used to compute starting weights.
   bool linearised = false;
 };
 
 // One channel of a block of rows: model, measurement, cosines, square root of the weight (null: 1), sigma
-// (null: none).
+// (null: not used).
 struct ResidualInputs {
   const double *f, *g, *cos_i, *cos_o, *weight, *sigma;
   std::size_t rows;
-  const double* value_slope = nullptr;  // slopes_at_values(), where they are known
+  const double* value_slope = nullptr;  // result of slopes_at_values(), if already computed
 };
 
-// Of a logarithmic residual at the measurements, without weight and sigma.
+// Computes the slopes of a logarithmic residual at the measurements, without weight and sigma.
 void slopes_at_values(const Residual& residual, const ResidualInputs& block, double* out);
 
-// r[j] and dr/df[j], weights included. With sigma, the residual is in units of its standard deviation.
+// Computes r[j] and dr/df[j], weights included. With sigma, the residual is in units of its standard
+// deviation.
 void residuals(const Residual& residual, const ResidualInputs& block, double* r, double* derivative);
 
-// rho[j] = rho(r^2); `root_slope` = sqrt(rho'(r^2)), by which residual and derivative are scaled;
-// `curvature` = d^2 (rho/2)/dr^2, which belongs into a covariance.
+// Applies a loss. rho[j] = rho(r^2); `root_slope` = sqrt(rho'(r^2)), the factor for residual and
+// derivative; `curvature` = d^2 (rho/2)/dr^2, for use in a covariance.
 void apply_loss(const LossFunction& loss, std::size_t rows, const double* r, double* rho, double* root_slope,
                 double* curvature);
 

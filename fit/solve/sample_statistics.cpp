@@ -1,11 +1,11 @@
-// What uncertainty needs of the samples besides the normal equations.
+// Statistics of the samples that the uncertainty needs in addition to the normal equations.
 #include <algorithm>
 #include <cmath>
 
 #include "fit/solve/workspace.h"
 
 namespace brdf::fit {
-// To the scores of the rows what one channel's residuals, in `r`, and derivatives add.
+// Adds the contribution of one channel's residuals (in `r`) and derivatives to the scores of the rows.
 void SampleStream::add_to_scores(const Contributions& map, bool robust, std::size_t rows, Workspace& w) {
   for (std::size_t k = 0; k < map.size(); ++k) {
     multiply(w.scaled[k], w.r, rows, w.mixed);

@@ -7,7 +7,8 @@
 
 namespace brdf::fit {
 
-// Of the columns (lobes, partials, residual) of one channel; the residual has none.
+// Returns the contributions of the columns (lobes, partials, residual) of one channel. The residual
+// contributes nothing.
 Contributions contributions(const Model& model, std::span<const double> p, std::size_t channel) {
   Contributions out(model.lobes() + model.partials());
   const std::size_t group = model.group_of(channel);
@@ -27,7 +28,7 @@ void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out) {
     }
 }
 
-// The matrix of the solver's parameters as seen by one channel's columns.
+// Transforms a matrix of the solver's parameters to the columns of one channel.
 Matrix of_columns(const Contributions& map, const Matrix& m) {
   Matrix out(map.size(), map.size());
   for (std::size_t i = 0; i < map.size(); ++i)
@@ -57,7 +58,7 @@ ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::si
 void note_value_slopes(FitData& data, Metric metric) {
   data.value_slope.clear();
   if (metric != Metric::log && metric != Metric::log_relative) return;
-  // Noted when all are there: the inputs hold what is noted, of every channel.
+  // Assigned only when all channels are complete, because the inputs contain the slopes of every channel.
   std::vector<std::vector<double>> slopes(data.values.size(), std::vector<double>(data.rows()));
   for (std::size_t c = 0; c < slopes.size(); ++c)
     slopes_at_values({metric, {}, false}, residual_inputs(data, c, 0, data.rows(), nullptr),
@@ -88,7 +89,7 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
   s.tangent_phi = model_.tangent_phi(p);
   s.normal = model_.normal(p);
   s.derivatives = derivatives;
-  // On the square's scale the derivative is divided by the parameter itself: stay off 0.
+  // On the square scale, the derivative is divided by the parameter itself: keep away from 0.
   for (const Slot& slot : model_.slots())
     if (slot.scale == Scale::square && slot.in_group(group))
       for (std::size_t m : slot.members)
@@ -98,7 +99,7 @@ SampleStream::Shapes SampleStream::shapes(std::span<const double> p, std::size_t
 
 void SampleStream::fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const {
   if (w.stream == id_ && w.first == first && w.rows == rows && w.shapes == shapes) return;
-  w.stream = 0;  // until they stand
+  w.stream = 0;  // invalid until the lobes are complete
   evaluate_lobes(shapes, first, rows, w);
   w.stream = id_;
   w.shapes = shapes;
@@ -126,7 +127,7 @@ void SampleStream::evaluate_lobes(const Shapes& shapes, std::size_t first, std::
         if (term.partial[m] < 0) continue;
         const std::size_t q = std::size_t(term.partial[m]);
         double*& column = w.derivatives[term.first_partial + q][k];
-        if (taken[q])  // tied parameters move together: their derivatives add
+        if (taken[q])  // tied parameters move together, so their derivatives are added
           add(columns.derivative(k, m), padded(rows), column);
         else
           column = columns.derivative(k, m);
@@ -140,7 +141,8 @@ void SampleStream::evaluate_lobes(const Shapes& shapes, std::size_t first, std::
   if (model_.fits_normal()) fill_tilted(shapes, first, rows, w);
 }
 
-// Derivatives of one channel's residuals by its lobes' weights and by the shapes, before the scales.
+// Computes the derivatives of one channel's residuals by the weights of its lobes and by the shapes, before
+// the scales.
 void SampleStream::fill_jacobian(const double* weights, std::size_t rows, Workspace& w) const {
   const std::size_t entries = padded(rows);
   for (std::size_t k = 0; k < model_.lobes(); ++k) multiply(w.lobes[k], w.slope, entries, w.scaled[k]);
@@ -164,7 +166,7 @@ void SampleStream::Spare::give(std::unique_ptr<Workspace> workspace) {
   delete kept_.exchange(workspace.release());
 }
 
-// visit(first, rows) for every block.
+// Calls visit(first, rows) for every block.
 template <class Visit>
 void SampleStream::for_each_block(Visit&& visit) const {
   for (const RowRange& range : part_)
@@ -323,7 +325,8 @@ LobeGram SampleStream::lobe_gram(std::span<const double> p, std::size_t group) c
       std::fill(out_column + rows, out_column + entries, 0.0);
       out.square[m] += square;
     }
-    // Only j >= i counts for the lobes; measurements stand to their right, so every product is there.
+    // Only j >= i is computed. The measurements are to the right of the lobes, so every required product is
+    // included.
     add_gram(columns, column.data(), all, column.data(), true, entries, products.a.data());
   });
   spare_->give(std::move(own));

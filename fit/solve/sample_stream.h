@@ -1,4 +1,5 @@
-// Passes over the samples, a block of rows at a time: normal equations without ever storing a Jacobian.
+// Passes over the samples, one block of rows at a time. They compute normal equations without ever storing
+// a Jacobian.
 #pragma once
 
 #include <atomic>
@@ -15,65 +16,71 @@
 
 namespace brdf::fit {
 
-// cost = 1/2 sum rho(r^2); gradient and Gauss-Newton matrix of it by the solver's parameters.
+// cost = 1/2 sum rho(r^2), with its gradient and Gauss-Newton matrix by the solver's parameters.
 struct NormalEquations {
   Matrix hessian;
   std::vector<double> gradient;
   double cost = 0;
 };
 
-// The model's values, [channel][row], and the expected meat (below) where there is no loss.
+// Additional results of a pass: the values of the model, [channel][row], and the expected meat (below) if
+// there is no loss.
 struct Besides {
   std::vector<std::vector<double>> values;
   Matrix expected_meat;
 };
 
-// What uncertainty needs besides: the curvature of the loss in place of its slope (bread), and the sum over
-// rows of the outer product of the row's gradient (meat: channels of one row may share their noise).
+// Matrices for the uncertainty. `bread` is the normal matrix with the curvature of the loss instead of its
+// slope. `meat` is the sum over rows of the outer product of the row's gradient (channels of one row may
+// share their noise).
 struct ScoreMatrices {
   Matrix bread, meat;
 };
 
-// Sums over all rows of the Gram matrix of (lobes, derivatives of lobes)
-// weighted by the squared slope of a linear residual: given it, every choice of
-// weights is algebra. Valid while all channels of a group have the same weights.
+// Sums over all rows of the Gram matrix of (lobes, derivatives of lobes), weighted by the squared slope of
+// a linear residual. With these sums, any choice of weights is evaluated by algebra alone. Valid if all
+// channels of a group have the same row weights.
 struct LobeGram {
-  std::size_t lobes = 0, derivatives = 0;  // columns: lobes, then for each derivative the term's lobes
+  std::size_t lobes = 0, derivatives = 0;  // columns: lobes, then for each derivative the lobes of its term
   Matrix gram;                             // of the columns
-  Matrix cross;                            // [channel][column]: with the measurement
-  std::vector<double> square;              // [channel]: of the measurement
+  Matrix cross;                            // [channel][column]: products with the measurement
+  std::vector<double> square;              // [channel]: sum of squares of the measurement
 };
 
-// A cost that is quadratic in the weights of the lobes: its second and first derivatives where they are 0,
-// and its value.
+// A cost that is quadratic in the weights of the lobes: its second derivatives, and its first derivatives
+// and value at zero weights.
 struct LobeQuadratic {
   std::vector<Matrix> hessian;  // [channel]
   Matrix gradient;              // [channel][lobe]
   double cost = 0;
 };
 
-// What of the noise is shared: nothing, or the noise of the channels of a row.
+// The extent of shared noise: not shared, or shared by the channels of a row.
 enum class Clusters { values, rows };
 
-// What one derivative column contributes to: the solver's parameters and the factors.
+// A contribution of one derivative column: the solver's parameter and the factor.
 struct Contribution {
   std::size_t slot;
   double factor;
 };
 
+// Values of the model with their standard errors.
 struct ValueErrors {
   std::vector<std::vector<double>> values, errors;  // [channel][row]
 };
 
-// Once for all passes under this metric what no parameter changes: `value_slope`, where the metric has it.
+// Sets `value_slope`, if the metric has one: the part of the residuals that does not depend on the
+// parameters, computed once for all passes under this metric.
 void note_value_slopes(FitData& data, Metric metric);
 
+// Evaluates a model and its residuals at the samples, block by block.
 class SampleStream {
   struct Shapes;
   struct Workspace;
 
  public:
-  // Room that one pass leaves for the next; several threads may pass. Of streams of one model.
+  // A workspace that one pass leaves for the next pass. It serves streams of the same model. Several
+  // threads may use it concurrently.
   class Spare {
    public:
     Spare() = default;
@@ -90,51 +97,60 @@ class SampleStream {
   };
 
   // `aperture`: full width of the detector's field in degrees, 0 for none. The sums are over all rows.
-  // `spare`: of the streams of many small problems, one after another; its own unless it is given.
+  // `spare`: a workspace that the streams of many small problems share, one after another; by default the
+  // stream has its own.
   SampleStream(const FitData& data, const Model& model, const Residual& residual, double aperture,
                std::shared_ptr<Spare> spare = nullptr);
-  // Over some rows only; `scores` and `freedom` are of all rows still.
+  // Restricts the sums of the normal equations, linearised_weights, linearised_lobes, lobe_gram, values and
+  // residuals to some rows. The statistics (scores, bread, meat, noise_shares, value_errors) are still over
+  // all rows.
   SampleStream(const SampleStream& all, std::vector<RowRange> part);
 
   const FitData& data() const { return data_; }
   const Model& model() const { return model_; }
   const Residual& residual() const { return residual_; }
 
-  // `besides`, where it is given: what the same pass tells, over all rows.
+  // `besides`, if not null, receives additional results of the same pass, over all rows of the pass.
   NormalEquations normal_equations(std::span<const double> p, Besides* besides = nullptr) const;
-  // The same at linear weights 0 for the residual linearised at the measurement: a quadratic in the weights.
+  // Returns the normal equations at linear weights 0 for the residual linearised at the measurement: a
+  // quadratic in the weights.
   NormalEquations linearised_weights(std::span<const double> p) const;
-  // That quadratic in the weights of the lobes themselves.
+  // Returns the same quadratic in the weights of the lobes themselves.
   LobeQuadratic linearised_lobes(std::span<const double> p) const;
+  // Returns the bread and the meat, or the bread alone.
   ScoreMatrices scores(std::span<const double> p) const;
   Matrix bread(std::span<const double> p) const;
-  // The meat where, with the inverse of the bread, every residual is divided by the root of 1 less its
-  // leverage, which makes its square unbiased where all values are as noisy (MacKinnon and White 1985, HC2).
-  // With `expected`, the sandwich of the expected meat, it is unbiased where the noise is proportional to the
-  // value (Bell and McCaffrey 2002, of that working model; never below HC2, nor above HC3).
+  // Returns the meat with every residual divided by the root of 1 less its leverage, computed with the
+  // inverse of the bread. This makes the square of the residual unbiased if all values are equally noisy
+  // (MacKinnon and White 1985, HC2). With `expected`, the sandwich of the expected meat, the square is
+  // unbiased if the noise is proportional to the value (Bell and McCaffrey 2002, for this working model;
+  // never below HC2, nor above HC3).
   Matrix meat(std::span<const double> p, const Matrix& inverse, const Matrix* expected = nullptr) const;
-  // The meat of noise that is the value itself.
+  // Returns the meat of noise equal to the value itself.
   Matrix expected_meat(std::span<const double> p) const;
-  // The meat of these scores in the residuals' place, [channel][row], independent of each other or shared
-  // within a row.
+  // Returns the meat with these scores, [channel][row], in place of the residuals. The scores are
+  // independent of each other or shared within a row.
   Matrix meat_of(std::span<const double> p, const std::vector<std::vector<double>>& scores,
                  Clusters clusters) const;
-  // What the values have of the variance of v'g for each v, g the gradient of one value; noise taken as
-  // proportional to the value.
+  // Returns the contributions of the values to the variance of v'g for each v, where g is the gradient of
+  // one value. The noise is assumed to be proportional to the value.
   std::vector<NoiseShares> noise_shares(std::span<const double> p,
                                         const std::vector<std::vector<double>>& v) const;
-  // The model's values and their standard errors, from the covariance of the solver's parameters.
+  // Returns the model's values and their standard errors, given the covariance of the solver's parameters.
   ValueErrors value_errors(std::span<const double> p, const Matrix& covariance) const;
+  // Returns the Gram matrix of one group of shapes.
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
-  // [channel][row]: the model's values. The second writes only the rows that are summed over.
+  // Compute the model's values, [channel][row]. The second function writes only the rows of this stream's
+  // sums.
   std::vector<std::vector<double>> values(std::span<const double> p) const;
   void values(std::span<const double> p, std::vector<std::vector<double>>& out) const;
-  // [channel][row]: the residuals, before the loss; of the model's values.
+  // Return the residuals before the loss, [channel][row], at the parameters p or for given values of the
+  // model.
   std::vector<std::vector<double>> residual_values(std::span<const double> p) const;
   std::vector<std::vector<double>> residuals_of(std::vector<std::vector<double>> values) const {
     return of_values(std::move(values), false);
   }
-  // [channel][row]: the residuals' derivatives by the model's values, before the loss.
+  // Returns the derivatives of the residuals by the model's values, before the loss, [channel][row].
   std::vector<std::vector<double>> slopes_of(std::vector<std::vector<double>> values) const {
     return of_values(std::move(values), true);
   }
@@ -142,20 +158,22 @@ class SampleStream {
  private:
   std::vector<std::vector<double>> of_values(std::vector<std::vector<double>> values, bool slopes) const;
   Shapes shapes(std::span<const double> p, std::size_t group, bool derivatives) const;
-  // Nothing where the workspace still holds them: one block's lobes serve all passes at the same shapes.
+  // Does nothing if the workspace still holds these lobes. The lobes of a single block thus serve all
+  // passes with the same shapes.
   void fill_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   void evaluate_lobes(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   void fill_tilted(const Shapes& shapes, std::size_t first, std::size_t rows, Workspace& w) const;
   Directions<double> tilt(const Vec3<double>& normal, std::size_t first, std::size_t rows,
                           Workspace& w) const;
   struct Leverage {
-    const Matrix* inverse = nullptr;   // of the bread; null: residuals stay as they are
-    const Matrix* expected = nullptr;  // covariance of the unknowns under noise that is the value
-    bool noise_alone = false;          // that noise in the residuals' place
-    const std::vector<std::vector<double>>* scores = nullptr;  // [channel][row] in the residuals' place
+    const Matrix* inverse = nullptr;   // of the bread; null: residuals are used unchanged
+    const Matrix* expected = nullptr;  // covariance of the unknowns under noise equal to the value
+    bool noise_alone = false;          // use that noise in place of the residuals
+    // Scores, [channel][row], used in place of the residuals.
+    const std::vector<std::vector<double>>* scores = nullptr;
     Clusters clusters = Clusters::rows;
   };
-  // Only what is not null.
+  // Adds to `bread` and `meat`, each only if not null.
   void add_scores(std::span<const double> p, const Leverage& leverage, Matrix* bread, Matrix* meat) const;
   static void add_to_scores(const std::vector<std::vector<Contribution>>& map, bool robust, std::size_t rows,
                             Workspace& w);
@@ -175,10 +193,10 @@ class SampleStream {
   const FitData& data_;
   const Model& model_;
   Residual residual_;
-  std::vector<ApertureNode> detector_;  // empty: readings are of one direction
+  std::vector<ApertureNode> detector_;  // empty: readings are of a single direction
   std::vector<RowRange> part_;
   std::shared_ptr<Spare> spare_;
-  std::uint64_t id_;  // of streams over these samples: a workspace knows by it whose lobes it holds
+  std::uint64_t id_;  // shared by streams over the same samples; identifies a workspace's lobes
 };
 
 }  // namespace brdf::fit

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kManyUnknowns = 32;
 
-// Rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot below the
-// rounding of its diagonal is a direction that the samples do not see: its row is 0.
+// Computes rows of J and residuals r with J'J = H, J'r = g, r'r = 2 cost, in the unknowns `free`. A pivot
+// below the rounding error of its diagonal is a direction without effect on the samples; its row is 0.
 void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref<RowMatrix> jacobian,
               Eigen::Ref<Eigen::VectorXd> r) {
   const Eigen::Index size = Eigen::Index(free.size()), all = Eigen::Index(n.gradient.size());
@@ -40,14 +40,13 @@ void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref
   r(size) = std::sqrt(std::max(rest, 0.0));
 }
 
-// The cost in the parameters that are free. Ceres asks for cost and Jacobian separately: the last pass is
-// remembered.
+// The cost in the free parameters. Ceres requests cost and Jacobian separately, so the last pass is cached.
 class CompressedCost : public ceres::CostFunction {
  public:
   explicit CompressedCost(const Objective& objective) : objective_(objective) {}
 
-  // The parameters that are not held become the unknowns, the others stay what they are in p. (A manifold of
-  // Ceres's would multiply the Jacobian by a matrix of its own at every step.)
+  // Makes the parameters that are not held the unknowns; the others keep their values in p. (A manifold of
+  // Ceres would multiply the Jacobian by a matrix at every step.)
   void hold(const std::vector<int>& held, const std::vector<double>& p) {
     p_ = p;
     free_.clear();
@@ -59,7 +58,8 @@ class CompressedCost : public ceres::CostFunction {
   }
   const std::vector<int>& free() const { return free_; }
 
-  // Whether cost and Jacobian are numbers there. Ceres would find out itself, and say so on the terminal.
+  // Returns whether cost and Jacobian are finite at this point. Ceres would find out by itself, but with a
+  // message on the terminal.
   bool finite_at(const double* unknowns) const {
     for (std::size_t k = 0; k < free_.size(); ++k) p_[std::size_t(free_[k])] = unknowns[k];
     const Eigen::Index n = Eigen::Index(free_.size());
@@ -103,8 +103,7 @@ class CompressedCost : public ceres::CostFunction {
   mutable int passes_ = 0;
 };
 
-// Ends a run that is interrupted, and one that fails: Ceres writes to the terminal when it gives up by
-// itself.
+// Ends a run that is interrupted or that fails. Without it, Ceres writes to the terminal when it gives up.
 class Watch : public ceres::IterationCallback {
  public:
   explicit Watch(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
@@ -116,7 +115,7 @@ class Watch : public ceres::IterationCallback {
   bool gave_up() const { return invalid_ >= kMostInvalid; }
 
  private:
-  static constexpr int kMostInvalid = 5;  // as Ceres has it
+  static constexpr int kMostInvalid = 5;  // the default of Ceres
   const std::atomic<bool>* interrupted_;
   int invalid_ = 0;
 };
@@ -134,7 +133,7 @@ Termination termination_of(const ceres::Solver::Summary& summary) {
   }
 }
 
-// One run of Ceres with some parameters held.
+// Runs Ceres once with some parameters held.
 void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const double> low,
                std::span<const double> high, const std::vector<int>& held, const SolveOptions& options,
                Solution& solution) {
@@ -165,9 +164,9 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   o.max_num_iterations = options.max_iterations;
   o.function_tolerance = options.tolerance;
   o.parameter_tolerance = options.tolerance;
-  o.gradient_tolerance = 0;  // its scale is the samples', which are not known here
-  // The Jacobian is a Cholesky factor already: nothing is lost by another one, which is quicker where
-  // unknowns are many.
+  o.gradient_tolerance = 0;  // its scale is that of the samples, which is unknown here
+  // The Jacobian is already a Cholesky factor, so another Cholesky factorisation loses nothing, and it is
+  // faster for many unknowns.
   o.linear_solver_type = free.size() > kManyUnknowns ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   o.logging_type = ceres::SILENT;
   o.num_threads = 1;

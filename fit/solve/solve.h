@@ -1,4 +1,4 @@
-// Minimisation of a cost known by its normal equations, within bounds.
+// Minimisation within bounds of a cost that is given by its normal equations.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 
 namespace brdf::fit {
 
+// A function that returns the normal equations at given parameters.
 using Objective = std::function<NormalEquations(std::span<const double>)>;
 
 enum class Termination { converged, iteration_limit, failed, interrupted };
@@ -30,9 +31,11 @@ inline constexpr std::array<std::string_view, 4> kNames<fit::Termination>{"conve
 namespace brdf::fit {
 
 struct SolveOptions {
-  int max_iterations = 400;         // cube_root converges linearly
-  double tolerance = 1e-12;         // relative, on cost and step
-  bool starts_at_solution = false;  // of nearly the same samples: what is held there is held from the start
+  int max_iterations = 400;  // cube_root converges linearly
+  double tolerance = 1e-12;  // relative, on cost and step
+  // The start is a solution for nearly the same samples; parameters at a bound there are held from the
+  // start.
+  bool starts_at_solution = false;
   const std::atomic<bool>* interrupted = nullptr;
 };
 
@@ -40,20 +43,20 @@ struct Solution {
   std::vector<double> p;
   double cost = 0;
   Termination termination = Termination::failed;
-  std::string message;        // the solver's own words
+  std::string message;        // the message of the solver
   std::vector<int> at_bound;  // [parameter]: -1 held at its lower bound, 1 at its upper, 0 free
   int passes = 0, iterations = 0;
 };
 
-// Which parameters are held at a bound (-1 below, 1 above), and sets them to it: those at one where the cost
-// pushes outward, or does not care.
+// Returns the parameters that are held at a bound (-1 lower, 1 upper) and sets them to it. A parameter at a
+// bound is held if the cost pushes it outward or does not depend on it.
 std::vector<int> hold_at_bounds(const NormalEquations& n, std::vector<double>& p, std::span<const double> low,
                                 std::span<const double> high);
 
-// Levenberg-Marquardt (Ceres) on the p + 1 residuals that have the same cost,
-// gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early
-// where a bound is active, and calls it convergence: parameters at a bound that the
-// cost pushes against are held there and the rest solved again, until none moves.
+// Minimises by Levenberg-Marquardt (Ceres). The solver sees p + 1 residuals that have the same cost,
+// gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early if a bound is active, and
+// reports convergence. Therefore parameters at a bound that the cost pushes against are held there, and the
+// others are solved again, until the set does not change.
 Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
                std::span<const double> high, const SolveOptions& options);
 

@@ -41,7 +41,7 @@ std::vector<std::vector<double>> grid_starts(const Model& model) {
   std::vector<std::vector<std::size_t>> dimensions;  // slots that share a value
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
-    if (slot.kind == Slot::Kind::normal) continue;  // stays where it starts
+    if (slot.kind == Slot::Kind::normal) continue;  // keeps its starting value
     const auto same = [&](const std::vector<std::size_t>& d) {
       return model.slots()[d[0]].same_parameter(slot);
     };
@@ -81,7 +81,7 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
       p[s] = kPi * u;
       continue;
     }
-    if (slot.node > 0) {  // level over wavelength
+    if (slot.node > 0) {  // constant over wavelength
       p[s] = p[s - 1];
       continue;
     }
@@ -93,10 +93,10 @@ std::vector<double> random_start(const Model& model, std::mt19937_64& random) {
 
 namespace {
 
-constexpr double kMarginInside =
-    0.02;  // share of a range that a start keeps off its ends, where a product has no slope
+// Share of a range by which a start keeps away from its ends, at which a product has zero slope.
+constexpr double kMarginInside = 0.02;
 
-// The best weights of every lobe for itself, in the order of the tables.
+// Returns the best weights with every lobe free, in the order of the tables.
 WeightTable free_weights(const Model& model, const LobeQuadratic& q) {
   const std::vector<double> low(model.lobes(), 0), high(model.lobes(), kWeightMax);
   WeightTable out(model.terms().size());
@@ -113,7 +113,7 @@ WeightTable free_weights(const Model& model, const LobeQuadratic& q) {
   return out;
 }
 
-// Cost, gradient and Gauss-Newton matrix of the quadratic by the unknowns of the weights.
+// Returns cost, gradient and Gauss-Newton matrix of the quadratic by the unknowns of the weights.
 NormalEquations by_unknowns(const Model& model, const LobeQuadratic& q, std::span<const double> p) {
   const std::size_t first = model.shape_slots(), count = model.size() - first, lobes = model.lobes();
   NormalEquations out{Matrix(count, count), std::vector<double>(count, 0), q.cost};
@@ -137,7 +137,7 @@ NormalEquations by_unknowns(const Model& model, const LobeQuadratic& q, std::spa
   return out;
 }
 
-// Weights that share or bound unknowns: the same quadratic, minimised by steps.
+// Minimises the same quadratic iteratively, for weights that share or bound unknowns.
 void start_natural_weights(const SampleStream& stream, std::vector<double>& p) {
   const Model& model = stream.model();
   const std::size_t first = model.shape_slots();

@@ -1,4 +1,4 @@
-// Where the search for minima starts.
+// Starting points of the search for minima.
 #pragma once
 
 #include <random>
@@ -8,12 +8,13 @@
 
 namespace brdf::fit {
 
-// Value k of n over a slot's range, on the solver's scale.
+// Returns value k of n over the range of a slot, on the solver's scale.
 double grid_value(const Slot& slot, std::size_t k, std::size_t n);
 
-// A grid over the distinct shape parameters; sets of shapes per channel share a point.
+// Returns a grid over the distinct shape parameters. The sets of shapes of all channels share a grid point.
 std::vector<std::vector<double>> grid_starts(const Model& model);
 
+// Returns a random point within the ranges of the starting points.
 std::vector<double> random_start(const Model& model, std::mt19937_64& random);
 
 // Fills in the best weights for the shapes of p under the residual linearised at the measurement.

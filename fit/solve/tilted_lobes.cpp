@@ -1,4 +1,4 @@
-// Lobes of a surface whose normal is fitted: rows hold f_r cos_i of the surface over cos_i of their own
+// Lobes of a surface with a fitted normal. Rows hold f_r cos_i of the surface divided by cos_i of their own
 // frame.
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 namespace brdf::fit {
 namespace {
 
-// Central differences: for a lobe of width w the error is step^2/w^3 of its height, and 1e-16/step from
-// rounding.
+// Step of central differences. For a lobe of width w the error is step^2/w^3 of its height, plus 1e-16/step
+// from rounding.
 constexpr double kTiltStep = 1e-5;
 
 Vec3<double> moved(const Vec3<double>& normal, int component, double step) {

@@ -9,10 +9,11 @@
 namespace brdf::fit {
 namespace {
 
-// Share of the cost in the measurements' own square above which nine digits of it survive the subtraction.
+// Cost relative to the square of the measurements above which nine digits of the cost survive the
+// subtraction.
 constexpr double kExactShare = 1e-7;
 
-// One channel's linear unknowns: the affine map to all lobes, and where they stand in p.
+// The linear unknowns of one channel: the affine map to all lobes, and their places in p.
 struct Unknowns {
   RowMatrix a;
   Eigen::VectorXd b;
@@ -43,7 +44,7 @@ Unknowns unknowns_of(const Model& model, std::size_t channel) {
   return u;
 }
 
-// The derivative columns of the Gram matrix that one partial owns, combined with the weights.
+// The derivative columns of the Gram matrix that belong to one partial, combined with the weights.
 struct PartialColumns {
   std::size_t slot, first_column, first_lobe, count;
   double slope;
@@ -81,12 +82,13 @@ void add_channel(const Model& model, const LobeGram& g, std::size_t member, std:
     if (x[k] > u.low[k] && x[k] < u.high[k]) free.push_back(Eigen::Index(k));
   }
   const Eigen::VectorXd w = u.a * Eigen::Map<const Eigen::VectorXd>(x.data(), n) + u.b;
-  const Eigen::VectorXd residual = gram.leftCols(lobes) * w - cross;  // of every column with the residual
+  // products of every column with the residual
+  const Eigen::VectorXd residual = gram.leftCols(lobes) * w - cross;
   out.cost += std::max(0.0, 0.5 * (w.dot(inner * w) - 2 * w.dot(cross.head(lobes)) + g.square[member]));
 
-  if (partials.empty()) return;  // nothing but weights: Eigen does not solve for zero columns
+  if (partials.empty()) return;  // only weights: Eigen does not solve for zero columns
 
-  // D = derivative columns combined with the weights: what a shape parameter does to the model.
+  // D = derivative columns combined with the weights: the effect of a shape parameter on the model.
   const Eigen::Index m = Eigen::Index(partials.size());
   RowMatrix d = RowMatrix::Zero(columns, m);
   for (Eigen::Index s = 0; s < m; ++s) {

@@ -1,4 +1,5 @@
-// What the passes over the samples share: the columns of a block of rows, and where each column's sums go.
+// Data shared by the passes over the samples: the columns of a block of rows, and the targets of each
+// column's sums.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ struct SampleStream::Shapes {
   }
 };
 
-// Columns of one block. Entries beyond the last row stay 0 in `slope`, which every sum is multiplied by.
+// Columns of one block. Entries beyond the last row stay 0 in `slope`, by which every sum is multiplied.
 struct SampleStream::Workspace {
   explicit Workspace(const Model& model)
       : lobes(model.lobes()), derivatives(model.partials()), scaled(model.lobes() + model.partials() + 1) {
@@ -42,7 +43,7 @@ struct SampleStream::Workspace {
     if (model.fits_normal()) make_room_for_normals(model);
   }
 
-  // Whose lobes these are.
+  // The stream, shapes and rows of the lobes that the workspace holds.
   std::uint64_t stream = 0;
   Shapes shapes;
   std::size_t first = 0, rows = 0;
@@ -55,8 +56,8 @@ struct SampleStream::Workspace {
   double *f, *r, *slope, *rho, *root, *curvature, *mixed;
   std::vector<double*> scores;  // [slot]
 
-  // Of a fitted normal: the directions in its frame, cos_i there over that of the rows, and the derivatives
-  // by its components.
+  // For a fitted normal: the directions in its frame, the ratio of cos_i in that frame to cos_i of the
+  // rows, and the derivatives by its components.
   DirectionArrays<double> tilted{0};
   std::vector<double> cosine_ratio, by_normal;
   std::vector<LobeColumns> moved_terms;
@@ -67,17 +68,21 @@ struct SampleStream::Workspace {
 
 using Contributions = std::vector<std::vector<Contribution>>;
 
-// Of the columns (lobes, partials, residual) of one channel; the residual has none.
+// Returns the contributions of the columns (lobes, partials, residual) of one channel. The residual
+// contributes nothing.
 Contributions contributions(const Model& model, std::span<const double> p, std::size_t channel);
 
+// Adds the products of one channel's columns, `raw`, to the matrix of the solver's parameters, `out`.
 void add_mapped(const Contributions& map, const Matrix& raw, Matrix& out);
 
-// The matrix of the solver's parameters as seen by one channel's columns.
+// Transforms a matrix of the solver's parameters to the columns of one channel.
 Matrix of_columns(const Contributions& map, const Matrix& m);
 
-// What stands above the diagonal below it too.
+// Copies the entries above the diagonal to their mirrored places below.
 void mirror(Matrix& m);
 
+// Returns the inputs of the residuals of one channel for `rows` rows, beginning with `first`. `f` holds the
+// values of the model.
 ResidualInputs residual_inputs(const FitData& data, std::size_t channel, std::size_t first, std::size_t rows,
                                const double* f);
 

@@ -17,7 +17,7 @@ constexpr std::array kPrimaries{611.0, 549.0, 464.0};  // nm
 
 using Three = std::array<std::size_t, 3>;
 
-// None unless every colour is the name of exactly one channel.
+// Returns std::nullopt unless every colour is the name of exactly one channel.
 std::optional<Three> by_name(const std::vector<std::string>& channels) {
   Three found{};
   std::array<int, 3> times{};

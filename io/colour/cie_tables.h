@@ -1,5 +1,5 @@
-// The CIE's tables, embedded by the build: comments, a header row, then a wavelength in nm and three numbers
-// per row.
+// The CIE's tables, embedded by the build. They consist of comments, a header row, and rows with a
+// wavelength in nm and three numbers.
 #pragma once
 
 namespace brdf::io {

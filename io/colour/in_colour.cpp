@@ -18,7 +18,7 @@ std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
   return wavelengths;
 }
 
-// What each channel counts in red, green and blue, in the order of the channels.
+// Returns the contribution of each channel to red, green and blue, in the order of the channels.
 std::vector<Tristimulus> channel_weights(const std::vector<std::string>& channels) {
   const std::vector<double> wavelengths = wavelengths_of(channels);
   std::vector<std::size_t> order(channels.size());
@@ -35,7 +35,7 @@ std::vector<Tristimulus> channel_weights(const std::vector<std::string>& channel
 
 const std::vector<std::string> kRgb{"r", "g", "b"};
 
-// One colour of a term: sums over the bands, each counted as `share` says.
+// One colour of a term: sums over the bands, weighted by `share`.
 class ColourOf {
  public:
   ColourOf(const Term& term, const std::vector<Tristimulus>& weights, std::size_t colour)
@@ -76,7 +76,7 @@ class ColourOf {
     return total;
   }
 
-  // f0 such that the weight that it divides times f0 is the sum of the bands' products.
+  // Returns the f0 for which f0 times its weight equals the sum of the products of the bands.
   double divided(std::size_t f0) const {
     const auto weight = std::size_t(weight_of_f0(about_.lobes));
     double products = 0;

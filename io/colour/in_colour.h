@@ -1,4 +1,4 @@
-// Spectral tables and materials as a picture shows them.
+// Converts spectral tables and materials to red, green and blue for pictures.
 #pragma once
 
 #include <string>
@@ -9,19 +9,19 @@
 
 namespace brdf::io {
 
-// Whether these channels are a spectrum of visible light: all are named by a wavelength (wavelength_of), four
-// or more of them between 380 and 780 nm, reaching from 480 nm or less to 620 nm or more.
+// Returns whether the channels are a spectrum of visible light. All must be named by a wavelength
+// (wavelength_of), with four or more between 380 and 780 nm, from 480 nm or less to 620 nm or more.
 bool is_spectrum(const std::vector<std::string>& channels);
 
-// The same with channels r, g, b in linear sRGB under D65, each a sum over the bands (srgb_weights); what is
-// no spectrum stays as it is.
-//
-// A table's standard deviations add up as those of independent bands.
+// Returns the table with channels r, g, b in linear sRGB under D65, each a sum over the bands
+// (srgb_weights). A table that is not a spectrum is returned unchanged. Bands are
+// assumed to have independent errors; the result has standard deviations only if all bands have them.
 SampleTable in_colour(SampleTable table);
-// A material's f_r is the sum of its bands' f_r, exactly, where the bands share their shape: its weights add
-// up, and f0 with the weight that it divides. Where every band has a shape of its own, a colour's is their
-// mean, weighted like the bands. A sum outside of a parameter's range (a colour that sRGB does not hold) is
-// brought to its end. Throws InputError for a form that mixes its channels.
+// Returns the material with channels r, g, b in the same way. If the bands share their shape, its f_r is
+// exactly the sum of the f_r of the bands: the weights are added, and f0 is averaged with the weight that
+// it multiplies. If every band has its own shape, the shape of a colour is the mean of these shapes with
+// the weights of the bands. A sum outside the range of a parameter (a colour outside the gamut of sRGB) is
+// clamped to the range. Throws InputError for a form that mixes its channels or cannot be fitted.
 Material in_colour(const Material& material);
 
 }  // namespace brdf::io

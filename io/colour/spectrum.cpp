@@ -9,7 +9,7 @@
 namespace brdf::io {
 namespace {
 
-// Three functions of the wavelength in nm, linear between rows of even distance.
+// Three functions of the wavelength in nm, linear between equidistant rows.
 struct Functions {
   double first, step;
   std::vector<Tristimulus> rows;
@@ -48,8 +48,8 @@ const Functions& observer() {
   return table;
 }
 
-// What to multiply S1 and S2 by: chromaticity by the temperature, then to three decimals, as the CIE rounds
-// them.
+// Returns the multipliers of S1 and S2. The temperature gives the chromaticity, which gives the
+// multipliers; they are rounded to three decimals, as the CIE does.
 std::array<double, 2> daylight_multipliers(double kelvin) {
   const double t = 1e3 / kelvin;
   const double x = kelvin <= 7000 ? 0.244063 + t * (0.09911 + t * (2.9678 - t * 4.6070))
@@ -60,10 +60,10 @@ std::array<double, 2> daylight_multipliers(double kelvin) {
           rounded((0.0300 - 31.4424 * x + 30.0717 * y) / below)};
 }
 
-// Where a wavelength lies among others: between two of them, or on the nearest.
+// The place of a wavelength among others: between two of them, or on the nearest one.
 struct Between {
   std::size_t low, high;
-  double share;  // of the higher one
+  double share;  // weight of `high`
 };
 
 Between find(std::span<const double> wavelengths, double nm) {

@@ -1,4 +1,4 @@
-// sRGB's encoding of light, for numbers and for the scalar that writes shaders.
+// The sRGB encoding of light, for numbers and for the scalar that generates shaders.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace brdf::io {
 
-// What a scalar brings along beside its arithmetic.
+// Power functions that every scalar provides in addition to its arithmetic.
 inline float to_power(float x, float exponent) {
   return std::pow(x, exponent);
 }
@@ -15,7 +15,7 @@ inline double to_power(double x, double exponent) {
   return std::pow(x, exponent);
 }
 
-// One channel in [0, 1] (IEC 61966-2-1).
+// Encodes one linear channel in [0, 1] (IEC 61966-2-1).
 template <class S>
 S srgb_encoded(const S& x) {
   const S curve = S(1.055) * to_power(x, S(1) / S(2.4)) - S(0.055);

@@ -24,7 +24,7 @@ constexpr std::array kViewer{"o",          "out",        "outgoing", "r",       
                              "scattered",  "scattering", "measure",  "measurement", "measured", "detection",
                              "sensor",     "camera"};
 
-// A word and a side in either order, with or without "angle".
+// Adds the names of a word and a side in either order, with or without "angle".
 void add_word(const char* word, AngleKind quantity, AngleNames& all) {
   const auto add = [&](const std::string& side, AngleSide whose) {
     const AngleName said{quantity, whose};
@@ -37,7 +37,7 @@ void add_word(const char* word, AngleKind quantity, AngleNames& all) {
   add("s", AngleSide::scatter_or_source);
 }
 
-// "incident angle", "angle of incidence" are polar.
+// Adds "incident angle" and "angle of incidence", which are polar angles.
 void add_sides(AngleNames& all) {
   const auto add = [&](const std::string& side, AngleSide whose) {
     if (side.size() == 1) all["angle" + side] = {AngleKind::polar, whose};

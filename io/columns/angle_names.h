@@ -1,4 +1,4 @@
-// The names that laboratories give to the angles of a table.
+// Recognises the names that laboratories give to the angles of a table.
 #pragma once
 
 #include <optional>
@@ -9,31 +9,35 @@ namespace brdf::io {
 
 enum class AngleSide { light, viewer, scatter_or_source, none };
 
-// What an angle's name says.
+// The meaning of an angle's name.
 struct AngleName {
   enum class Quantity { polar, elevation, azimuth } quantity;
-  // theta_s and phi_s are the scattered direction's or the source's: the names beside them decide. `none`: an
-  // azimuth that does not say whose it is.
+  // The direction of the angle. theta_s and phi_s belong to the scattered direction or to the source,
+  // depending on the other columns. `none`: an azimuth without a direction.
   AngleSide side;
-  // A word that also has other meanings (`source`, `measurement`, `i`): an angle only if no other column is
-  // this one.
+  // A word that also has other meanings (`source`, `measurement`, `i`). The column is an angle only if no
+  // other column is this angle.
   bool is_weak = false;
-  // Bare `phi`, which beside the azimuth of one side is that of the other; a relative azimuth never is.
+  // Bare `phi`. Next to the azimuth of one direction, `phi` is the azimuth of the other; a relative azimuth
+  // never is.
   bool is_bare_phi = false;
 };
 
-// A name in small letters, Greek ones by their names, without blanks, points, hyphens and underscores.
+// Returns a name in small letters, with Greek letters spelled out, without blanks, points, hyphens,
+// underscores and backslashes.
 std::string plain_spelling(std::string_view name);
 
-// What the name of an angle, without its unit, says; std::nullopt if it is no angle's. docs/formats.md has
-// the list.
+// Returns the meaning of an angle's name without its unit, or std::nullopt if the name is not an angle's.
+// The list of names is in docs/formats.md.
 std::optional<AngleName> angle_named(std::string_view name);
 
-// An angle that is not read: from the mirror direction, a sine, a phase angle.
+// An angle that is recognised but not read: an angle from the mirror direction, a sine, a phase angle.
 struct RefusedAngle {
-  std::string reason;            // as the end of a sentence about its column
-  bool is_for_azimuths = false;  // it stands in place of the azimuths, else of a polar angle
+  std::string reason;            // the end of a sentence about the column
+  bool is_for_azimuths = false;  // replaces the azimuths, otherwise a polar angle
 };
+// Returns the reason against reading a column of this name, or std::nullopt if the name is not such an
+// angle's.
 std::optional<RefusedAngle> refused_angle(std::string_view name);
 
 }  // namespace brdf::io

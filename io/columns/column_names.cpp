@@ -22,13 +22,13 @@ bool is_angle_unit(std::string_view text) {
   return unit && unit->kind() == Unit::Kind::angle;
 }
 
-// Turns a header's names into columns; remembers what has to be said.
+// Converts a header's names to columns and collects the notes for the user.
 class HeaderReading {
  public:
   HeaderReading(const std::vector<std::string_view>& names, const HeaderFacts& facts)
       : names_(names), facts_(facts) {
     facts_.is_plain = has_plain_angle_names(names_);
-    // What is written must be read back as it was.
+    // A table that this program wrote must be read back unchanged.
     const auto& stated = facts_.stated;
     facts_.keeps_names =
         facts_.is_plain && stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
@@ -49,7 +49,7 @@ class HeaderReading {
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(facts_.where + ": " + what); }
 
-  // Adds "'their name' our name" to what is announced, where the names differ.
+  // Adds "'their name' our name" to the notes if the two names differ.
   void announce(std::string_view theirs, const std::string& ours) {
     if (theirs == ours) return;
     if (!read_as_.empty()) read_as_ += ", ";
@@ -67,7 +67,7 @@ class HeaderReading {
     return column;
   }
 
-  // Whether the name is an angle's, which the column then may hold.
+  // Returns whether the name is an angle's. If so, the column becomes that angle, unless the name is weak.
   bool read_as_angle(Column& column, std::string_view bare, std::string_view unit) {
     const std::optional<AngleName> angle = angle_named(bare);
     if (!angle || !(unit.empty() || is_angle_unit(unit))) return false;
@@ -96,7 +96,7 @@ class HeaderReading {
     return true;
   }
 
-  // Whether a column is an azimuth, or else a polar angle or elevation, of this side.
+  // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side.
   bool states(bool azimuth, AngleSide side) const {
     return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
       return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
@@ -105,8 +105,8 @@ class HeaderReading {
 
   static bool is_azimuth(const AngleName& angle) { return angle.quantity == AngleName::Quantity::azimuth; }
 
-  // Whose angle it is; theta_s beside an incident direction is the scattered one's, phi beside phi_r is the
-  // light's.
+  // Returns the side of an angle. theta_s next to an incident direction belongs to the scattered one; phi
+  // next to phi_r belongs to the light.
   AngleSide side_of(std::size_t k) {
     const AngleName& angle = *angles_[k];
     const bool light = states(is_azimuth(angle), AngleSide::light),
@@ -121,7 +121,7 @@ class HeaderReading {
     return light ? AngleSide::viewer : AngleSide::light;
   }
 
-  // Gives each angle's column its index; what is ambiguous is decided by its neighbours.
+  // Sets the index of each angle's column. Ambiguous names are decided by the other columns.
   void place_angles() {
     std::map<std::size_t, std::string> taken;
     for (std::size_t k = 0; k < out_.columns.size(); ++k) {
@@ -144,8 +144,8 @@ class HeaderReading {
     refuse_other_angles();
   }
 
-  // A word of several meanings is a polar angle if the table lacks that angle, states the other one, and has
-  // another column of values.
+  // Accepts a word of several meanings as a polar angle if the table lacks that angle, states the other
+  // polar angle, and has another column of values.
   void place_weak_angles() {
     const auto light = weak_angle(AngleSide::light), viewer = weak_angle(AngleSide::viewer);
     const bool has_light = out_.has_angle(0), has_viewer = out_.has_angle(2);
@@ -164,7 +164,7 @@ class HeaderReading {
     }
   }
 
-  // The only column of such a word.
+  // Returns the only column with a weak name of this side, or std::nullopt.
   std::optional<std::size_t> weak_angle(AngleSide side) const {
     std::optional<std::size_t> found;
     for (std::size_t k = 0; k < angles_.size(); ++k) {
@@ -175,7 +175,7 @@ class HeaderReading {
     return found;
   }
 
-  // An angle that is not read, in place of one that is missing.
+  // Refuses an angle that is not read if the angle that it replaces is missing.
   void refuse_other_angles() const {
     const bool lacks_polar = !out_.has_angle(0) || !out_.has_angle(2);
     for (const Column& column : out_.columns)
@@ -215,13 +215,13 @@ class HeaderReading {
   const std::vector<std::string_view>& names_;
   HeaderFacts facts_;
   Columns out_;
-  std::vector<std::optional<AngleName>> angles_;  // what each column's name says
-  std::optional<std::size_t> alone_;              // the column of an azimuth that does not say whose it is
+  std::vector<std::optional<AngleName>> angles_;  // the meaning of each column's name
+  std::optional<std::size_t> alone_;              // the column of an azimuth of unstated side
   std::string read_as_;
 };
 
-// The number of degrees with the fewest digits that is this angle to its last bit: instruments write 30
-// degrees as 0.5235987755982988.
+// Returns the number of degrees with the fewest digits that equals this angle to its last bit, because
+// instruments write 30 degrees as 0.5235987755982988.
 double shortest_degrees(double radian) {
   const double plain = radians(radian).degrees();
   for (double scale = 1; scale <= 1e12; scale *= 10) {
@@ -232,7 +232,7 @@ double shortest_degrees(double radian) {
   return plain;
 }
 
-// Degrees stay as they are.
+// Degrees stay unchanged.
 double in_degrees(double value, const std::optional<Unit>& unit) {
   static const double degree = unit_named("deg")->factor;
   return !unit || unit->factor == degree ? value : shortest_degrees(value * unit->factor);

@@ -1,4 +1,4 @@
-// What the columns of a sample table are, told by their names as laboratories write them.
+// Recognises the columns of a sample table by their names, as laboratories write them.
 #pragma once
 
 #include <cstddef>
@@ -14,62 +14,74 @@
 namespace brdf::io {
 
 struct Column {
-  // `aside`: no values, its cells are not looked at. `rotation`: the angle by which the sample was turned.
+  // `aside`: a column without values; its cells are not read. `rotation`: the angle by which the sample was
+  // rotated.
   enum class Kind { angle, value, sigma, wavelength, polarisation, rotation, aside } kind = Kind::value;
-  std::size_t index = 0;  // the angle's (kAngleNames) or the channel's
-  std::string name;       // as the file has it
-  // Of an angle or of wavelengths: the unit that the name states.
+  std::size_t index = 0;  // the index of the angle (kAngleNames) or of the channel
+  std::string name;       // as in the file
+  // The unit in the name of an angle or of wavelengths.
   std::optional<Unit> unit;
   bool is_elevation = false;
 
-  // The file's number as the table has it: degrees from the normal, nm (wavelengths without a unit as they
-  // are). Radians become the shortest number of degrees that is that angle.
+  // Converts a number of the file to the table's unit: degrees from the normal, or nm. Wavelengths without
+  // a unit stay unchanged. Radians become the shortest number of degrees that equals the angle.
   double converted(double value) const;
 };
 
 struct Columns {
   std::vector<Column> columns;
   std::vector<std::string> channels;  // names without their units
-  std::vector<Quantity> quantities;   // [channel] of the file's values
-  std::optional<std::size_t>
-      only_azimuth;          // the angle's index, where one azimuth is stated for both directions
-  bool has_unnamed = false;  // a column of values names no quantity, and none is stated
-  bool in_plane = false;     // no azimuth is stated: the polar angles are signed, in the plane of incidence
-  std::vector<std::string> notes;  // what was understood though it is not the plain format, a sentence each
-  std::vector<std::string> assumptions;  // those on which values or directions rest
+  std::vector<Quantity> quantities;   // [channel] quantity of the file's values
+  // The index of the only azimuth, if one azimuth is stated for both directions.
+  std::optional<std::size_t> only_azimuth;
+  // A column of values names no quantity, and no quantity is stated.
+  bool has_unnamed = false;
+  // No azimuth is stated: the polar angles are signed, in the plane of incidence.
+  bool in_plane = false;
+  // Interpretations that differ from the plain format, one sentence each.
+  std::vector<std::string> notes;
+  // The notes on which values or directions depend.
+  std::vector<std::string> assumptions;
 
+  // Returns whether a column holds the angle with this index of kAngleNames.
   bool has_angle(std::size_t angle) const;
   bool has(Column::Kind kind) const;
   // Adds a note that is an assumption.
   void assume(const std::string& sentence);
 };
 
-// What is known of a table beside the names of its columns.
+// Facts about a table in addition to the names of its columns.
 struct HeaderFacts {
   std::string where;  // opens messages
   std::optional<StatedQuantity> stated;
   bool needs_values = true;
-  std::vector<bool> is_text = {};  // [column] cells that are no numbers
-  bool is_plain = false;   // the plain names of the angles: a name that says nothing is f_r without a word
-  bool is_format = false;  // so of a format that is one of f_r, in which X, Y and Z are f_r, too
-  // A table that states f_r in our own way: all columns that are no angles are channels, whatever their names
-  // are.
+  std::vector<bool> is_text = {};  // [column] the cells are not numbers
+  // The angles have their plain names, and other columns are not angles. A column name without a meaning
+  // then denotes f_r, and no note is added.
+  bool is_plain = false;
+  // The file's format stores f_r only. Columns X, Y and Z are then f_r too.
+  bool is_format = false;
+  // A table in our own format that states f_r. All columns other than angles are channels, whatever their
+  // names.
   bool keeps_names = false;
 };
 
-// Whether a field is a unit that a column's name may have, in brackets or not: deg, [rad], 1/sr, nm. So is
-// nothing at all.
+// Returns whether a field is a unit that a column's name may have, with or without brackets: deg, [rad],
+// 1/sr, nm. An empty field and "-" count as units.
 bool is_unit(std::string_view field);
 
-// Whether a row of names is a header row: at least two of them are angles'.
+// Returns whether a row of names is a header row, that is, names at least two angles.
 bool names_angles(const std::vector<std::string_view>& names);
 
-// Understands a header row: the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL; their usual
-// aliases in any case and with blanks, hyphens or underscores (thetai, incidence, theta_r, view zenith,
-// azimuth, ...; docs/formats.md has the list); units in brackets or as a suffix; the words of quantities.
-// theta_s is the scattered direction beside an incident one, the source's beside a reflected one. If the four
-// plain names are there and a comment states f_r, all other columns are channels of f_r, whatever their names
-// are. Throws InputError naming what was found.
+// Interprets a header row. `names` may be:
+// - the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL;
+// - their usual aliases in any case and with blanks, hyphens or underscores (thetai, incidence, theta_r,
+//   view zenith, azimuth, ...; docs/formats.md has the list), with units in brackets or as a suffix;
+// - the words of quantities.
+// theta_s is the scattered direction next to an incident direction, and the source's direction next to a
+// reflected direction. If the header has the four plain names and a comment states f_r, all other columns
+// are channels of f_r, whatever their names. Throws InputError, which quotes the names, if a column is
+// ambiguous or cannot be read.
 Columns understand_columns(const std::vector<std::string_view>& names, const HeaderFacts& facts);
 
 }  // namespace brdf::io

@@ -11,7 +11,7 @@
 namespace brdf::io {
 namespace {
 
-// UTF-8 without control characters.
+// Returns the text as UTF-8 without control characters other than tabs.
 std::string on_one_line(const std::string& text) {
   const std::string valid = utf8::replace_invalid(text);
   std::string line;

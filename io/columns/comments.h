@@ -1,4 +1,4 @@
-// The comments above a sample table's header row.
+// Reads and writes the comments above the header row of a sample table.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@ namespace brdf::io {
 
 using Comment = std::pair<std::string, std::string>;  // key and value; free text has no key
 
-inline constexpr std::string_view kQuantityKey = "quantity";  // reserved: says what the columns hold
+inline constexpr std::string_view kQuantityKey = "quantity";  // reserved: states the quantity of the columns
 
-// What follows the `#`: a key ends at the first colon. Control characters become blanks.
+// Parses the text after the `#`. A key ends at the first colon. Control characters become blanks.
 Comment parse_comment(std::string_view text);
 
-// The line without its `#` that reads back to this comment: free text with a colon keeps a leading one, and
-// so does a key that is reserved.
+// Returns the line, without its `#`, that reads back to this comment. Free text with a colon and reserved
+// keys get a leading colon.
 std::string comment_text(const Comment& comment);
 
 }  // namespace brdf::io

@@ -8,7 +8,8 @@
 namespace brdf::io {
 namespace {
 
-// The keys of a JSON text, in its order; strings are not parted from keys inside them.
+// Returns the keys of a JSON text at any depth, in order, at most kMost. A quoted string counts as a key if
+// a colon follows.
 std::vector<std::string_view> keys_of(std::string_view json) {
   constexpr std::size_t kMost = 4000;
   std::vector<std::string_view> keys;

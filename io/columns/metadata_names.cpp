@@ -10,7 +10,7 @@
 namespace brdf::io {
 namespace {
 
-// One of these words anywhere.
+// A name with one of these words holds no values.
 constexpr std::string_view kYes[] = {
     "temperature", "temp",      "humidity", "rh",        "pressure",    "time",      "date",
     "timestamp",   "datetime",  "exposure", "gain",      "integration", "shutter",   "polariser",
@@ -19,13 +19,14 @@ constexpr std::string_view kYes[] = {
     "filepath",    "path",      "lamp",     "bandwidth", "fwhm",        "serial",    "repeat",
     "repetition",  "replicate", "aperture", "distance",  "snr",         "bemerkung", "kommentar",
     "temperatur",  "uhrzeit",   "datum",    "averages",  "scans",       "unnamed",   "solid"};
-// Nothing but these words.
+// A name that consists only of these words may hold no values.
 constexpr std::string_view kPerhaps[] = {
     "point",   "number", "no",    "nr",  "num",   "run",         "sample", "spot", "position", "pos",
     "x",       "y",      "z",     "row", "line",  "record",      "scan",   "step", "status",   "flag",
     "quality", "name",   "label", "id",  "index", "measurement", "count",  "of",   "weight",   "stage"};
 
-// In small letters, parted by whatever is no letter and before a capital after a small letter.
+// Returns the words of a name in small letters. Words are separated by characters other than letters, and
+// before a capital after a small letter.
 std::vector<std::string> name_words(std::string_view name) {
   std::vector<std::string> words;
   bool goes_on = false;
@@ -51,7 +52,7 @@ bool is_in(const std::string& word, const std::string_view (&list)[n]) {
 
 namespace {
 
-// theta_h, phi_d, tilt angle: an angle, whatever it is of.
+// Returns whether the name is an angle's, whichever angle it is: theta_h, phi_d, tilt angle.
 bool is_an_angle(std::string_view name) {
   const std::string key = plain_spelling(name);
   for (const char* word : {"theta", "phi", "azimuth", "zenith", "angle"})

@@ -1,4 +1,4 @@
-// Words, numbers and signs of a column's name.
+// Splits a column's name into words, numbers and signs.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,16 @@ namespace brdf::io {
 struct Token {
   enum class Type { word, number, sign } type;
   std::string text;        // in small letters
-  std::size_t begin, end;  // of the name
-  bool is_used = false;    // for readers: it has been understood
+  std::size_t begin, end;  // byte offsets in the name
+  bool is_used = false;    // set by a reader that has interpreted the token
 };
 
-// Words are runs of letters, parted before a capital after a small letter: "ReflectanceFactor". Blanks and
-// underscores are left out.
+// Returns the tokens of a name. Words are runs of letters and end before a capital that follows a small
+// letter: "ReflectanceFactor" is two words. Blanks and underscores are skipped.
 std::vector<Token> tokens_of(std::string_view name);
 
-// Whether it is a bracket, a hyphen or the like, which parts words and says nothing.
+// Returns whether the token is a bracket, a hyphen or a similar sign, which separates words and has no
+// meaning.
 bool is_silent(const Token& token);
 
 }  // namespace brdf::io

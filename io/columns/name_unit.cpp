@@ -14,7 +14,7 @@ bool is_band_unit(const Unit& unit) {
          unit.kind() == K::energy;
 }
 
-// The bracket that this one closes; npos: none does.
+// Returns the position of the bracket that this one closes; npos if the text has no such bracket.
 std::size_t opening_of(std::string_view text, std::size_t close) {
   int depth = 0;
   for (std::size_t k = close + 1; k-- > 0;) {
@@ -30,7 +30,7 @@ bool says_no_unit(std::string_view inside) {
   return std::find(std::begin(kWords), std::end(kWords), lower_case(inside)) != std::end(kWords);
 }
 
-// A unit in brackets, from the right. What names a polarisation is none: fr (s).
+// Separates a unit in brackets, searching from the right. The name of a polarisation is not a unit: fr (s).
 bool part_brackets(std::string_view text, NameUnit& out) {
   for (std::size_t close = text.find_last_of(")]"); close != text.npos && close > 0;
        close = text.find_last_of(")]", close - 1)) {
@@ -53,7 +53,7 @@ bool part_brackets(std::string_view text, NameUnit& out) {
   return false;
 }
 
-// Words that are units only in brackets.
+// Returns whether a unit is accepted only in brackets: single letters and these words.
 bool is_word_first(std::string_view unit) {
   constexpr std::string_view kWords[] = {
       "min", "count",  "counts",  "day",    "days",    "h",    "hour",  "hours",   "sec",    "bar",
@@ -63,8 +63,8 @@ bool is_word_first(std::string_view unit) {
              : std::find(std::begin(kWords), std::end(kWords), lower_case(unit)) != std::end(kWords);
 }
 
-// A unit behind a separator, the longest: "fr 1/sr", "wavelength_nm", "theta/deg". The number before it makes
-// it a band.
+// Separates the longest unit after a separator: "fr 1/sr", "wavelength_nm", "theta/deg". A unit of
+// wavelengths with a number before it is part of the name of a band.
 bool part_suffix(std::string_view text, NameUnit& out) {
   for (std::size_t at = text.find_first_of("/, _"); at != text.npos;
        at = text.find_first_of("/, _", at + 1)) {
@@ -73,7 +73,7 @@ bool part_suffix(std::string_view text, NameUnit& out) {
     if (before.empty() || after.empty() || is_bracket || is_word_first(after)) continue;
     if (after.starts_with('/')) continue;  // "BRF / %": the slash is the separator
     const bool is_per = text[at] == '/' && unit_named(after) == unit_named("sr");
-    const auto unit = is_per ? unit_named("1/sr") : unit_named(after);  // nothing is measured in steradians
+    const auto unit = is_per ? unit_named("1/sr") : unit_named(after);  // values are never in steradians
     if (!unit || *unit == Unit{unit->factor}) continue;
     constexpr std::string_view digits = "0123456789";
     const bool has_number =

@@ -1,4 +1,4 @@
-// The unit that stands in a column's name.
+// Separates the unit from a column's name.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,9 @@ struct NameUnit {
   std::string unit_text;
 };
 
-// Finds a unit in brackets, from the right; else the longest one behind `/`, `,`, `_` or a blank; or the
-// whole name is one. The number of a wavelength (550 nm), a polarisation (s) and letters that mean much else
-// are no units.
+// Separates a name and its unit. The unit is the whole name if that is one with a sign (1/sr, %) or dB;
+// otherwise the last unit in brackets; otherwise the longest one after `/`, `,`, `_` or a blank. The number
+// of a wavelength (550 nm), a polarisation (s) and letters with many other meanings are not units.
 NameUnit parted(std::string_view name);
 
 }  // namespace brdf::io

@@ -1,3 +1,4 @@
+// Advice on fields that are not numbers.
 #pragma once
 
 #include <string>
@@ -5,8 +6,8 @@
 
 namespace brdf::io {
 
-// What to write instead of a field that is no finite number, as the end of a message: "; write no row where
-// nothing was measured". Empty where it looks like nothing known.
+// Returns advice on a field that is not a finite number, as the end of a message: "; write no row where
+// nothing was measured". Empty if the field resembles no known case.
 std::string advice_on(std::string_view field);
 
 }  // namespace brdf::io

@@ -1,4 +1,4 @@
-// The names that our own tables give to their columns.
+// The column names of our own tables.
 #pragma once
 
 #include <string_view>
@@ -9,8 +9,9 @@ namespace brdf::io {
 inline constexpr std::string_view kAngleNames[] = {"theta_i", "phi_i", "theta_o", "phi_o"};
 inline constexpr std::string_view kSigmaPrefix = "sigma_";
 
+// Returns whether the name is one of kAngleNames.
 bool is_plain_angle_name(std::string_view name);
-// Whether a header row names the four angles as the plain format does.
+// Returns whether a header row contains the four angle names of the plain format.
 bool has_plain_angle_names(const std::vector<std::string_view>& names);
 
 }  // namespace brdf::io

@@ -13,7 +13,7 @@ namespace {
 
 using P = Polarisation;
 
-// The words of a name, in its order.
+// Returns the words of a name in order.
 std::vector<std::string_view> words_of(std::string_view name) {
   constexpr std::string_view kBetween = " \t_-()[]";
   std::vector<std::string_view> words;
@@ -47,7 +47,7 @@ struct Words {
   std::vector<std::string_view> rest;
 };
 
-// None where two words say a polarisation.
+// Separates the polarisation from the other words. Returns std::nullopt if two words are polarisations.
 std::optional<Words> understood(std::string_view name) {
   Words out;
   for (const std::string_view word : words_of(name)) {

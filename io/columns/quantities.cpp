@@ -225,8 +225,8 @@ std::string documented(const QuantityKind& kind) {
 
 namespace {
 
-// What is left of a name without the words of its quantity, as a channel's: "BRF_1" is fr_1, "BRF 550" the
-// band 550nm.
+// Returns the channel's name that is left without the words of the quantity: "BRF_1" becomes fr_1, "BRF
+// 550" the band 550nm.
 std::string rest_as_name(const std::string& rest) {
   double number;
   const bool is_number = parse_number(rest, number) && with_band_unit(rest) == rest;
@@ -235,7 +235,7 @@ std::string rest_as_name(const std::string& rest) {
 
 }  // namespace
 
-// What the words of a name come to, with its unit.
+// Combines the words of a name with its unit.
 NamedQuantity quantity_of_column(std::string_view name) {
   const QuantityWords words = read_quantity_words(name);
   NamedQuantity out;
@@ -266,7 +266,7 @@ std::optional<Quantity> quantity_named(std::string_view text) {
   const std::string lower = lower_case(trimmed(text));
   if (lower == "r") return Quantity{&of(Kind::reduced_luminance)};
   const QuantityWords words = read_quantity_words(text);
-  const bool has_symbol = words.rest.size() == 1;  // luminance coefficient q, reflectance factor R
+  const bool has_symbol = words.rest.size() == 1;  // a symbol: luminance coefficient q, reflectance factor R
   if (!words.kind || words.fault != QuantityWords::Fault::none || !(is_filling(words.rest) || has_symbol))
     return std::nullopt;
   return Quantity{&of(*words.kind), words.factor, words.scale};
@@ -276,7 +276,7 @@ std::optional<Quantity> quantity_in_title(std::string_view title) {
   const QuantityWords words = read_quantity_words(title);
   if (!words.kind || words.fault != QuantityWords::Fault::none) return std::nullopt;
   const Quantity found{&of(*words.kind), words.factor, words.scale};
-  // Within a title many words mean other things: laser intensity, transmission.
+  // Many words have other meanings within a title: laser intensity, transmission.
   const bool is_plain = words.kind == Kind::f_r || words.kind == Kind::reflectance_factor;
   if (!words.is_first && !is_plain) return std::nullopt;
   return found;

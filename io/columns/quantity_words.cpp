@@ -18,7 +18,7 @@ namespace {
 using Fault = QuantityWords::Fault;
 using Scale = Quantity::Scale;
 
-// The words of the table of quantities without their blanks, hyphens and underscores.
+// The words of the table of quantities in plain spelling, without blanks, hyphens and underscores.
 const std::map<std::string, Kind, std::less<>>& phrases() {
   static const std::map<std::string, Kind, std::less<>> all = [] {
     std::map<std::string, Kind, std::less<>> map;
@@ -35,7 +35,7 @@ const std::map<std::string, Kind, std::less<>>& phrases() {
   return all;
 }
 
-// Marks what has been understood of a name's words.
+// Interprets the words of a name and marks the tokens that it has used.
 class WordReading {
  public:
   explicit WordReading(std::string_view plain) : text_(plain), tokens_(tokens_of(plain)) {}
@@ -71,7 +71,7 @@ class WordReading {
     return number;
   }
 
-  // "BRDFcos" is two words.
+  // Splits "BRDFcos" into two words.
   void part_cosines() {
     for (std::size_t k = 0; k < tokens_.size(); ++k) {
       const std::size_t at = tokens_[k].text.find("cos");
@@ -85,7 +85,7 @@ class WordReading {
     }
   }
 
-  // L*, a*, b*: the star is a part of the name; and (a.u.).
+  // Takes L*, a*, b*, in which the star is part of the name, and (a.u.).
   void take_colours() {
     if (tokens_.size() > 1 && is(1, "*") && (tokens_.size() == 2 || is_silent(tokens_[2])) &&
         std::string_view("labch").find(tokens_[0].text) != std::string_view::npos)
@@ -94,7 +94,7 @@ class WordReading {
       if (is(k, "a") && is(k + 1, ".") && is(k + 2, "u")) take_kind(k, k + 3, Kind::relative);
   }
 
-  // A power of ten that the quantity was multiplied by: x1000, * 10^4, 1000*, 1e3 x.
+  // Takes a power of ten by which the quantity was multiplied: x1000, * 10^4, 1000*, 1e3 x.
   void take_multipliers() {
     for (std::size_t k = 0; k < tokens_.size(); ++k) {
       const bool is_sign = is(k, "x") || is(k, "*");
@@ -107,7 +107,7 @@ class WordReading {
     }
   }
 
-  // "BRDFx1000": the x belongs to the number if the word before it is known.
+  // Splits "BRDFx1000": the x belongs to the number if the word before it is known.
   void split_factor(std::size_t number) {
     if (number == 0 || tokens_[number - 1].type != Token::Type::word) return;
     Token& word = tokens_[number - 1];
@@ -164,7 +164,7 @@ class WordReading {
     }
   }
 
-  // mBRDF, nBRDF: a letter before a quantity's word.
+  // Returns whether the token is a one-letter prefix of a quantity's word: mBRDF, nBRDF.
   bool is_prefix(std::size_t k) const {
     return k + 1 < tokens_.size() && tokens_[k].end == tokens_[k + 1].begin &&
            phrases().contains(tokens_[k + 1].text);
@@ -198,7 +198,7 @@ class WordReading {
       if (k > 0 && is(k - 1, word_before)) use(k - 1, k);
   }
 
-  // The longest known phrases, from the left.
+  // Takes the longest known phrases, from the left.
   void take_phrases() {
     constexpr std::size_t kLongest = 9;  // tokens
     for (std::size_t k = 0; k < tokens_.size(); ++k) {
@@ -209,7 +209,7 @@ class WordReading {
            ++end) {
         if (is_silent(tokens_[end])) continue;
         joined += tokens_[end].text;
-        // Two single letters mean anything, but for f_r: r_f is not RF.
+        // Two single letters have many meanings, except f_r: r_f is not RF.
         const bool is_parted = joined.size() <= 2 && end > k && joined != "fr";
         const auto at = phrases().find(joined);
         if (at != phrases().end() && !is_parted) found = {end + 1, at->second};
@@ -222,7 +222,7 @@ class WordReading {
     }
   }
 
-  // R_A, which joined is two letters that mean anything.
+  // Returns whether the token begins R_A. Joined, R_A would be two letters with many meanings.
   bool is_retroreflection(std::size_t k) const {
     return is(k, "r") && is(k + 1, "a") && text_[tokens_[k].end] == '_';
   }
@@ -240,8 +240,8 @@ class WordReading {
     }
   }
 
-  // Of two words the one that says more: "relative BRDF", "BSDF, transmission", "cosine-corrected scatter
-  // BRDF".
+  // Returns the more specific of two words: "relative BRDF", "BSDF, transmission", "cosine-corrected
+  // scatter BRDF".
   std::optional<Kind> stronger(Kind a, Kind b) {
     for (const Kind decisive : {Kind::transmittance, Kind::relative, Kind::radiant_intensity})
       if (a == decisive || b == decisive) return decisive;
@@ -253,7 +253,7 @@ class WordReading {
     return a;
   }
 
-  // Cosines that f_r was multiplied by.
+  // Takes cosines by which f_r was multiplied.
   void take_cosines() {
     bool light = false, viewer = false;
     for (std::size_t k = 0; k < tokens_.size(); ++k) {
@@ -286,7 +286,7 @@ class WordReading {
     for (std::size_t k = begin; k < std::min(end, tokens_.size()); ++k) tokens_[k].is_used = true;
   }
 
-  // What is left, in its order.
+  // Returns the text without the used tokens, in order.
   std::string rest() const {
     std::string text;
     for (std::size_t k = 0; k < tokens_.size(); ++k) {
@@ -311,7 +311,7 @@ class WordReading {
   bool is_percent_ = false, is_multiplied_ = false;
 };
 
-// What the unit says, with the words or against them.
+// Combines the unit with the words, or finds that the two contradict each other.
 class Combination {
  public:
   Combination(QuantityWords& words, const NameUnit& parts)
@@ -380,7 +380,7 @@ class Combination {
       out_.is_doubtful = lower_case(plain_symbols(out_.bare)) != "rho";
       out_.kind = Kind::f_r;
     } else if (is(Kind::reduced_luminance)) {
-      out_.factor *= 1e4;  // the unit stands for the coefficient itself
+      out_.factor *= 1e4;  // the unit is that of the coefficient itself
     } else if (!out_.kind) {
       out_.kind = of_symbol();
     } else if (is(Kind::reflectance_factor) || is(Kind::radiance_factor) || is(Kind::radiance) ||
@@ -389,8 +389,9 @@ class Combination {
     }
   }
 
-  // f_r, but for the coefficients of retroreflection, whose symbols mean much else: R_A and R' (cd/lx/m2),
-  // R_L (mcd/m2/lx).
+  // Returns the kind of a symbol with a unit per steradian. This is f_r, except for symbols that also have
+  // many other meanings and are therefore accepted only with a unit of lux: the coefficients of
+  // retroreflection R_A and R' (cd/lx/m2) and R_L (mcd/m2/lx), and Qd, which is hemispherical.
   Kind of_symbol() const {
     const std::string symbol = plain_spelling(out_.bare);
     const bool is_of_lux = text_.find("lx") != text_.npos || text_.find("lux") != text_.npos;
@@ -446,7 +447,7 @@ QuantityWords read_quantity_words(std::string_view text) {
   out.is_default = out.is_default && !parts.unit;
   if (parts.unit && out.fault == Fault::none) Combination(out, parts).make();
   if (out.kind == Kind::reduced_luminance && reading.is_multiplied())
-    out.factor *= 1e4;  // stated, not implied
+    out.factor *= 1e4;  // the factor is stated, not implied
   const auto contradict = [&](const char* reason) {
     if (out.fault == Fault::none) out.reason = reason;
     out.fault = Fault::contradicts;

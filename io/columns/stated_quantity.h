@@ -1,4 +1,4 @@
-// The quantity that a file's comments and titles, or the caller, state for all of its values.
+// The quantity that the comments and titles of a file, or the caller, state for all values.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,40 @@ namespace brdf::io {
 struct StatedQuantity {
   enum class By { comment, title, option } by;
   Quantity quantity;
-  std::string words;  // as they were written
-  std::string where;  // "line 3"; empty of an option
+  std::string words;  // as in the file or option
+  std::string where;  // "line 3"; empty for an option
 };
 
-// The words behind `quantity:` in a comment, in any case, also `quantity = ...` and behind several `#`;
-// std::nullopt if the comment states no quantity. `text` is without its first `#`.
+// Returns the words after `quantity:` in a comment, in any case, also after `quantity =`, after several
+// `#`, and after `quantity` and a blank if the words are a known quantity. Returns std::nullopt if the
+// comment states no quantity. `text` is the comment without its first `#`.
 std::optional<std::string_view> quantity_in_comment(std::string_view text);
 
-// The quantity of an option; throws InputError for unknown words and for what is no f_r. std::nullopt of
-// empty words.
+// Returns the quantity of an option, or std::nullopt if `words` is empty. Throws InputError for unknown
+// words and for quantities that cannot be converted to f_r.
 std::optional<StatedQuantity> stated_by_option(const std::string& words);
 
-// A format that states f_r and its directions itself: throws InputError where the caller states anything
-// else. `name` opens the message.
+// Checks the caller's statements about a format that states f_r and its directions itself. Throws
+// InputError if the caller states anything else. `name` opens the message.
 void require_f_r(const std::string& name, const Supplied& supplied);
 
-// Collects what a file states. Throws InputError, which `where` opens ("FILE, line 3"), if two statements
-// contradict, and for quantities that are unknown or no f_r.
+// Collects the statements of a file. Throws InputError if two statements contradict each other, and for
+// quantities that are unknown or cannot be converted to f_r. `where` opens the message ("FILE, line 3").
 class StatedQuantities {
  public:
   explicit StatedQuantities(std::optional<StatedQuantity> option) : option_(std::move(option)) {}
 
+  // Adds the quantity that a comment states. `line`: the number of the line, from 1.
   void add_comment(std::string_view words, std::size_t line, const std::string& where);
+  // Adds a title, which may name a quantity.
   void add_title(std::string_view title, std::size_t line, const std::string& where);
-  // A comment that is free text states nothing, but may name a quantity.
+  // Adds a comment that is free text. Such a comment states nothing, but may name a quantity.
   void add_free_text(std::string_view text, std::size_t line);
-  // A comment's statement, else the title's, else the caller's.
+  // Returns the statement of a comment, otherwise that of a title, otherwise that of the caller.
   const std::optional<StatedQuantity>& result() const { return found_ ? found_ : option_; }
-  // What has to be said of values whose column names no quantity, while nothing is stated: a comment names
-  // one. Throws InputError if a title names one that f_r cannot be made of.
+  // Returns a note for values whose column names no quantity, if no quantity is stated but a comment names
+  // one; otherwise an empty string. Throws InputError if a title names a quantity that cannot be converted
+  // to f_r.
   std::string word_on_unnamed() const;
 
  private:

@@ -1,4 +1,4 @@
-// What a caller states about a table because its file does not.
+// Facts about a table that the caller states because the file does not.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace brdf::io {
 
-// In a table of two signed angles: the sign of the viewer's angle on the mirror side. `automatic`: the side
-// of the largest values; if the values do not tell, positive.
+// The sign of the viewer's angle on the mirror side, in a table of two signed angles. `automatic`: the side
+// of the largest values; positive if the values do not decide.
 enum class MirrorSide { automatic, positive, negative };
 
 struct Supplied {
-  std::string quantity;  // a name of quantities.h; empty: nothing is stated
+  std::string quantity;  // a name of quantities.h; empty if not stated
   MirrorSide mirror_side = MirrorSide::automatic;
 
   bool operator==(const Supplied&) const = default;

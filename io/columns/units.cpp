@@ -34,7 +34,7 @@ Unit percent(double factor) {
 
 using UnitNames = std::map<std::string, Unit, std::less<>>;
 
-// Symbols that may have a prefix (m, k, ...), as they are written.
+// Symbols that may have a prefix (m, k, ...), spelled with case.
 const UnitNames& symbols() {
   static const UnitNames all{{"m", product(1, {{Unit::metre, 1}})},
                              {"s", product(1, {{Unit::second, 1}})},
@@ -117,7 +117,7 @@ std::optional<Unit> one_word(std::string_view word) {
   if (const auto unit = with_prefix(word)) return unit;
   const std::string lower = lower_case(word);
   if (const auto found = words().find(lower); found != words().end()) return found->second;
-  // SR, NM, GHZ: capitals throughout are a manner of writing.
+  // Names written in capitals throughout are accepted: SR, NM, GHZ.
   if (lower == "ghz" || lower == "thz") return with_prefix(lower == "ghz" ? "GHz" : "THz");
   return with_prefix(lower);
 }
@@ -148,8 +148,8 @@ class UnitReader {
   void skip() { rest_.remove_prefix(std::min(rest_.size(), rest_.find_first_not_of(" \t*.()[]{}"))); }
   bool is_number() const { return rest_.front() >= '0' && rest_.front() <= '9'; }
 
-  // The exponent that follows a unit: 2, -1, ^-1, **-1, ^(-1), ^{-1}. 1 if there is none, 0 if it is not a
-  // number.
+  // Takes the exponent that follows a unit: 2, -1, ^-1, **-1, ^(-1), ^{-1}. Returns 1 if there is no
+  // exponent and 0 if the exponent is not a number.
   int take_exponent(bool needs_sign) {
     std::string_view text = rest_;
     const bool is_marked = text.starts_with('^') || text.starts_with("**");
@@ -165,10 +165,10 @@ class UnitReader {
     return exponent > -100 && exponent < 100 ? exponent : 0;
   }
 
-  // A unit after a slash divides, unless its own exponent is below 0: cd/m2 lx^-1.
+  // A unit after a slash is a divisor, unless its own exponent is negative: cd/m2 lx^-1.
   int signed_exponent(int exponent) const { return is_divided_ && exponent > 0 ? -exponent : exponent; }
 
-  // A power of ten: 10^-3, 1e-3, 1000, 1.
+  // Takes a power of ten: 10^-3, 1e-3, 1000, 1.
   bool take_number() {
     double number;
     const auto [stop, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), number);

@@ -1,4 +1,5 @@
-// Units as the names of columns state them: 1/sr, cd/m2/lx, 10^-3 sr^-1, W m^-2 sr^-1, cm-1, GHz, °C, dB.
+// Reads units as the names of columns state them: 1/sr, cd/m2/lx, 10^-3 sr^-1, W m^-2 sr^-1, cm-1, GHz,
+// degrees Celsius, dB.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ struct Unit {
   enum class Kind {
     number,         // no unit, or a power of ten
     percent,        // also parts per million
-    per_steradian,  // also cd/m2/lx and the like, which are 1/sr
+    per_steradian,  // also units equal to 1/sr, such as cd/m2/lx
     angle,
     length,
     wavenumber,
@@ -37,31 +38,35 @@ struct Unit {
     luminance,  // cd/m2
     intensity,  // W/sr, cd
     signal,     // volts, amperes, watts, counts, irradiances
-    area,       // also as a solid angle: a cross section
+    area,       // also a solid angle: a cross section
     other       // degrees Celsius, seconds, ...
   };
 
-  double factor = 1;  // one of this unit in the product of the bases
+  // The size of this unit as a multiple of the product of the base units.
+  double factor = 1;
   std::array<int, 12> exponents{};
   bool is_decibel = false, is_percent = false;
 
   bool operator==(const Unit&) const = default;
+  // Returns the kind of quantity that the unit measures.
   Kind kind() const;
 };
 
-// Letters of other alphabets and signs as ASCII that units and formulas are written with: µ u, Å angstrom,
-// sr⁻¹ sr^-1, · and × *, π pi. Greek letters become their names.
+// Replaces letters of other alphabets and signs by ASCII, with which units and formulas are written. The
+// micro sign becomes u, A with ring becomes angstrom, raised digits and signs become exponents (sr^-1), the
+// centred dot and the multiplication sign become *, and Greek letters become their names. The degree sign
+// is kept.
 std::string plain_symbols(std::string_view text);
 
-// A name and its unit, which stands in brackets, behind a slash or a comma, or as the last word: every way to
-// part them, the whole name first.
+// A name and its unit. The unit is in brackets, after a slash or a comma, or the last word.
 struct NameAndUnit {
   std::string_view name, unit;
 };
+// Returns every way to separate a unit from a name, the whole name first.
 std::vector<NameAndUnit> ways_to_part(std::string_view name);
 
-// Reads a product of units with exponents; std::nullopt if a word is not a unit. Nothing at all is not a
-// unit.
+// Reads a product of units with exponents. Returns std::nullopt if a word is not a unit, or if the text is
+// empty.
 std::optional<Unit> unit_named(std::string_view text);
 
 }  // namespace brdf::io

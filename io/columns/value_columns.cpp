@@ -35,16 +35,16 @@ std::string columns_are(const std::vector<std::string>& names) {
 // A column that may hold values.
 struct Candidate {
   enum class Rank {
-    values,   // of a quantity that is converted
-    neutral,  // the name says nothing
-    asked,    // the name says too little
-    refused,  // of a quantity that f_r cannot be made of
+    values,   // values of a quantity that is converted
+    neutral,  // the name states no quantity
+    asked,    // the name is ambiguous
+    refused,  // values of a quantity that cannot be converted to f_r
     aside     // no values
   };
   Column* column;
   NamedQuantity named;
   Rank rank;
-  std::string refusal;      // of asked and refused: the end of a sentence about the column
+  std::string refusal;      // for `asked` and `refused`: the end of a sentence about the column
   bool is_perhaps = false;  // values only if no other column holds any
 };
 
@@ -104,16 +104,16 @@ class Values {
     return at == candidates_.end() ? nullptr : &*at;
   }
 
-  // What a name means because of the others.
+  // Adjusts the ranks of names that depend on the other columns.
   void rank_by_neighbours() {
     if (facts_.keeps_names) return;
-    // Points, runs, places and texts are no values beside values.
+    // Points, runs, places and texts are not values if other columns hold values.
     for (Candidate& c : candidates_)
       if (c.is_perhaps) c.rank = Rank::aside;
     const bool has_others = any(Rank::values) || any(Rank::neutral) || any(Rank::asked) || any(Rank::refused);
     for (Candidate& c : candidates_)
       if (c.is_perhaps && !has_others) c.rank = Rank::neutral;
-    // Seconds, unless another column says that it is the other polarisation.
+    // "(s)" means seconds, unless another column has the other polarisation.
     const bool has_p = std::any_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) {
       const auto of = polarised_name(c.column->name).of;
       return of && *of != Polarisation::s;
@@ -138,7 +138,7 @@ class Values {
     }
   }
 
-  // f_r11, f_r12/f_r11, ...; m11, m12, ...: the first is f_r of unpolarised light.
+  // Recognises f_r11, f_r12/f_r11, ...; m11, m12, ...: the first element is f_r of unpolarised light.
   void rank_mueller() {
     std::vector<Candidate*> elements;
     Candidate* first = nullptr;
@@ -157,7 +157,7 @@ class Values {
                    shown(first->column->name) + ", f_r of unpolarised light, is read");
   }
 
-  // Takes the columns of standard deviations out of the candidates.
+  // Moves the columns of standard deviations out of the candidates.
   void part_deviations() {
     std::vector<bool> is_deviation;
     note_names();
@@ -169,7 +169,7 @@ class Values {
                                     quantity_of_column(*of).says == Says::quantity);
       is_deviation.push_back(is_of_one && !is_literal);
     }
-    // A deviation of something unknown is no channel beside others.
+    // The deviation of something unknown is not a channel if other columns hold values.
     for (Candidate& c : candidates_)
       if (c.rank == Rank::neutral && deviation_of(c.column->name)) c.is_perhaps = true;
     std::vector<Candidate> values;
@@ -179,8 +179,8 @@ class Values {
     note_names();
   }
 
-  // By which names a candidate is known: as written; then with its unit and without, with the words of its
-  // quantity and without, unless names mean nothing.
+  // Collects the names of each candidate: as written; then without the unit; then also without the words of
+  // the quantity. If HeaderFacts::keeps_names is set, only the written names count.
   void note_names() {
     by_name_.clear();
     for (std::size_t k = 0; k < candidates_.size(); ++k)
@@ -191,7 +191,7 @@ class Values {
         by_name_.emplace(with_band_unit(*name), k);
   }
 
-  // The candidate that a deviation's name means.
+  // Returns the candidate that a deviation's name denotes, or null.
   Candidate* find(const std::string& text) {
     const auto known_by = [&](const std::string& name) -> Candidate* {
       const auto at = by_name_.find(with_band_unit(name));
@@ -201,7 +201,7 @@ class Values {
     return found || facts_.keeps_names ? found : known_by(quantity_of_column(text).bare);
   }
 
-  // Each candidate becomes a channel, is set aside, or refuses the table.
+  // Makes each candidate a channel, sets it aside, or refuses the table.
   void settle() {
     const bool has_values = any(Rank::values), has_neutral = any(Rank::neutral);
     for (Candidate& c : candidates_) {
@@ -218,7 +218,7 @@ class Values {
     }
   }
 
-  // A table of our own: its names mean nothing.
+  // Keeps a column of a table of our own, in which column names carry no meaning.
   void keep(Candidate& c) {
     const bool is_f_r = c.named.says == Says::quantity && c.named.quantity.is_f_r();
     if (c.named.says != Says::nothing && !is_f_r) outranked_.push_back(c.column->name);
@@ -245,8 +245,8 @@ class Values {
     aside_.push_back(c.column->name);
   }
 
-  // Gives a column its quantity: what is stated for all outranks its name in a comment, and may not
-  // contradict it else.
+  // Sets the quantity of a column. A quantity stated in a comment overrides the column's name. A quantity
+  // stated by a title or an option must not contradict the name.
   void state(Candidate& c) {
     kept_.push_back(&c);
     Quantity& own = c.named.quantity;
@@ -267,7 +267,7 @@ class Values {
       own = stated.quantity;
       return;
     }
-    // A scale that one of the two leaves open is the other's: quantity BRF, column '550nm (%)'.
+    // If one of the two states no scale, the other's scale applies: quantity BRF, column '550nm (%)'.
     const Quantity plain{stated.quantity.kind};
     own = stated.quantity == plain ? Quantity{stated.quantity.kind, own.factor, own.scale} : stated.quantity;
     if (c.named.says == Says::contradicts) outranked_.push_back(c.column->name);
@@ -287,7 +287,8 @@ class Values {
     for (const Candidate* c : kept_) ++times[with_band_unit(c->named.name)];
     for (Candidate* c : kept_) {
       std::string name = facts_.keeps_names ? with_band_unit(c->column->name) : with_band_unit(c->named.name);
-      if (times[name] > 1) name = with_band_unit(c->column->name);  // words of quantities told them apart
+      // The words of the quantities distinguish these columns.
+      if (times[name] > 1) name = with_band_unit(c->column->name);
       c->column->index = header_.channels.size();
       header_.channels.push_back(name);
       header_.quantities.push_back(c->named.quantity);
@@ -342,7 +343,7 @@ class Values {
            (aside_.size() == 1 ? " is" : " are") + " set aside: no values of f_r");
   }
 
-  // One sentence for the columns of one quantity.
+  // Adds one sentence for the columns of each quantity.
   void note_quantities() {
     std::vector<std::pair<Quantity, std::vector<std::string>>> groups;
     for (const Candidate* c : kept_) {
@@ -362,8 +363,8 @@ class Values {
   const HeaderFacts& facts_;
   const Announce& announce_;
   std::vector<Candidate> candidates_, deviations_;
-  std::map<std::string, std::size_t> by_name_;  // candidates
-  std::vector<Candidate*> kept_;                // that become channels
+  std::map<std::string, std::size_t> by_name_;  // indices of candidates
+  std::vector<Candidate*> kept_;                // candidates that become channels
   std::vector<std::string> unnamed_, by_unit_, outranked_, aside_;
 };
 

@@ -1,5 +1,5 @@
-// What the columns of a table hold that are no angles, wavelengths or polarisations: values of f_r or of
-// another quantity, standard deviations, or no values at all.
+// Interprets the columns of a table other than angles, wavelengths and polarisations: values of f_r or of
+// another quantity, standard deviations, or no values.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,10 @@
 
 namespace brdf::io {
 
-// Decides it for every column of the kind `value`: gives it its kind, index and quantity, makes the channels
-// and adds notes on what was understood. `announce` is called with a column's name and what it is, where they
-// differ. Throws InputError if the values are of a quantity that f_r cannot be made of, or that the file does
-// not state.
+// Interprets every column of the kind `value`. Sets the column's kind, index and quantity, creates the
+// channels and adds notes on the interpretation. `announce` is called with a column's name and its
+// interpretation; the two may be equal. Throws InputError if the quantity of the values cannot be converted
+// to f_r, or is not stated by the file.
 void place_values(Columns& header, const HeaderFacts& facts,
                   const std::function<void(std::string_view, const std::string&)>& announce);
 

@@ -28,7 +28,7 @@ std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_vie
   using K = Unit::Kind;
   const std::string key = plain_spelling(bare);
   const std::optional<Unit> unit = unit_named(unit_text);
-  // Also centre wavelength, laser wavelength.
+  // Also matches centre wavelength and laser wavelength.
   const bool is_wave =
       key.ends_with("wavelength") ||
       is_one_of(key, {"wavelengths", "lambda", "wl", "wellenlänge", "wellenlaenge", "longueurd'onde"});
@@ -96,7 +96,7 @@ double without_noise(double nm) {
 
 namespace {
 
-// Of a name in another unit than nm: "10 m" is no wavelength of light.
+// Returns the wavelength in nm. A number in another unit must be a wavelength of light: "10 m" is not one.
 std::optional<double> in_range(double number, const Unit& unit) {
   constexpr double kShortest = 10, kLongest = 1e5;  // nm
   if (unit.factor == 1e-9 && unit.kind() == Unit::Kind::length) return number;
@@ -113,7 +113,7 @@ std::optional<double> wavelength_of(std::string_view channel) {
   constexpr std::string_view kOfNumber = "0123456789.";
   const std::size_t last = text.find_last_of(kOfNumber);
   if (last == text.npos) return std::nullopt;
-  // An exponent of the unit may be the last digit: 18000cm-1.
+  // The last digit may belong to an exponent of the unit: 18000cm-1.
   for (std::size_t end = last + 1; end > 0;) {
     const std::size_t before = text.substr(0, end).find_last_not_of(kOfNumber);
     const std::size_t begin = before == text.npos ? 0 : before + 1;

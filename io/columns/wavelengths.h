@@ -1,4 +1,4 @@
-// Wavelengths in the units that laboratories write: lengths, wavenumbers, frequencies, energies of photons.
+// Reads wavelengths in the units that laboratories use: lengths, wavenumbers, frequencies, photon energies.
 #pragma once
 
 #include <optional>
@@ -9,30 +9,35 @@
 
 namespace brdf::io {
 
-// A column of wavelengths. `unit` is empty if the column's name states no unit; then micrometres or nm.
+// A column of wavelengths. `unit` is empty if the column's name states no unit; the numbers are then
+// micrometres or nm.
 struct WavelengthColumn {
   std::optional<Unit> unit;
-  std::string fault;  // why it cannot be read, as the end of a sentence about the column
+  std::string fault;  // the reason against reading the column, as the end of a sentence
 };
 
-// What a column's name says: `wavelength`, `lambda`, `wl` with a unit or without; `wavenumber`; `nu`,
-// `frequency`, `energy` with a unit. std::nullopt if the name is another one.
+// Interprets a column's name: `wavelength`, `lambda`, `wl` with or without a unit; `wavenumber`; `nu`,
+// `frequency`, `energy` with a unit. Returns std::nullopt for other names.
 std::optional<WavelengthColumn> wavelength_column(std::string_view name);
+// Returns whether the name is one of a column of wavelengths.
 bool is_wavelength_name(std::string_view name);
 
-// Whether wavelengths without a unit are micrometres: if the largest is below 100, as in tables of n and k.
+// Returns whether wavelengths without a unit are micrometres, that is, whether the largest is below 100, as
+// in tables of n and k.
 bool are_micrometres(double largest);
 
-// A number in this unit as nm, to the picometre: reciprocals add noise behind it.
+// Converts a number in this unit to nm, rounded to the picometre because reciprocals add rounding noise
+// beyond that.
 double to_nm(double number, const Unit& unit);
-// A number of nm without the noise of a conversion: 905.000001 is 905.
+// Removes the rounding noise of a conversion from a number of nm: 905.000001 becomes 905.
 double without_noise(double nm);
 
-// In nm, of a name that ends in a wavelength: 465nm, fr_465.5 nm, 0.55um, 5500 Å.
+// Returns the wavelength, in nm, at the end of a name: 465nm, fr_465.5 nm, 0.55um, 5500 angstrom. Returns
+// std::nullopt if the name does not end in a wavelength.
 std::optional<double> wavelength_of(std::string_view channel);
 
-// A name that is nothing but a wavelength's number, from 100 to 100,000 nm, with its unit: 400 is 400nm. Any
-// other name as it is.
+// Adds the unit to a name that is only the number of a wavelength, from 100 to 100,000 nm: 400 becomes
+// 400nm. Other names stay unchanged.
 std::string with_band_unit(std::string_view name);
 
 }  // namespace brdf::io

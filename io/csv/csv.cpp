@@ -31,7 +31,7 @@ class CsvReader {
       if (line.front() == '#')
         header_.read_comment(line);
       else if (header_.is_read())
-        read_line(header_.matrix() ? whole : line);  // a tab at its end is an empty cell
+        read_line(header_.matrix() ? whole : line);  // a tab at the end is an empty cell
       else if (!dialect_.is_separator_line(line))
         read_header(line);
     }
@@ -70,13 +70,13 @@ class CsvReader {
       read_row(line);
   }
 
-  // From what is written to f_r, directions and bands.
+  // Converts the numbers of the file to f_r, directions and bands.
   void finish() {
     make_f_r(table_, header_.columns().quantities);
     if (empty_ > 0)
       table_.warnings.push_back(std::to_string(empty_) + " empty cells of the matrix: not measured");
     table_.skipped += empty_;
-    // What differs from the plain format is announced first.
+    // Differences from the plain format come first among the warnings.
     std::vector<std::string> notes = header_.columns().notes;
     if (const std::string differences = dialect_.differences(); !differences.empty())
       notes.insert(notes.begin(), differences);
@@ -101,7 +101,7 @@ class CsvReader {
     }
   }
 
-  // Wavelengths without a unit.
+  // Finds the unit of wavelengths without a unit.
   void find_unit_of_bands() {
     const bool lacks_unit = std::any_of(columns().begin(), columns().end(), [](const Column& c) {
       return c.kind == Column::Kind::wavelength && !c.unit;
@@ -127,7 +127,7 @@ class CsvReader {
            ", separated by " + dialect_.separator_in_words() + other_separator(line, width));
   }
 
-  // Where the line is one of another separator.
+  // Returns a hint if the line has a different separator, otherwise an empty string.
   std::string other_separator(std::string_view line, std::size_t width) const {
     for (const auto& [c, words] : {std::pair(',', "','"), std::pair(';', "';'"), std::pair('\t', "a tab")})
       if (words != dialect_.separator_in_words() && fields_.size() == 1 &&
@@ -162,7 +162,7 @@ class CsvReader {
     store_row();
   }
 
-  // About as many rows as the file has, by the length of the first one.
+  // Reserves memory for about as many rows as the file has, estimated from the length of the first row.
   void reserve(std::size_t bytes) {
     constexpr std::size_t kFewest = 8;  // bytes of a row
     const std::size_t rows = reader_.content().bytes.size() / std::max(bytes, kFewest) + 1;
@@ -224,8 +224,9 @@ class CsvReader {
     if (!band_.polarisation) fail(columns()[k], k, "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
   }
 
-  // Azimuths in the polar angle's column are told apart from a wrong angle: there are many of them, and the
-  // other column never exceeds 90 degrees. Reads the rest of the file for that.
+  // Throws for a polar angle above 90 degrees. Azimuths in the column of the polar angle are distinguished
+  // from a wrong angle: there are many of them, and the other column never exceeds 90 degrees. Reads the
+  // rest of the file to find this out.
   [[noreturn]] void below_horizon(const Column& column, std::size_t k) {
     const std::size_t theta = column.index, phi = theta + 1;
     const std::string at = reader_.where() + ": column " + std::to_string(k + 1) + " (" +
@@ -285,11 +286,11 @@ class CsvReader {
   Dialect dialect_;
   CsvHeader header_;
   std::vector<std::string_view> fields_;
-  double angles_[4] = {}, largest_[4] = {};  // of this row; magnitudes in the file so far
-  double turn_ = 0;                          // of the sample
+  double angles_[4] = {}, largest_[4] = {};  // of this row; largest magnitudes in the file so far
+  double turn_ = 0;                          // rotation of the sample
   RawMagnitudes raw_[4];
   std::vector<double> row_values_, row_sigma_;
-  std::size_t empty_ = 0;  // cells of a matrix
+  std::size_t empty_ = 0;  // empty cells of a matrix
   bool has_sigma_ = false;
   Band band_;  // of this row
   std::vector<Band> bands_;

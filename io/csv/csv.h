@@ -1,4 +1,4 @@
-// Tables of columns of text.
+// Reads and writes tables of text columns (CSV).
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@
 
 namespace brdf::io {
 
-// `need_values` refuses a table of mere directions.
+// Reads a table. `need_values`: refuse a table that has directions only. Throws InputError, which names the
+// file and, if known, the line, if the table cannot be read.
 SampleTable read_csv(const Content& text, bool need_values, const Supplied& supplied);
 
-// Writes CSV that reads back to exactly the same table (shortest decimals that round-trip). Throws InputError
-// where the table breaks a rule of the format. `quantity` is what the values are, if not f_r: f_r*cos_i or
-// f_r*cos_o.
+// Writes CSV that reads back to exactly the same table (shortest decimals that round-trip). Throws
+// InputError if the table breaks a rule of the format. `quantity`: the quantity of the values, if other
+// than f_r: f_r*cos_i or f_r*cos_o.
 void write_samples(const std::filesystem::path& path, const SampleTable& table,
                    std::string_view quantity = "f_r", Origin origin = Origin::measured);
 void write_samples(std::ostream& out, const SampleTable& table, std::string_view quantity = "f_r",

@@ -17,8 +17,8 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-constexpr std::size_t kMostTitles = 60;  // lines above the header row
-constexpr std::size_t kRowsAhead = 50;   // that tell columns of text
+constexpr std::size_t kMostTitles = 60;  // most lines above the header row
+constexpr std::size_t kRowsAhead = 50;   // rows from which columns of text are detected
 
 bool is_number(Dialect& dialect, std::string_view field) {
   double number;
@@ -31,13 +31,14 @@ bool all_numbers(Dialect dialect, std::string_view line) {
          std::all_of(fields.begin(), fields.end(), [&](std::string_view f) { return is_number(dialect, f); });
 }
 
-// Whether the line is a header row beyond doubt; titles stand above one.
+// Returns whether the line is a header row beyond doubt. Lines above such a row are titles.
 bool is_header(Dialect dialect, std::string_view line) {
   Fields names;
   return dialect.split_header(line, names) && (names_angles(names) || matrix_header(names, dialect));
 }
 
-// Fields and units may stand in two rows: as one they are "theta_i (deg)".
+// Names and units may be in two separate rows. Adds the units to the names, as in "theta_i (deg)". Returns
+// false if the fields are not units.
 bool add_units(Dialect& dialect, const Fields& fields, std::vector<std::string>& names) {
   const auto is_one = [&](std::string_view field) { return !is_number(dialect, field) && is_unit(field); };
   if (fields.size() != names.size() || !std::all_of(fields.begin(), fields.end(), is_one) ||
@@ -68,7 +69,7 @@ void CsvHeader::read_comment(std::string_view line) {
       stated_.add_free_text(table_.metadata.back().second, reader_.line());
     return;
   }
-  // No comment: the table holds f_r whatever the file held.
+  // The line is not stored as a comment, because the table holds f_r whatever the file held.
   if (is_read()) fail("the quantity must be stated before the header row");
   stated_.add_comment(*words, reader_.line(), reader_.where());
 }
@@ -93,8 +94,8 @@ bool CsvHeader::read(std::string_view line) {
   return true;
 }
 
-// Lines above the header row without '#', as instruments write them. They are comments, and may name the
-// quantity.
+// Skips lines without '#' above the header row, as instruments write them, and returns the header row. The
+// lines become comments and may name the quantity.
 std::string_view CsvHeader::behind_titles(std::string_view line) {
   if (is_header(dialect_, line)) return line;
   LineReader ahead = reader_;
@@ -161,7 +162,7 @@ void CsvHeader::read_names(std::string_view line) {
   check_channel_names(table_.channels, facts.where);
 }
 
-// A number in place of a name.
+// Refuses a number in place of a name.
 void CsvHeader::refuse_numbers(const Fields& fields, std::size_t k) const {
   Dialect probe = dialect_;
   if (k == 0 || is_number(probe, fields[0]))
@@ -196,7 +197,7 @@ bool CsvHeader::read_matrix(const Fields& names) {
   return true;
 }
 
-// Units in a row of their own, which is passed over, and columns of text.
+// Looks ahead to find units in a row of their own, which is skipped, and columns of text.
 void CsvHeader::look_ahead(std::vector<std::string>& names, HeaderFacts& facts) {
   facts.is_text.assign(names.size(), true);
   std::vector<bool> has_text(names.size());
@@ -224,7 +225,7 @@ void CsvHeader::look_ahead(std::vector<std::string>& names, HeaderFacts& facts) 
   for (std::size_t k = 0; k < names.size(); ++k) facts.is_text[k] = facts.is_text[k] && has_text[k];
 }
 
-// Whether the header row is words between blanks, none of them an angle's.
+// Returns whether the header row consists of words between blanks, without any angle.
 bool CsvHeader::is_a_title() const {
   return dialect_.separates_by_blanks() &&
          std::none_of(columns_.columns.begin(), columns_.columns.end(),

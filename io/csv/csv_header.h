@@ -1,5 +1,5 @@
-// What stands above the rows of a table of text columns: comments, titles, the quantity, the header row with
-// its units.
+// Reads the lines above the rows of a table of text columns: comments, titles, the quantity, and the header
+// row with its units.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,8 @@ namespace brdf::io {
 
 class CsvHeader {
  public:
-  // All three must outlive it; comments and channels go into the table.
+  // The reader, the dialect and the table must outlive this object. Comments and channels are stored in the
+  // table.
   CsvHeader(LineReader& reader, Dialect& dialect, SampleTable& table, bool need_values,
             const Supplied& supplied)
       : reader_(reader),
@@ -28,15 +29,19 @@ class CsvHeader {
         need_values_(need_values),
         stated_(stated_by_option(supplied.quantity)) {}
 
+  // Returns whether the header row has been read.
   bool is_read() const { return !columns_.columns.empty(); }
-  // A line that begins with '#', above or below the header row.
+  // Reads a line that begins with '#', above or below the header row.
   void read_comment(std::string_view line);
-  // The first line that is no comment: the header row, a title above it, or numbers whose header row was the
-  // last comment, as numpy writes it. Returns whether the line is a row, which is still to be read.
+  // Reads the first line that is not a comment: the header row, a title above the header row, or numbers if
+  // the header row was the last comment, as numpy writes it. Returns true if the line is a row that is
+  // still to be read.
   bool read(std::string_view line);
 
   const Columns& columns() const { return columns_; }
+  // Returns the header of a matrix of two angles; empty if the table is not a matrix.
   const std::optional<MatrixHeader>& matrix() const { return matrix_; }
+  // Returns whether the table is in the long format, with a column of wavelengths or polarisations.
   bool is_long() const { return is_long_; }
 
  private:
@@ -58,7 +63,7 @@ class CsvHeader {
   StatedQuantities stated_;
   Columns columns_;
   std::optional<MatrixHeader> matrix_;
-  std::string last_comment_;  // above the header row
+  std::string last_comment_;  // the last comment above the header row
   bool is_long_ = false;
 };
 

@@ -11,7 +11,7 @@
 namespace brdf::io {
 namespace {
 
-// The sign of what is no number says nothing.
+// Writes nan without a sign, because the sign of a value that is not a number has no meaning.
 void append_value(std::string& text, double value) {
   if (std::isnan(value))
     text += "nan";

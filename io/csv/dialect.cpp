@@ -9,7 +9,7 @@
 namespace brdf::io {
 namespace {
 
-// The characters that stand outside quotes and brackets.
+// Returns the characters outside quotes and brackets.
 std::string bare_text(std::string_view line) {
   std::string bare;
   bool is_quoted = false;
@@ -29,16 +29,17 @@ bool Dialect::is_separator_line(std::string_view line) {
   if (separator_ != 0 || line.size() > 5) return false;
   const std::string text = lower_case(line);
   if (!text.starts_with("sep=")) return false;
-  separator_ = line.size() == 5 ? line[4] : '\t';  // a tab at the end is a blank, and trimmed
+  // A tab at the end of the line has been trimmed as a blank.
+  separator_ = line.size() == 5 ? line[4] : '\t';
   is_stated_ = true;
   return true;
 }
 
-// Blanks separate a name from its unit, too: "theta_i (deg)" is one. Names in quotes stand in memory of their
-// own.
+// Blanks also separate a name from its unit: "theta_i (deg)" becomes one name again. Joined names are
+// stored in unquoted_.
 void Dialect::join_units(std::vector<std::string_view>& names) {
   std::vector<std::string_view> joined;
-  std::string* text = nullptr;  // of the last one, where it has been joined
+  std::string* text = nullptr;  // the last name, if joined
   bool is_opened = false, is_closed = false;
   for (const std::string_view name : names) {
     const bool goes_on = (is_opened && !is_closed) || name.starts_with('(') || name.starts_with('[');
@@ -66,7 +67,7 @@ bool Dialect::split_header(std::string_view line, std::vector<std::string_view>&
 }
 
 char Dialect::separator_of(std::string_view line) {
-  // The plain format, whose channels' names may hold semicolons and brackets.
+  // The plain format comes first, because its channels' names may contain semicolons and brackets.
   std::vector<std::string_view> names;
   separator_ = ',';
   if (split(line, names) && has_plain_angle_names(names)) return ',';
@@ -122,7 +123,7 @@ bool Dialect::take_quotation(std::string_view& line, std::vector<std::string_vie
     if (line.empty()) return false;
     if (line.front() == '"') {
       line.remove_prefix(1);
-      if (!line.starts_with('"')) break;  // a doubled mark is one
+      if (!line.starts_with('"')) break;  // a doubled mark is one mark
     }
     text += line.front();
   }
@@ -135,13 +136,14 @@ bool Dialect::separates(char c) const {
   return c == separator_ || (separator_ == ' ' && c == '\t');
 }
 
-// A tab that separates is no blank.
+// A tab that is the separator is not skipped.
 void Dialect::skip_blanks(std::string_view& line) const {
   line.remove_prefix(std::min(line.size(), line.find_first_not_of(separator_ == '\t' ? " " : " \t")));
 }
 
 bool Dialect::parse(std::string_view field, double& value) {
-  if (separator_ == ',' && !has_quotes_) return parse_number(field, value);  // a comma cannot be in it
+  // A field cannot contain a comma here.
+  if (separator_ == ',' && !has_quotes_) return parse_number(field, value);
   const std::size_t comma = field.find(',');
   const char mark = comma != field.npos ? ',' : field.find('.') != field.npos ? '.' : '\0';
   if (mark == 0) return parse_number(field, value);

@@ -1,4 +1,4 @@
-// How a table of columns is written down: what separates its fields, which mark its decimals have.
+// The notation of a table of columns: the separator of its fields and the decimal mark of its numbers.
 #pragma once
 
 #include <deque>
@@ -8,34 +8,40 @@
 
 namespace brdf::io {
 
-// Of a line that split_header or split_row cannot split.
+// The message for a line that split_header() or split_row() cannot split.
 inline constexpr std::string_view kBadQuotation =
     "a quotation mark is not closed in its line, or text follows it";
 
-// Comma, semicolon, tab or blanks between fields, as the header row or a line `sep=;` says; fields may stand
-// in double quotes (RFC 4180); numbers have a decimal point, or a decimal comma throughout where that cannot
-// be a separator.
+// Fields are separated by commas, semicolons, tabs or blanks, according to the header row or a line
+// `sep=;`. Fields may be in double quotes (RFC 4180). Numbers have a decimal point, or throughout a decimal
+// comma if the comma cannot be a separator.
 class Dialect {
  public:
-  // Whether the line is spreadsheets' `sep=;`, which is then obeyed.
+  // Returns whether the line is `sep=;` as spreadsheets write it. If so, takes the separator from the line.
   bool is_separator_line(std::string_view line);
-  // Splits the header row, a line without blanks at its ends, whose separator this finds: a comma where that
-  // gives the four plain names, else the first of tab, semicolon, comma that stands outside quotes and
-  // brackets at least twice, or once where blanks part fewer than three names; else blanks. Empty names at
-  // its end are left out, as fields under them are. False as in split_row.
+  // Splits the header row, which must have no blanks at its ends, and determines the separator:
+  // - a comma, if that gives the four plain names;
+  // - otherwise the first of tab, semicolon and comma that occurs at least twice outside quotes and
+  //   brackets, or once if blanks separate fewer than three names;
+  // - otherwise blanks.
+  // Empty names at the end are removed, and so are empty fields below them. Returns false under the
+  // conditions of split_row().
   bool split_header(std::string_view line, std::vector<std::string_view>& names);
-  // Splits a row; false where a quotation mark is not closed, or text follows a closed one. The fields stay
-  // valid until the next line is split.
+  // Splits a row. Returns false if a quotation mark is not closed or if text follows a closed one. The
+  // fields stay valid until the next line is split.
   bool split_row(std::string_view line, std::vector<std::string_view>& fields);
-  // A field as a number. False where it is none, or has the other decimal mark than those before.
+  // Parses a field as a number. Returns false if the field is not a number, or if its decimal mark differs
+  // from that of the numbers before.
   bool parse(std::string_view field, double& value);
 
   bool separates_by_blanks() const { return separator_ == ' '; }
-  // Whether a number of either mark has been read, and one of the other refused since.
+  // Returns whether the last number with a decimal mark was refused because the mark differs from the one
+  // before.
   bool marks_are_mixed() const { return is_mixed_; }
-  // What separates fields, in words: "','", "a tab".
+  // Returns the separator in words: "','", "a tab".
   std::string separator_in_words() const;
-  // What differs from commas between fields and points in numbers, in words; empty where nothing does.
+  // Returns the differences from commas between fields and points in numbers, in words; empty if there are
+  // no differences.
   std::string differences() const;
 
  private:
@@ -43,16 +49,16 @@ class Dialect {
   void join_units(std::vector<std::string_view>& names);
   bool split(std::string_view line, std::vector<std::string_view>& fields);
   bool split_quoted(std::string_view line, std::vector<std::string_view>& fields);
-  // Adds the field whose quotation mark `line` begins with, and leaves what follows it.
+  // Adds the quoted field at the beginning of `line` and removes the field from `line`.
   bool take_quotation(std::string_view& line, std::vector<std::string_view>& fields);
   bool separates(char c) const;
   void skip_blanks(std::string_view& line) const;
 
   char separator_ = 0;  // ' ': runs of blanks
   bool is_stated_ = false, has_quotes_ = false, is_mixed_ = false;
-  char mark_ = 0;                     // of the decimals, once seen
-  std::size_t surplus_ = 0;           // empty names at the header's end
-  std::deque<std::string> unquoted_;  // and joined names
+  char mark_ = 0;                     // decimal mark; 0 until one has been read
+  std::size_t surplus_ = 0;           // empty names at the end of the header row
+  std::deque<std::string> unquoted_;  // memory of unquoted and joined names
 };
 
 }  // namespace brdf::io

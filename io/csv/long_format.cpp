@@ -14,7 +14,7 @@ namespace brdf::io {
 namespace {
 
 using Rows = std::vector<std::size_t>;
-// The rows of one pair of directions, by band, those of one band in the file's order.
+// The rows of one pair of directions, by band; rows of the same band are in the file's order.
 using Pair = std::span<const std::size_t>;
 
 std::vector<Band> each_once(std::vector<Band> bands) {
@@ -27,7 +27,7 @@ auto directions_of(const SampleTable& table, std::size_t row) {
   return std::tuple(table.theta_i[row], table.phi_i[row], table.theta_o[row], table.phi_o[row]);
 }
 
-// All rows by directions, then by band, then in the file's order.
+// Returns all rows ordered by directions, then by band, then in the file's order.
 Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
   Rows rows(table.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -42,7 +42,7 @@ std::size_t first_row(Pair pair) {
   return *std::min_element(pair.begin(), pair.end());
 }
 
-// In the order of their first rows.
+// Returns the pairs in the order of their first rows.
 std::vector<Pair> pairs_of(const SampleTable& table, const Rows& sorted) {
   std::vector<Pair> pairs;
   for (auto begin = sorted.begin(); begin != sorted.end();) {
@@ -69,7 +69,8 @@ std::string channel_of(const Band& band, const std::string& values) {
   return nm.empty() ? values + "_" + polarisation : polarisation + "_" + nm;
 }
 
-// How often the pair was measured, which every band must say alike: memory is asked for only after this.
+// Returns the number of times that the pair was measured. Throws InputError unless all bands have the same
+// number. Memory for the result is allocated only after this check.
 std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of_rows,
                            const std::vector<Band>& bands, Pair pair) {
   std::vector<std::size_t> times;
@@ -89,7 +90,7 @@ std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of
   return times.front();
 }
 
-// What has been announced, and a sentence on what was read.
+// Returns the warnings of `narrow` and a sentence on the long format.
 std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
   const Band &first = bands.front(), &last = bands.back();
   const std::string count = std::to_string(bands.size());
@@ -102,7 +103,7 @@ std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vecto
   return warnings;
 }
 
-// A pair's rows, `times` of each band, as rows of all bands.
+// The rows of a pair, `times` for each band, as rows of all bands.
 struct Measured {
   Pair pair;
   std::size_t times;

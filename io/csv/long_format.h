@@ -1,4 +1,5 @@
-// The long format: one row for each wavelength, or polarisation, of each pair of directions.
+// Converts the long format, which has one row for each wavelength or polarisation of each pair of
+// directions.
 #pragma once
 
 #include <optional>
@@ -9,19 +10,19 @@
 
 namespace brdf::io {
 
-// What a row of the long format was measured in.
+// The wavelength and the polarisation of a row of the long format.
 struct Band {
-  double nm = 0;  // 0 where the table has no wavelengths
+  double nm = 0;  // 0 if the table has no wavelengths
   std::optional<Polarisation> polarisation;
 
   auto operator<=>(const Band&) const = default;
 };
 
-// The same samples with a channel for each band (one for each row of `narrow`, whose one channel holds the
-// values): `465nm`, `fr_s`, `s_465nm`, sorted, the pairs of directions in the order of their first rows.
-// Pairs that were measured more than once, in all their bands, keep as many rows. A table of mere directions
-// keeps each pair once. Throws InputError where a pair lacks a band or has one more often than another,
-// naming the row.
+// Returns the same samples with one channel for each band, sorted: `465nm`, `fr_s`, `s_465nm`. `narrow`:
+// the table in the long format, with one channel. `bands`: the band of each row of `narrow`. Pairs of
+// directions keep the order of their first rows. A pair that was measured several times, in all bands,
+// keeps that number of rows. A table of directions only keeps each pair once. Throws InputError, which
+// names the row, if a pair lacks a band or has one band more often than another.
 SampleTable widened(const SampleTable& narrow, const std::vector<Band>& bands);
 
 }  // namespace brdf::io

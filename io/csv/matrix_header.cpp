@@ -8,7 +8,8 @@
 namespace brdf::io {
 namespace {
 
-// A polar angle by its name, or nothing.
+// Returns the polar angle of this name, or std::nullopt. `other`: the side of the other axis, if known;
+// theta_s belongs to the opposite side.
 std::optional<Column> axis_named(std::string_view name, std::optional<AngleSide> other) {
   for (const auto& [bare, unit] : ways_to_part(trimmed(name))) {
     const auto angle = angle_named(bare);
@@ -32,7 +33,7 @@ AngleSide side_of(const Column& column) {
   return column.index == 0 ? AngleSide::light : AngleSide::viewer;
 }
 
-// The first cell, parted where that gives two angles.
+// Reads the first cell. The cell is split if both parts are angles.
 bool read_axes(std::string_view cell, MatrixHeader& out) {
   for (const char sign : {'\\', '|', '/'}) {
     const std::size_t at = cell.find(sign);

@@ -1,4 +1,5 @@
-// Tables of two angles as a matrix: one angle down the first column, the other along the header row.
+// Reads the header of a table of two angles in matrix form: one angle down the first column, the other
+// along the header row.
 #pragma once
 
 #include <optional>
@@ -11,12 +12,12 @@
 namespace brdf::io {
 
 struct MatrixHeader {
-  Column rows, columns;        // the polar angles that go down and along; `index` says whose
-  std::vector<double> angles;  // of the columns, as written
+  Column rows, columns;        // the polar angles down and along; `index` identifies the angle
+  std::vector<double> angles;  // angles of the columns, as written
 };
 
-// Reads a header row whose first cell names one angle or two ("theta_s \ theta_i": down and along) and whose
-// others are numbers up to a right angle. std::nullopt for other rows.
+// Reads a header row in which the first cell names one angle or two ("theta_s \ theta_i": down and along)
+// and the other cells are numbers up to a right angle. Returns std::nullopt for other rows.
 std::optional<MatrixHeader> matrix_header(const std::vector<std::string_view>& names, Dialect& dialect);
 
 }  // namespace brdf::io

@@ -10,9 +10,9 @@
 namespace brdf::io {
 namespace {
 
-constexpr std::size_t kMostLooked = 1 << 20;  // numbers
+constexpr std::size_t kMostLooked = 1 << 20;  // most numbers that are read
 
-// All numbers, comments left out. Empty if the text holds anything else.
+// Returns all numbers of a text without its comments. Empty if the text contains anything else.
 std::vector<double> numbers_of(const Content& content) {
   std::vector<double> numbers;
   LineReader reader(content);
@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const Content& content) {
   return numbers;
 }
 
-// n, n wavelengths, then records of four angles and n values.
+// Recognises a count n, n wavelengths, then records of four angles and n values.
 std::optional<std::string> spectral_text(const std::vector<double>& numbers) {
   constexpr double kMost = 1000, kShortest = 200, kLongest = 3e4;
   if (numbers.size() < 6 || !(numbers[0] >= 1 && numbers[0] <= kMost) || numbers[0] != std::floor(numbers[0]))
@@ -48,7 +48,7 @@ std::optional<std::string> spectral_text(const std::vector<double>& numbers) {
          to_text(numbers[1]) + "nm,...' and one record in each line";
 }
 
-// The first rows, column by column.
+// Returns the largest magnitude of each column in the first rows.
 std::vector<double> largest_of(const Content& content, std::size_t width, char separator) {
   constexpr std::size_t kRows = 500;
   std::vector<double> largest(width, 0.0);

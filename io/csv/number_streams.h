@@ -1,4 +1,4 @@
-// Files of numbers without a header row.
+// Gives advice on files of numbers without a header row.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace brdf::io {
 
-// What to write above the numbers of a file whose first row has these fields, as the end of a sentence: the
-// header row that their number and sizes suggest, or the name of a known format that is not read.
+// Returns the header row to write above the numbers of a file, as the end of a sentence. `first_row`: the
+// fields of the first row. The header row is guessed from the number of columns and the sizes of the
+// numbers. If the numbers are in a known format that is not read, the text names the format.
 std::string header_for_numbers(const Content& content, const std::vector<std::string_view>& first_row);
 
 }  // namespace brdf::io

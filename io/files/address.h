@@ -1,4 +1,4 @@
-// Addresses beside a page, as it links to them.
+// Relative addresses, as pages use them to link to neighbouring files.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace brdf::io {
 
-// A name of a file or folder as part of a relative address: what has a meaning there is percent-encoded (RFC
-// 3986).
+// Returns the name of a file or folder as a segment of a relative address. Every byte except the unreserved
+// characters of RFC 3986 is percent-encoded.
 std::string address_of(std::string_view name);
 
 }  // namespace brdf::io

@@ -1,4 +1,4 @@
-// Bytes as text: what a page holds of pictures and tables.
+// Base64 encoding, for pictures and tables that are embedded in a page.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace brdf::io {
 
-// RFC 4648, section 4, with its padding.
+// Encodes bytes in Base64 with padding (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
 }  // namespace brdf::io

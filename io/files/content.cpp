@@ -49,7 +49,7 @@ Content read_content(const std::filesystem::path& path, std::size_t limit) {
   struct stat status;
   if (!file || fstat(fileno(file.get()), &status) != 0) cannot_be_read(content.name, errno);
   if (S_ISDIR(status.st_mode)) refuse("is a folder");
-  // A terminal may be typed at; /dev/zero never ends.
+  // A user may type at a terminal, but /dev/zero never ends.
   if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && !isatty(fileno(file.get()))))
     refuse("is a device");
   const auto size = static_cast<std::size_t>(status.st_size);  // 0 for a pipe
@@ -83,7 +83,7 @@ namespace {
 
 constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
 
-// Whether the first two characters are Latin ones in UTF-16 of this order.
+// Whether the first two characters are Latin letters in UTF-16 of this byte order.
 bool begins_as_utf16(const std::string& bytes, bool is_big) {
   for (std::size_t k = 0; k < 4; ++k)
     if (bytes.size() < 4 || (bytes[k] == '\0') != (k % 2 == (is_big ? 0 : 1))) return false;
@@ -95,8 +95,8 @@ bool is_utf16(const std::string& bytes) {
          begins_as_utf16(bytes, true);
 }
 
-// UTF-16 as spreadsheets write it ("Unicode text"), with its byte order mark or without. Lone surrogates are
-// no text.
+// Converts UTF-16 as spreadsheets write it ("Unicode text"), with or without a byte order mark. Lone
+// surrogates are invalid.
 std::string from_utf16(Content& text) {
   const bool is_big = text.bytes.starts_with(kBigEndian) || begins_as_utf16(text.bytes, true);
   const bool is_marked = text.bytes.starts_with(kLittleEndian) || text.bytes.starts_with(kBigEndian);

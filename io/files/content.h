@@ -1,5 +1,5 @@
-// What a file holds: read once, so that a pipe is as good as a file, and told by the content, never by the
-// name.
+// The content of a file, read once so that pipes work too. The format is detected from the content, never
+// from the name.
 #pragma once
 
 #include <filesystem>
@@ -14,26 +14,31 @@ struct Content {
   std::string bytes;
 };
 
-// Whether an error of the system (errno) is of the name or the rights, which is the caller's fault, not the
-// machine's.
+// Returns whether a system error (errno) concerns the name or the access rights. Such an error is the
+// caller's fault; all others are failures of the machine.
 bool is_of_the_name(int error);
-// Throws for an errno: InputError where it is of the name, else EnvironmentError.
+// Throws InputError if is_of_the_name(error), otherwise EnvironmentError. The message suggests a similar
+// file name if the file does not exist.
 [[noreturn]] void cannot_be_read(const std::string& name, int error);
-// What the standard library says of a name (too long, in a folder that may not be entered), in one sentence.
+// Returns the standard library's complaint about a path as one sentence, for example that the name is too
+// long or that a folder is not accessible.
 std::string cannot_be_used(const std::filesystem::filesystem_error& error);
 
-// The whole of a file, a pipe or /dev/stdin. Throws InputError where it cannot be opened, is a folder or a
-// device or is larger than `limit`; EnvironmentError where the machine fails.
+// Reads a whole file, a pipe or /dev/stdin. `limit`: largest size in bytes. Throws InputError if the file
+// cannot be opened, is a folder or a device (terminals are accepted), or exceeds `limit`; throws
+// EnvironmentError if the machine fails.
 Content read_content(const std::filesystem::path& path, std::size_t limit = kLargestFile);
 
-// Whether the first character that is no blank opens a JSON object.
+// Returns whether the first character after leading white space opens a JSON object.
 bool is_json(const Content& content);
 
-// The number of the line, from 1, that holds this byte.
+// Returns the number, from 1, of the line that contains the byte at offset `place`.
 std::size_t line_of(const std::string& bytes, std::size_t place);
 
-// Makes text UTF-8: what is not is taken for Latin-1, which instruments write. Returns a sentence that says
-// so, empty where nothing had to be done. Throws InputError where the bytes are no text.
+// Converts text to UTF-8 in place. UTF-16 is converted, with or without a byte order mark. Other bytes that
+// are not UTF-8 are interpreted as Latin-1, which instruments write. Lines that end in CR alone get LF
+// instead. Returns a note on each conversion except one: the note on Latin-1 replaces the others. The note
+// is empty if nothing had to be converted. Throws InputError if the bytes are not text.
 std::string make_utf8(Content& text);
 
 }  // namespace brdf::io

@@ -1,5 +1,6 @@
-// SHA-256 (FIPS 180-4) by OpenSSL, in hexadecimal digits, as sha256sum prints it. In the library brdf_digest,
-// apart from brdf_io, whose users need no OpenSSL.
+// SHA-256 (FIPS 180-4), computed by OpenSSL and returned in hexadecimal digits as sha256sum prints them.
+// These functions form the library brdf_digest, separate from brdf_io, so that users of brdf_io do not need
+// OpenSSL.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +9,10 @@
 
 namespace brdf::io {
 
+// Returns the SHA-256 of `bytes`.
 std::string sha256(std::string_view bytes);
-// Of a file of any length. Throws InputError where it cannot be opened, EnvironmentError where the machine
-// fails.
+// Returns the SHA-256 of a file of any length. Throws InputError if the file cannot be opened,
+// EnvironmentError if the machine fails.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace brdf::io

@@ -1,23 +1,25 @@
+// Exceptions for bad input and for failures of the machine, with the exit codes of the programs.
 #pragma once
 
 #include <stdexcept>
 
 namespace brdf {
 
-// Bad input or usage: one message that names the file, the
-// line or JSON path, the value and the rule. Exit code 2.
+// Bad input or usage. The message names the file, the line or JSON path, the value and the rule. Exit code
+// 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-// A table whose polar angles and azimuths stand in each other's columns, as far as their ranges tell.
+// A table in which the columns of polar angles and of azimuths are exchanged, judged by the ranges of their
+// values.
 class ExchangedColumns : public InputError {
  public:
   using InputError::InputError;
 };
 
-// The machine lacks something (a driver, a display, space on the disk). Exit code 3.
+// The machine lacks something, for example a driver, a display or disk space. Exit code 3.
 class EnvironmentError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

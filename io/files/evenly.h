@@ -1,4 +1,4 @@
-// Few of many.
+// Selects a few elements of a long list.
 #pragma once
 
 #include <utility>
@@ -6,7 +6,8 @@
 
 namespace brdf::io {
 
-// At most `most` of a list, evenly from its first to its last.
+// Returns at most `most` elements of a list, evenly spaced by index from the first to the last. If `most`
+// is 1, the first element is returned.
 template <class T>
 std::vector<T> evenly(std::vector<T> all, std::size_t most) {
   if (all.size() <= most) return all;

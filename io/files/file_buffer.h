@@ -1,4 +1,4 @@
-// A stream's buffer over a file descriptor.
+// A stream buffer that writes to a file descriptor.
 #pragma once
 
 #include <array>
@@ -6,14 +6,14 @@
 
 namespace brdf::io {
 
-// Remembers why the first failed write failed; after it nothing more is written. `by_line`: what ends a line
-// is written at once. Does not close the descriptor.
+// Stores the error of the first failed write; nothing is written after a failure. `by_line`: text that ends
+// a line is written immediately. Does not close the descriptor.
 class FileBuffer : public std::streambuf {
  public:
   explicit FileBuffer(int descriptor, bool by_line = false);
   FileBuffer(const FileBuffer&) = delete;
   FileBuffer& operator=(const FileBuffer&) = delete;
-  int error() const { return error_; }  // an errno; 0 where all was written
+  int error() const { return error_; }  // an errno; 0 if everything was written
 
  protected:
   int_type overflow(int_type c) override;

@@ -1,4 +1,4 @@
-// A short name for what a result was made of.
+// A short hash that identifies the inputs of a result.
 #pragma once
 
 #include <initializer_list>
@@ -7,8 +7,8 @@
 
 namespace brdf::io {
 
-// The 64 bits of FNV-1a (Fowler, Noll and Vo) over the texts one after another, in hexadecimal digits: tells
-// what has changed, and is no defence against what was made to be equal.
+// Returns the 64-bit FNV-1a hash (Fowler, Noll and Vo) of the concatenated texts in hexadecimal digits. The
+// hash detects changes. It gives no protection against texts that were constructed to collide.
 std::string fingerprint(std::initializer_list<std::string_view> texts);
 
 }  // namespace brdf::io

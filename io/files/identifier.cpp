@@ -7,7 +7,7 @@
 namespace brdf::io {
 namespace {
 
-// Of C++20, alternative tokens among them.
+// The keywords of C++20, including the alternative tokens.
 constexpr std::string_view kCppKeywords =
     "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t "
     "char8_t class co_await co_return co_yield compl concept const const_cast consteval constexpr "
@@ -18,8 +18,9 @@ constexpr std::string_view kCppKeywords =
     "thread_local throw true try typedef typeid typename typeof union unsigned using virtual void "
     "volatile wchar_t while xor xor_eq";
 
-// What <cmath>, <cstdint> and <cstring> declare at global scope, and words of other headers of C and POSIX:
-// from the preprocessed headers of g++ 12 and clang 14. A suffix of the type (sinf, sinl) is not listed.
+// Names that <cmath>, <cstdint> and <cstring> declare at global scope, and names from other headers of C
+// and POSIX, taken from the preprocessed headers of g++ 12 and clang 14. Names with the suffix of a type
+// (sinf, sinl) are not listed.
 constexpr std::string_view kCppTaken =
     "BUFSIZ EOF FILE INFINITY MAXFLOAT NAN NFDBITS NULL SNAN SNANF SNANF128 SNANF32 SNANF32X SNANF64 "
     "SNANF64X SNANL WCONTINUED WEXITED WNOHANG WNOWAIT WSTOPPED WUNTRACED a64l abort abs access acct acos "
@@ -77,8 +78,8 @@ constexpr std::string_view kCppTaken =
     "wcswcs wcswidth wcsxfrm wctob wctomb wcwidth wmemchr wmemcmp wmemcpy wmemmove wmempcpy wmemset "
     "wprintf write wscanf y0 y1 yn zndev znroot";
 
-// Reserved in OSL, its types and global variables (the specification's chapters 4 to 6), and what
-// write_osl.cpp writes.
+// Reserved words of OSL, its types and global variables (chapters 4 to 6 of the specification), and the
+// names that write_osl.cpp writes.
 constexpr std::string_view kOsl =
     "Ci I M_PI N Ng P Ps T and bool break case catch char class closure color const continue dPdtime dPdu "
     "dPdv default delete diffuse displacement do double dtime else emit enum extern false float for "
@@ -100,13 +101,13 @@ bool is_shout(std::string_view word) {
          std::ranges::none_of(word, [](char c) { return std::islower(static_cast<unsigned char>(c)); });
 }
 
-// Also sinf and sinf32x where sin is listed, types of POSIX (_t), variants of its functions, and what looks
-// like a macro.
+// Also covers sinf and sinf32x if sin is listed, types of POSIX (_t), variants of its functions, and names
+// that look like macros.
 bool is_taken_in_cpp(std::string_view word) {
   if (has_word(kCppKeywords, word) || has_word(kCppTaken, word)) return true;
   if (is_shout(word)) return true;
   for (const std::string_view begin :
-       {"M_", "brdf_kernels_", "f32", "f64"})  // glibc has f32addf64 and its like
+       {"M_", "brdf_kernels_", "f32", "f64"})  // glibc declares f32addf64 and similar names
     if (word.starts_with(begin)) return true;
   for (const std::string_view end : {"_t", "_r", "_l", "_np"})
     if (word.ends_with(end)) return true;
@@ -117,7 +118,7 @@ bool is_taken_in_cpp(std::string_view word) {
   return false;
 }
 
-// Letters, digits and single _.
+// Replaces every character other than a letter or a digit by an underscore, and runs of underscores by one.
 std::string with_plain_characters(const std::string& name) {
   std::string out;
   for (const char c : name) {

@@ -1,18 +1,22 @@
-// Names of materials as other languages take them.
+// Converts names of materials into identifiers of other languages.
 #pragma once
 
 #include <string>
 
 namespace brdf::io {
 
-// Where the name stands: in a file that has no words of its own (also behind a prefix), or as an identifier
-// of a language.
+// The context of the name: a file format without keywords (the name may also follow a prefix), or an
+// identifier of C++ or OSL.
 enum class NameIn { file, cpp, osl };
 
-// Letters, digits and single _, not a digit first. "material_" stands before a name that there is none of,
-// that begins with a digit or _ (reserved in C++, refused by Mitsuba as an id), or that the language or the
-// exported text takes for something else: its keywords, in C++ also what its headers declare for everyone and
-// compilers define. Two _ are reserved in C++ and GLSL.
+// Returns a name of letters, digits and single underscores that does not begin with a digit. Other
+// characters become underscores. An empty name becomes "material". The name is prefixed with "material_"
+// (or "material" if it begins with an underscore) in these cases:
+// - it begins with a digit, or with an underscore, which is reserved in C++ and refused by Mitsuba as an
+//   id;
+// - it has another meaning in the language or in the exported text. These are the keywords and, in C++,
+//   also the global names of the language's headers and the macros of compilers.
+// Double underscores are avoided because C++ and GLSL reserve them.
 std::string identifier(const std::string& name, NameIn in = NameIn::file);
 
 }  // namespace brdf::io

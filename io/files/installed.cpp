@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where this code lies: a shared library, the Python module, or the program itself, of which the loader knows
-// only how it was called.
+// The path of the object that contains this code: a shared library, the Python module or the program. For a
+// program the loader gives only the name by which it was called.
 fs::path own_object() {
   static const char here = 0;
   Dl_info found;
@@ -21,7 +21,7 @@ fs::path own_object() {
 }  // namespace
 
 fs::path installed_file(std::string_view name) {
-  std::error_code error;  // a place that cannot be looked at holds nothing
+  std::error_code error;  // a path that is not accessible counts as missing
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path object = fs::canonical(own_object(), error);
   for (const fs::path& folder :

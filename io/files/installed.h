@@ -1,3 +1,4 @@
+// Finds the data files that were installed with the program, the library or the Python module.
 #pragma once
 
 #include <filesystem>
@@ -5,13 +6,15 @@
 
 namespace brdf::io {
 
-// The path of a file that was installed under the data folder of the prefix (share/), for instance
-// "brdf/chart.min.js". The prefix is the one that the running program, or the library or Python module that
-// holds this function, lies in: it may be moved. Empty where there is no such file.
+// Returns the path of a file installed under the data folder of the prefix (share/), for example
+// "brdf/chart.min.js". The prefix is the installation prefix of the running program, or of the library or
+// Python module that contains this function, so that an installation can be moved. Returns an empty path if
+// the file does not exist.
 std::filesystem::path installed_file(std::string_view name);
 
-// The file itself where it exists; else the one of this name among the installed data (share/brdf); else as
-// given, so that whoever opens it says that it is missing.
+// Returns `file` if it exists or is absolute. Otherwise returns the file of this name in the installed data
+// (share/brdf) if there is one. Otherwise returns `file` unchanged, so that opening it reports that the
+// file is missing.
 std::filesystem::path here_or_installed(const std::filesystem::path& file);
 
 }  // namespace brdf::io

@@ -11,7 +11,8 @@
 namespace brdf::io {
 namespace {
 
-// Follows the parser, refuses what it would take without a word, and knows the place for messages.
+// Receives the parser's events, refuses documents that the parser would accept silently, and keeps the
+// current path for messages.
 class Follower {
  public:
   bool operator()(int, Json::parse_event_t event, Json& parsed) {
@@ -41,10 +42,10 @@ class Follower {
   struct Level {
     bool is_array;
     std::size_t index = 0;
-    std::string key = {};  // the last one
+    std::string key = {};  // the last key
     std::set<std::string> keys = {};
   };
-  // nlohmann::json keeps the last of two equal keys; a strict reader must not.
+  // nlohmann::json keeps the last of two equal keys; a strict reader must refuse them.
   void enter(std::string key) {
     open_.back().key.clear();
     if (!open_.back().keys.insert(key).second)
@@ -83,7 +84,7 @@ void write(const Json& json, const std::string& indent, std::string& out) {
 Json parse_json(const std::string& text, const std::string& file) {
   if (text.size() > kLargestJson)
     throw InputError(file + ": is larger than " + std::to_string(kLargestJson >> 20) + " MiB");
-  if (const std::size_t nul = text.find('\0'); nul != text.npos)  // the parser would end there
+  if (const std::size_t nul = text.find('\0'); nul != text.npos)  // the parser would stop there
     throw InputError(file + ", line " + std::to_string(line_of(text, nul)) + ": holds a NUL byte");
   constexpr std::size_t kLongest = 300;
   Follower follower;
@@ -98,8 +99,8 @@ Json parse_json(const std::string& text, const std::string& file) {
                      printable(message.substr(std::min(message.find('\''), message.size())), kLongest) +
                      " is beyond the range of numbers");
   } catch (const Json::parse_error& error) {
-    // "[json.exception.parse_error.101] parse error at line
-    // 1, column 3: ...": the file takes the bracket's place
+    // "[json.exception.parse_error.101] parse error at line 1, column 3: ...": the file's name replaces the
+    // bracket.
     std::string message = error.what();
     if (const std::size_t stop = message.find("] "); stop != message.npos) message.erase(0, stop + 2);
     std::replace(message.begin(), message.end(), '\n', ' ');

@@ -1,3 +1,4 @@
+// Strict reading and exact writing of JSON.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +10,26 @@
 
 namespace brdf::io {
 
-using Json = nlohmann::ordered_json;  // keeps the order of keys: files read as they were written
+// Keeps the order of keys, so that files are written back in the order in which they were read.
+using Json = nlohmann::ordered_json;
 
-// Parses strictly: syntax errors, keys given twice, numbers out of range and what is nested too deeply are
-// refused with the file and the place. Throws InputError.
+// Parses strictly. Throws InputError, which names the file and the place, on syntax errors, duplicate keys,
+// numbers out of range, a NUL byte, nesting deeper than kDeepestJson and texts larger than kLargestJson.
 Json read_json(const std::filesystem::path& path);
 Json read_json(const Content& content);
 Json parse_json(const std::string& text, const std::string& file);
 
-// Indented by two, arrays of numbers on one line. Numbers read back exactly. Text that is not UTF-8 (a file's
-// name) has its bytes replaced: that costs a letter, not the work.
+// Writes JSON: to_text() indents by two spaces and puts arrays of numbers on one line, to_line() writes a
+// single line. Numbers read back exactly. Invalid UTF-8, for example in a file's name, is replaced instead
+// of refused: one wrong letter is better than a lost result.
 std::string to_text(const Json& json);
 std::string to_line(const Json& json);
 
+// Converts a provenance record to the keys "brdf_version", "command" and "seed".
 Json to_json(const Provenance& made);
 
-// A place in a JSON document, for messages and strict reading: "FILE: $.weights.kd: ...".
+// A value in a JSON document with its path, for messages ("FILE: $.weights.kd: ...") and strict reading.
+// The accessors throw InputError if the value does not have the required type or range.
 class JsonPlace {
  public:
   JsonPlace(const Json& value, std::string file, std::string path = "$")
@@ -36,15 +41,15 @@ class JsonPlace {
 
   // Throws InputError "FILE: PATH: VALUE RULE".
   [[noreturn]] void fail(const std::string& rule) const;
-  // The value must be an object that has only these keys.
+  // Throws InputError unless the value is an object that has only these keys.
   void allow_keys(std::initializer_list<std::string_view> keys) const;
   bool has(std::string_view key) const { return value_->contains(key); }
-  JsonPlace at(std::string_view key) const;  // refuses where the key is missing
+  JsonPlace at(std::string_view key) const;  // throws if the key is missing
   JsonPlace at(std::size_t index) const;
-  std::size_t size() const;  // of an array; refuses anything else
+  std::size_t size() const;  // of an array; throws for anything else
   double number() const;     // finite
   double number(double min, double max) const;
-  double whole(double min, double max) const;  // a number without a fraction
+  double whole(double min, double max) const;  // without a fractional part
   std::string text() const;
 
  private:

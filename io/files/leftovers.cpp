@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr std::array kEnding{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM, SIGXCPU};
 
-// Names are held in place, because a handler may not allocate. A child that was forked has its parent's list,
-// too.
+// Names are stored in fixed arrays because a signal handler must not allocate. A forked child inherits the
+// list of its parent; `owner` identifies the entries of this process.
 constexpr std::size_t kPlaces = 64;
 struct Name {
-  std::array<char, 4096> path;  // empty: none
+  std::array<char, 4096> path;  // empty: no entry
   pid_t owner;
 
   bool is_ours() const { return path[0] != '\0' && owner == ::getpid(); }
@@ -40,8 +40,8 @@ std::size_t free_place() {
   throw EnvironmentError("more than " + std::to_string(kPlaces) + " files are written at the same time");
 }
 
-// A file, or a folder with everything in it, by nothing that a handler may not call: no memory is asked for.
-// Somebody may still put something there: several rounds.
+// Removes a file, or a folder with its content, with functions that a signal handler may call; memory is
+// not allocated. Several rounds are made because another process may still add entries to the folder.
 void remove_entry(int at, const char* name, int depth = 0) {
   constexpr int kRounds = 3, kDeepest = 8;
   if (::unlinkat(at, name, 0) == 0 || errno != EISDIR || depth == kDeepest) return;
@@ -67,10 +67,13 @@ extern "C" void end_without_temporaries(int signal) {
   for (const Name& name : listed)
     if (name.is_ours()) remove_entry(AT_FDCWD, name.path.data());
   std::signal(signal, SIG_DFL);
-  std::raise(signal);  // held back until this returns; `busy` stays set, so nothing is created meanwhile
+  // The signal is blocked until this handler returns. `busy` stays set, so that nothing is created
+  // meanwhile.
+  std::raise(signal);
 }
 
-// What all temporaries of a target begin with; a name has at most 255 bytes.
+// The common prefix of all temporaries of a target. The name is cut to 200 bytes because a file's name has
+// at most 255.
 std::string beginning(const fs::path& target) {
   return target.filename().string().substr(0, 200) + ".";
 }
@@ -130,7 +133,7 @@ Undisturbed::~Undisturbed() {
 }
 
 fs::path temporary_name(const fs::path& target) {
-  static std::atomic<unsigned> counter = 0;  // two threads may write beside each other
+  static std::atomic<unsigned> counter = 0;  // two threads may write at the same time
   return (target.parent_path() / beginning(target)).string() + std::to_string(::getpid()) + "." +
          std::to_string(counter++) + ".tmp";
 }
@@ -138,7 +141,7 @@ fs::path temporary_name(const fs::path& target) {
 void sweep(const fs::path& target) {
   const std::string begins = beginning(target);
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  // Not directory_iterator: it ends the program where it lacks memory.
+  // Not directory_iterator, which terminates the program if memory runs out.
   DIR* const entries = ::opendir(folder.c_str());
   if (!entries) return;
   const int at = ::dirfd(entries);
@@ -169,7 +172,7 @@ void remove_temporaries_on_signals() {
     if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
       ::sigaction(signal, &action, nullptr);
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // the write fails instead
+  std::signal(SIGXFSZ, SIG_IGN);  // the write fails with an error instead
 }
 
 }  // namespace brdf::io

@@ -1,5 +1,5 @@
-// What temporaries are called, what a signal removes of them, and what the next run sweeps. For
-// io/files/temporary.h.
+// Names of temporary files and folders, their removal by signals, and the removal of leftovers by the next
+// run. Used by io/files/temporary.h.
 #pragma once
 
 #include <csignal>
@@ -8,8 +8,8 @@
 
 namespace brdf::io {
 
-// The name of a file or a folder in the list of what a signal removes; none while it is empty. Throws
-// EnvironmentError where the list is full.
+// An entry in the list of files and folders that a signal removes. An entry without a name removes nothing.
+// The constructor throws EnvironmentError if the list is full.
 class Listed {
  public:
   Listed();
@@ -17,19 +17,19 @@ class Listed {
   Listed& operator=(const Listed&) = delete;
   ~Listed();
 
-  // False where the name is too long to be held.
+  // Sets the name. Returns false if the name is too long to be stored.
   bool set(const std::string& path);
   void clear();
-  // Removes what it names, a folder with everything in it, and forgets it. Not in a child that was forked
-  // meanwhile.
+  // Removes the named file or folder, including the content of the folder, and clears the entry. Does
+  // nothing in a child process that was forked after set().
   void remove();
 
  private:
   std::size_t place_;
 };
 
-// Keeps a handler from running between what happens to a file and what is said of it in the list: in this
-// thread signals wait, in another one the handler does.
+// Keeps the signal handler from running between a change of a file and the matching change of the list.
+// Signals are blocked in this thread; a handler that runs in another thread waits.
 class Undisturbed {
  public:
   Undisturbed();
@@ -41,16 +41,18 @@ class Undisturbed {
   sigset_t before_;
 };
 
-// TARGET.PROCESS.NUMBER.tmp beside the target, another one every time.
+// Returns TARGET.PROCESS.NUMBER.tmp in the folder of the target, a different name on every call. Names of
+// more than 200 bytes are shortened.
 std::filesystem::path temporary_name(const std::filesystem::path& target);
-// Removes the temporaries of this target, files and folders, that no process holds any more.
+// Removes the temporary files and folders of this target that no running process holds.
 void sweep(const std::filesystem::path& target);
-// Whether an open temporary is locked now and still there: the lock tells others that we live, and one that
-// swept just before took it away.
+// Locks an open temporary and returns whether its file still exists. The lock shows other processes that
+// this one is alive. A process that swept just before the lock was set may have removed the file.
 bool is_held(int descriptor);
-// From now on signals that end the process remove its temporaries first, then end it as they would have.
-// Signals that the process was told to ignore stay ignored; so does the one for files that grow too large,
-// whose error is reported. For programs, not for libraries: main calls it.
+// Installs handlers for the signals that end the process. They remove the temporaries of the process first
+// and then end the process as without a handler. Signals that the process was started to ignore remain
+// ignored. The signal for files that grow too large is ignored too, so that the write fails and its error
+// is reported. For programs, not for libraries: main calls this function.
 void remove_temporaries_on_signals();
 
 }  // namespace brdf::io

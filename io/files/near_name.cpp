@@ -10,7 +10,7 @@
 namespace brdf::io {
 namespace {
 
-constexpr std::size_t kMostFiles = 10000;  // that a folder is asked for
+constexpr std::size_t kMostFiles = 10000;  // most entries of a folder that are compared
 
 std::string plain(std::string_view word) {
   std::string letters = lower_case(word);
@@ -18,7 +18,8 @@ std::string plain(std::string_view word) {
   return letters;
 }
 
-// Letters to change, add, leave out, or exchange with the next (optimal string alignment).
+// Returns the number of letters to change, add, leave out, or exchange with the next one (optimal string
+// alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
   std::iota(above.begin(), above.end(), std::size_t(0));
@@ -46,7 +47,8 @@ std::string near_name(std::string_view word, const std::vector<std::string>& kno
   std::size_t least = std::max<std::size_t>(1, letters.size() / 3) + 1;
   for (const std::string& name : known) {
     const std::string other = plain(name);
-    // What begins like the word comes after one slip of the finger; the first of several is the plainest.
+    // A name that begins with the word ranks like a name with one typing error. If several do, the first is
+    // the plainest.
     const bool begins = letters.size() > 2 && other.starts_with(letters);
     const std::size_t d =
         begins ? std::min<std::size_t>(distance(letters, other), 1) : distance(letters, other);
@@ -75,7 +77,8 @@ std::string did_you_mean_file(std::string_view path) {
   for (fs::directory_iterator entry(file.has_parent_path() ? file.parent_path() : ".", error), end;
        !error && entry != end && beside.size() < kMostFiles; entry.increment(error))
     beside.push_back(entry->path().filename().string());
-  std::ranges::sort(beside);  // the same name wins wherever the folder lies
+  // The same name then wins in whatever order the folder lists its entries.
+  std::ranges::sort(beside);
   const std::string name = file.stem().string().size() < 3 ? "" : near_name(file.filename().string(), beside);
   return name.empty() ? "" : "; did you mean " + (file.parent_path() / name).string() + "?";
 }

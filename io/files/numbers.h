@@ -1,4 +1,4 @@
-// Numbers for people, and the usual statistics of a few of them.
+// Formats numbers for people and computes quantiles.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,22 @@
 
 namespace brdf::io {
 
-// So many significant digits, without trailing zeros.
+// Formats a number with `digits` significant digits, without trailing zeros.
 std::string short_number(double x, int digits = 4);
-// A share: 0.123 is "12.3 %", so many significant digits.
+// Formats a fraction as a percentage with `digits` significant digits: 0.123 becomes "12.3 %".
 std::string percent(double share, int digits = 3);
-// The same to a tenth of a percent.
+// Formats a fraction as a percentage rounded to a tenth of a percent.
 std::string percent_to_tenths(double share);
 
-// "1 row", "2 rows", "0 directions", "2 entries".
+// Returns a count with its noun: "1 row", "2 rows", "0 directions", "2 entries".
 std::string plural(std::size_t n, const std::string& word);
 
-// "a, b, c".
+// Joins words with a separator: "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
 
-// The value below which this share of the values lies (the upper of two for a share between them); NaN of
-// none.
+// Returns the quantile of the values for `share` in [0, 1]: the element of rank floor(share * n), so that
+// the median of an even number of values is the upper of the two in the middle. Returns NaN if `values` is
+// empty.
 double quantile(std::vector<double> values, double share);
 double median(std::vector<double> values);
 

@@ -32,7 +32,8 @@ void write_stream(const fs::path& shown, int descriptor, const std::function<voi
   if (buffer.error() != 0) broke_off(shown, buffer.error());
 }
 
-// The file behind a chain of links, whether it exists or not; the chain ends, because stat() has followed it.
+// Returns the file at the end of a chain of links, whether that file exists or not. The loop ends because
+// stat() has already followed the chain.
 fs::path resolved(fs::path path) {
   for (std::error_code error; fs::is_symlink(path, error);)
     path = path.parent_path() / fs::read_symlink(path, error);
@@ -53,14 +54,14 @@ bool is_standard_output(const fs::path& path) {
   return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
-// Throws where the file cannot be written; what is there already.
+// Throws if the file cannot be written. Returns the status of an existing file, or std::nullopt.
 std::optional<struct stat> checked(const fs::path& path) {
   if (path.empty() || !path.has_filename()) throw InputError("'" + path.string() + "': is no name of a file");
   const std::optional<struct stat> old = status_of(path);
   if (!old && errno != ENOENT) cannot_write(path, errno);
   if (old && S_ISDIR(old->st_mode)) cannot_write(path, EISDIR);
   if (is_standard_output(path)) return old;
-  // One who may do everything is held to a file's own word too.
+  // The superuser may write any file, but a file's read-only permissions are respected for this user too.
   if (old && S_ISREG(old->st_mode) && (old->st_mode & 0222) == 0)
     throw InputError(path.string() + ": is read-only: cannot be written");
   if (old && ::access(path.c_str(), W_OK) != 0) cannot_write(path, errno);
@@ -69,7 +70,8 @@ std::optional<struct stat> checked(const fs::path& path) {
   return old;
 }
 
-// What tells files apart: device and number, of one that does not exist those of its folder and its name.
+// The identity of a file: its device and inode number. A file that does not exist is identified by the
+// device and inode number of its folder and by its name.
 using Identity = std::tuple<dev_t, ino_t, std::string>;
 std::optional<Identity> identity(const fs::path& path) {
   if (const auto status = status_of(path)) {

@@ -1,3 +1,4 @@
+// Writes output files atomically and checks beforehand that they can be written.
 #pragma once
 
 #include <filesystem>
@@ -9,34 +10,34 @@
 
 namespace brdf::io {
 
-// Writes `path` as a whole or not at all: the content goes to a temporary file beside it
-// (io/files/temporary.h), which is then renamed, so an old file survives every failure. Links are followed,
-// permissions kept; other names of the old file (hard links) keep the old content. What is no regular file (a
-// terminal, a pipe, /dev/stdout) is written to directly. Throws as check_targets() and broke_off(); what the
-// callback throws is passed on.
+// Writes `path` completely or not at all. The content goes to a temporary file in the same folder
+// (io/files/temporary.h), which is then renamed, so that an old file survives every failure. Symbolic links
+// are followed and permissions are kept; hard links to the old file keep the old content. Paths that are
+// not regular files (a terminal, a pipe, /dev/stdout) are written directly. Throws the exceptions of
+// check_targets() and broke_off(); exceptions of the callback are passed on.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(std::ostream&)>& write);
 
-// A place for an output, and the option that named it.
+// The path of an output, and the option that named the path.
 struct Target {
   std::string option;
-  std::filesystem::path path;  // empty: not asked for
+  std::filesystem::path path;  // empty if the output is not requested
 };
 
-// For before the work: throws InputError where a target cannot be written (a missing folder, a read-only
-// file, a loop of links), is one of the inputs, or is named twice.
+// Checks the targets before the work begins. Throws InputError if a target cannot be written (a missing
+// folder, a read-only file, a loop of links), is one of the inputs, or is named twice.
 void check_targets(const std::vector<Target>& targets, const std::vector<std::filesystem::path>& inputs = {});
-// The same for files of these names in a folder, which need not exist.
+// Does the same for files with these names in a folder, which need not exist yet.
 void check_folder_target(const Target& folder, const std::vector<std::string>& names,
                          const std::vector<std::filesystem::path>& inputs = {});
 
-// Makes a folder, and those above it.
+// Creates a folder and its missing parent folders.
 void make_folder(const std::filesystem::path& folder);
 
-// Throw for an errno: InputError where the place is what is wrong, else EnvironmentError.
+// Throws InputError if the errno concerns the path (is_of_the_name()), otherwise EnvironmentError.
 [[noreturn]] void cannot_write(const std::filesystem::path& path, int error);
-// EnvironmentError: a full disk.
+// Throws EnvironmentError for a write that failed part of the way, for example on a full disk.
 [[noreturn]] void broke_off(const std::filesystem::path& path, int error);
 
 }  // namespace brdf::io

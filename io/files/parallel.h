@@ -1,4 +1,4 @@
-// Independent jobs on a few threads.
+// Runs independent jobs on a few threads.
 #pragma once
 
 #include <algorithm>
@@ -21,14 +21,15 @@ namespace brdf::io {
 
 inline std::atomic<unsigned> most_threads{8};
 
-// Where work is divided among processes or jobs already, each takes one processor: called before the work
-// begins.
+// Sets the largest number of threads per process. Called before the work begins if the work is already
+// divided among processes or jobs, each of which then takes one processor.
 inline void limit_threads(unsigned most) {
   most_threads = most;
 }
 
-// As many as BRDF_THREADS says, else as there are processors; at most eight, and what limit_threads() leaves.
-// Throws InputError where that is no number.
+// Returns the number of threads to use: BRDF_THREADS if the variable is set, otherwise the number of
+// processors. The result is at most 8, or the number given to limit_threads(). Throws InputError if
+// BRDF_THREADS is not a whole number above 0.
 inline unsigned all_processors() {
   const unsigned most = most_threads;
   const char* const wanted = std::getenv("BRDF_THREADS");
@@ -41,9 +42,9 @@ inline unsigned all_processors() {
   return std::min(number, most);
 }
 
-// Calls work(k) for k in [0, count), each once, on `threads` threads of which this is one. Results must go to
-// places of their own, so that they do not depend on the order. The first exception ends the work and is
-// thrown here.
+// Calls work(k) once for each k in [0, count), on `threads` threads including the calling one. Each call
+// must store its result in a place of its own, so that results do not depend on the order. The first
+// exception stops the work and is rethrown here.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, unsigned threads = all_processors()) {
   std::atomic<std::size_t> next{0};
@@ -68,11 +69,11 @@ void parallel_for(std::size_t count, Work&& work, unsigned threads = all_process
   if (failure) std::rethrow_exception(failure);
 }
 
-// Called one at a time with the number of finished jobs and of all jobs.
+// Called with the number of finished jobs and the number of all jobs. Calls do not overlap.
 using Progress = std::function<void(int done, int total)>;
 
-// Runs job(0), ..., job(count - 1) and hands every result to `consume`, one at a time and in order, so that
-// sums do not depend on the number of threads.
+// Runs job(0), ..., job(count - 1) and passes every result to `consume`. The calls of `consume` do not
+// overlap and come in order, so that sums do not depend on the number of threads.
 template <class Job, class Consume>
 void parallel_in_order(int count, int threads, const Progress& progress, const Job& job,
                        const Consume& consume) {

@@ -9,7 +9,7 @@
 namespace brdf::io {
 namespace {
 
-// Where to write and how many at a time: no value depends on it.
+// Options for the output's place and for the number of jobs. No value depends on them.
 constexpr std::array<std::string_view, 6> kOfNoConsequence{"-o",     "--output",  "--report",
                                                            "--jobs", "--threads", "--unit-size"};
 

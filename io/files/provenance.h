@@ -1,3 +1,4 @@
+// The origin of an output: version, command and seed.
 #pragma once
 
 #include <cstdint>
@@ -8,23 +9,28 @@
 
 namespace brdf::io {
 
-// What every output says about its making. It holds no date and no output path, so the same command gives the
-// same bytes wherever they are written.
+// The record that every output contains about its origin. The record has no date and no output path, so
+// that the same command gives the same bytes wherever its output is written.
 struct Provenance {
   std::string version;
-  std::string command;  // as given, quoted for a shell, without where to write and how many at a time
+  // As given, quoted for a shell, without the options for the output's place and for the number of jobs.
+  std::string command;
   std::optional<std::uint64_t> seed;
 };
 
-// Called once by main; programs that never call it have an empty command.
+// Records the command line. Called once by main; in programs that never call this function the command is
+// empty.
 void record_command_line(int argc, const char* const* argv);
 
-// For what one command planned and others do: outputs name this one.
+// Records the command that outputs name. Used by work that one command plans and other processes perform:
+// their outputs name the planning command.
 void record_command(std::string command);
 
+// Returns the record of the running program.
 Provenance provenance(std::optional<std::uint64_t> seed = std::nullopt);
 
-// The same as key and value ("brdf_version", "command", "seed"), for CSV headers and JSON objects.
+// Returns the record as pairs of key and value ("brdf_version", "command", "seed"), for CSV headers and
+// JSON objects.
 std::vector<std::pair<std::string, std::string>> provenance_fields(const Provenance& made);
 
 }  // namespace brdf::io

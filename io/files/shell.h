@@ -1,4 +1,4 @@
-// Words of a command line as a shell takes them.
+// Quotes words for a shell's command line.
 #pragma once
 
 #include <string>
@@ -6,12 +6,13 @@
 
 namespace brdf::io {
 
-// As it stands where a shell leaves it alone, else between single quotes; on one line and UTF-8 whatever it
-// holds: control characters, and all that is beyond ASCII in a word that is not UTF-8, as in $'\012' (bash,
-// zsh, ksh).
+// Returns the word unchanged if a shell does not interpret any of its characters, otherwise in single
+// quotes. The result is always one line of UTF-8. Control characters, and all bytes beyond ASCII in a word
+// that is not UTF-8, are written as in $'\012' (bash, zsh, ksh).
 std::string shell_word(std::string_view word);
 
-// A file's name as an argument: one that begins with a dash is no option.
+// Returns a file's name as an argument. A name that begins with a dash gets the prefix "./", so that it is
+// not taken for an option.
 std::string shell_file(std::string_view name);
 
 }  // namespace brdf::io

@@ -17,7 +17,8 @@ int make_file(const char* path) {
   return ::open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
-// Another process may sweep the folder before it is opened: then its name is as good as taken.
+// Another process may remove the folder before this one opens it. The name is then reported as already
+// taken (EEXIST), so that the caller tries another one.
 int make_open_folder(const char* path) {
   if (::mkdir(path, 0700) != 0) return -1;
   const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -28,7 +29,8 @@ int make_open_folder(const char* path) {
   return -1;
 }
 
-// Who may not give a file away keeps it; permissions come last, because a change of owner takes some of them.
+// A process that may not change the owner of a file stays the owner. The permissions are set last because a
+// change of owner clears some of them.
 void take_over(int descriptor, const struct stat& replaced) {
   if (::fchown(descriptor, replaced.st_uid, replaced.st_gid) != 0) (void)0;
   ::fchmod(descriptor, replaced.st_mode & 0777);
@@ -53,7 +55,8 @@ Temporary::Temporary(const fs::path& target, const fs::path& shown, Make make) :
       error = errno;
       if (descriptor_ < 0) listed_.clear();
     }
-    if (descriptor_ < 0 && error == EEXIST) continue;  // another machine's, or another's that had our number
+    // The entry belongs to another machine, or to an earlier process that had our number.
+    if (descriptor_ < 0 && error == EEXIST) continue;
     if (descriptor_ < 0) cannot_write(shown_, error);
     if (is_held(descriptor_)) continue;
     ::close(descriptor_);
@@ -61,7 +64,7 @@ Temporary::Temporary(const fs::path& target, const fs::path& shown, Make make) :
   }
 }
 
-// Closed last: the lock tells others that the entry is not to be swept.
+// The descriptor is closed last: until then its lock keeps other processes from removing the entry.
 Temporary::~Temporary() {
   listed_.remove();
   ::close(descriptor_);
@@ -73,7 +76,8 @@ TemporaryFile::TemporaryFile(const fs::path& target, const struct stat* replaced
 }
 
 void TemporaryFile::rename_to(const fs::path& target) {
-  // A file system without a disk has nothing to wait for.
+  // fsync() fails with EINVAL or ENOTSUP on a file system without a disk, for which there is nothing to
+  // wait.
   if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) broke_off(shown_, errno);
   int error = 0;
   {

@@ -1,4 +1,4 @@
-// Files and folders for what is made on the way to an output.
+// Temporary files and folders, from which outputs are made.
 #pragma once
 
 #include <sys/stat.h>
@@ -10,9 +10,10 @@
 
 namespace brdf::io {
 
-// An entry TARGET.PROCESS.NUMBER.tmp beside its target, locked while this process lives. It is removed with
-// everything in it, also by a signal; what a killed process left of the same target is removed first. Throws
-// as cannot_write() of io/files/output.h; `shown` is the name that messages say.
+// An entry TARGET.PROCESS.NUMBER.tmp in the folder of its target, locked while this process lives. The
+// destructor, or a signal, removes the entry with its content. Entries of the same target that a killed
+// process left behind are removed first. Throws the exceptions of cannot_write() of io/files/output.h.
+// `shown` is the name that messages use.
 class Temporary {
  public:
   Temporary(const Temporary&) = delete;
@@ -21,7 +22,7 @@ class Temporary {
   const std::filesystem::path& path() const { return path_; }
 
  protected:
-  // Makes the entry and opens it; -1 and errno where that fails.
+  // Creates and opens the entry. Returns -1 and sets errno on failure.
   using Make = int (*)(const char* path);
   Temporary(const std::filesystem::path& target, const std::filesystem::path& shown, Make make);
   ~Temporary();
@@ -31,20 +32,21 @@ class Temporary {
   Listed listed_;
 };
 
-// The file under another name that an output is written to before it takes its place, with the permissions
-// and the owner of the file that it replaces.
+// The file that receives an output before it replaces the target. Takes over the permissions and the owner
+// of the file that it replaces, if `replaced` is not null.
 class TemporaryFile : public Temporary {
  public:
   TemporaryFile(const std::filesystem::path& target, const struct stat* replaced,
                 const std::filesystem::path& shown);
 
   int descriptor() const { return descriptor_; }
-  // Makes it the target, whole and on the disk. Throws as cannot_write() and broke_off().
+  // Flushes the file to the disk and renames it to `target`. Throws the exceptions of cannot_write() and
+  // broke_off().
   void rename_to(const std::filesystem::path& target);
 };
 
-// A folder brdf.PROCESS.NUMBER.tmp in `above`, which is made if it is missing; in the system's folder for
-// temporary files unless another is named.
+// A folder brdf.PROCESS.NUMBER.tmp in `above`, by default the system's folder for temporary files. `above`
+// is created if it is missing.
 class TemporaryFolder : public Temporary {
  public:
   explicit TemporaryFolder(const std::filesystem::path& above = std::filesystem::temp_directory_path());

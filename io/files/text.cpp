@@ -70,8 +70,8 @@ bool parse_number(std::string_view text, double& value) {
 
 namespace {
 
-// The bytes of a character that changes the direction of text, or ends a line, in a terminal; 0: none begins
-// here.
+// Returns the number of bytes of a character that changes the direction of text, or ends a line, in a
+// terminal; 0 if `text` does not begin with such a character.
 std::size_t direction_mark(std::string_view text) {
   if (text.starts_with("\xd8\x9c")) return 2;  // U+061C
   if (text.size() < 3 || text[0] != '\xe2') return 0;
@@ -106,14 +106,14 @@ std::string with_escaped_marks(std::string json) {
 
 std::string printable(std::string_view text, std::size_t most) {
   const bool is_cut = text.size() > most;
-  while (is_cut && most > 0 && (text[most] & 0xc0) == 0x80) --most;  // not within a character
+  while (is_cut && most > 0 && (text[most] & 0xc0) == 0x80) --most;  // do not cut within a character
   if (is_cut) text = text.substr(0, most);
   const bool is_utf8 = utf8::is_valid(text.begin(), text.end());
   std::string out;
   const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };
   for (std::size_t k = 0; k < text.size(); ++k) {
     const unsigned char c = at(k);
-    // U+0080..U+009F are control characters too: C2 and one more byte.
+    // U+0080 to U+009F are control characters too: the byte C2 and one more byte.
     const bool is_c1 = (c == 0xc2 && at(k + 1) < 0xa0) || (c >= 0x80 && c < 0xa0 && at(k - 1) == 0xc2);
     const std::size_t mark = is_utf8 && c >= 0x80 ? direction_mark(text.substr(k)) : 0;
     if (mark > 0) {

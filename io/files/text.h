@@ -1,3 +1,4 @@
+// Lines, fields and numbers of text, and text that is safe to print.
 #pragma once
 
 #include <string>
@@ -8,17 +9,18 @@
 
 namespace brdf::io {
 
-// The lines of a text, LF or CRLF, a byte order mark left out. Throws InputError for a line beyond
-// kLongestLine.
+// Returns the lines of a text one by one. Lines end in LF or CRLF; a byte order mark is skipped. Throws
+// InputError for a line longer than kLongestLine.
 class LineReader {
  public:
   // The content must outlive the reader.
   explicit LineReader(const Content& content) : content_(&content), rest_(content.bytes) {}
   explicit LineReader(Content&&) = delete;
+  // Reads the next line. Returns false at the end of the text.
   bool next(std::string_view& line);
   std::size_t line() const { return line_; }  // of the last line returned, from 1
   const Content& content() const { return *content_; }
-  // "FILE, line N"
+  // Returns "FILE, line N".
   std::string where() const;
 
  private:
@@ -27,30 +29,31 @@ class LineReader {
   std::size_t line_ = 0;
 };
 
-// Latin capitals made small; other characters stay.
+// Converts the capitals A to Z to small letters; other characters stay unchanged.
 std::string lower_case(std::string_view text);
 
+// Removes blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
-// Splits at `separator`; fields are trimmed, empty ones kept.
+// Splits at `separator`. Fields are trimmed; empty fields are kept.
 void split(std::string_view line, char separator, std::vector<std::string_view>& fields);
 // Splits at runs of blanks and tabs.
 void split_blanks(std::string_view line, std::vector<std::string_view>& fields);
 
-// The whole of `text` as a number (a leading plus sign is
-// allowed). False where it is none or out of double's range.
+// Parses the whole of `text` as a number; a leading plus sign is allowed. Returns false if the text is not
+// a number or is out of the range of double.
 bool parse_number(std::string_view text, double& value);
 
-// For whatever is shown to people: control characters as \x1b, characters that turn the direction of text as
-// \u202e, so that a file or its name cannot drive a terminal or feign another text; cut after `most` bytes.
+// Returns text that is safe to show to people. Control characters are written as \x1b, and characters that
+// change the direction of text as \u202e, so that a file or its name cannot control a terminal or disguise
+// another text. The text is cut after `most` bytes.
 std::string printable(std::string_view text, std::size_t most = std::string_view::npos);
-// JSON text with the characters that printable() does not show, as far as JSON holds them unescaped, as
-// \u202e.
+// Escapes, in JSON text, the characters that printable() escapes and that JSON allows unescaped, as \u202e.
 std::string with_escaped_marks(std::string json);
-// The same as printable() in quotes, for what a file holds: 'text', the first 60 bytes of it.
+// Returns text from a file in single quotes for messages: the first 60 bytes as printable() shows them.
 std::string shown(std::string_view text);
 
-// Shortest decimal that reads back to the same double.
+// Writes the shortest decimal that reads back to the same double.
 void append_number(std::string& out, double value);
 std::string to_text(double value);
 

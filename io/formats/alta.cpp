@@ -25,7 +25,7 @@ Vec3<double> towards(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-// ALTA's difference vector is the viewer's direction, turned so that the half vector is the normal.
+// ALTA's difference vector is the viewing direction, rotated so that the half vector becomes the normal.
 Pair from_half(double theta_h, double phi_h, double theta_d, double phi_d) {
   const Vec3<double> d = towards(theta_d, phi_d), h = towards(theta_h, phi_h);
   const double x = std::cos(theta_h) * d.x + std::sin(theta_h) * d.z,
@@ -35,19 +35,19 @@ Pair from_half(double theta_h, double phi_h, double theta_d, double phi_d) {
   return {h * (2 * dot(viewer, h)) - viewer, viewer};
 }
 
-// The viewer's polar angle as the distance from the centre of a disc, the light at azimuth 0.
+// The viewer's polar angle is the distance from the centre of a disc; the light is at azimuth 0.
 Pair from_disc(double theta_light, double x, double y) {
   return {towards(theta_light, 0), towards(std::hypot(x, y), std::atan2(y, x))};
 }
 
-// No number where there is no direction.
+// Returns NaN components for a vector of length 0, which has no direction.
 Vec3<double> unit(const Vec3<double>& v) {
   return v * (1 / std::hypot(v.x, v.y, v.z));
 }
 
 using Numbers = std::array<double, 6>;
 
-// By the names that ALTA has for them, of those that give both directions; angles in radians.
+// A parametrisation that gives both directions, under ALTA's name. Angles are in radians.
 struct Parametrisation {
   std::string_view name;
   std::size_t dimensions;
@@ -99,7 +99,7 @@ class Reader {
   [[noreturn]] void fail(const std::string& what) const { throw InputError(lines_.where() + ": " + what); }
 
   void read_header(std::string_view text) {
-    if (text.empty() || text.front() == ' ') return;  // a comment, or a header's end
+    if (text.empty() || text.front() == ' ') return;  // a comment, or the end of a header
     split_blanks(text, words_);
     const std::string_view key = words_[0];
     const std::string_view value = trimmed(text.substr(key.size()));
@@ -173,7 +173,7 @@ class Reader {
     Numbers place{};
     for (std::size_t k = 0; k < dimensions_; ++k) place[k] = number(k);
     const Pair pair = parametrisation_->directions(place);
-    constexpr double kGrazing = -1e-6;  // what few digits make of the horizon
+    constexpr double kGrazing = -1e-6;  // tolerance for a horizon that was printed with few digits
     if (!(pair.light.z > kGrazing && pair.viewer.z > kGrazing) || (divides_ && !(pair.viewer.z > 0))) {
       ++table_.skipped;
       return;
@@ -191,9 +191,9 @@ class Reader {
 
   LineReader lines_;
   SampleTable table_;
-  std::vector<Numbers> places_;  // [row] as written
+  std::vector<Numbers> places_;  // [row], as written in the file
   std::vector<std::string_view> words_;
-  std::size_t dimensions_ = 0, segments_ = 0;  // columns of either
+  std::size_t dimensions_ = 0, segments_ = 0;  // numbers of columns
   const Parametrisation* parametrisation_ = nullptr;
   bool divides_ = false;
 };

@@ -1,4 +1,4 @@
-// A table in the format that a file's name asks for.
+// Writes a table in the format that the suffix of the file's name selects.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace brdf::io {
 
-// Throws InputError where no format of tables is written under this name: .csv, .binary (MERL), .exr, .astm
-// (ASTM E1392), .zemax (lens-design text).
+// Checks the suffix of `path`. Throws InputError if no table format is written under this suffix; the known
+// suffixes are .csv, .binary (MERL), .exr, .astm (ASTM E1392) and .zemax (lens-design text).
 void check_table_format(const std::filesystem::path& path);
 
-// Writes it. Returns what is lost, one phrase each. Throws as check_table_format and the formats' own
-// writers.
+// Writes `table` to `path`. Returns the losses of the format, one phrase each. Throws the errors of
+// check_table_format() and of the formats' own writers.
 std::vector<std::string> write_table(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io

@@ -88,7 +88,7 @@ class AstmReader {
     throw InputError(table_.source + ": no VARS line");
   }
 
-  // Finds each angle's column from the names and the first row's length.
+  // Finds the column of each angle from the names and the length of the first row.
   void lay_out() {
     is_laid_out_ = true;
     std::size_t missing = 0;
@@ -120,7 +120,7 @@ class AstmReader {
     table_.sigma.resize(table_.channels.size());
   }
 
-  // The columns that are no angles, as in any other table.
+  // Assigns the columns that are not angles, by the same rules as in any other table.
   void place_columns() {
     const auto& stated = stated_.result();
     HeaderFacts facts{reader_.where(), stated};
@@ -186,8 +186,8 @@ class AstmReader {
     }
   }
 
-  // Radians reach pi/2 in a polar angle and a whole turn, to either side, in an azimuth. Files print few
-  // digits.
+  // Returns whether the angles may be radians, which reach pi/2 in a polar angle and a full turn, to either
+  // side, in an azimuth. The tolerance allows for files that print few digits.
   bool may_be_radians() const {
     constexpr double kRound = 1 + 1e-6;
     const RawAngles& raw = table_.raw_angles;
@@ -226,7 +226,7 @@ class AstmReader {
   std::vector<std::string_view> fields_;
   std::vector<std::size_t> value_columns_;
   std::vector<std::optional<std::size_t>> sigma_columns_;  // [channel]
-  std::optional<bool> is_radians_;                         // where the file says so
+  std::optional<bool> is_radians_;                         // if the file states the unit
   StatedQuantities stated_;
   Columns header_;
   int column_[4] = {-1, -1, -1, -1};
@@ -244,7 +244,7 @@ bool recognises(const Content& text) {
   while (reader.line() < kLongestHeader && reader.next(line)) {
     line = trimmed(line);
     if (is_keyword_line(line, kKeyword)) return true;
-    if (line.starts_with('#') || line.starts_with("theta_i")) return false;  // a CSV
+    if (line.starts_with('#') || line.starts_with("theta_i")) return false;  // a CSV file
   }
   return false;
 }
@@ -255,7 +255,8 @@ SampleTable read(const Content& text, const Supplied& supplied) {
 
 namespace {
 
-// Whether a comment is a keyword's line that is read back as it is, and not as something else.
+// Returns whether a comment, written as a keyword line, reads back unchanged and is not mistaken for
+// something else.
 bool is_keyword(const Comment& comment) {
   const auto& [key, value] = comment;
   return !key.empty() && key.find_first_of(" \t#{\"") == key.npos && key != kKeyword && key != kUnit &&
@@ -263,7 +264,8 @@ bool is_keyword(const Comment& comment) {
          printable(key + value) == key + value;
 }
 
-// Whether a channel's name, read as a column's, would be taken for another quantity than f_r.
+// Returns whether the name of a channel, read as a column name, would be taken for a quantity other than
+// f_r.
 bool says_other(const std::string& channel) {
   const NamedQuantity named = quantity_of_column(channel);
   const bool is_f_r = named.says == NamedQuantity::Says::quantity && named.quantity.is_f_r();
@@ -271,7 +273,7 @@ bool says_other(const std::string& channel) {
          !(named.says == NamedQuantity::Says::nothing || is_f_r);
 }
 
-// Rows in degrees, as the table has them.
+// Appends the rows. Angles are in degrees, as in the table.
 void append_rows(const SampleTable& table, std::string& text) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     for (const double angle : {table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]}) {

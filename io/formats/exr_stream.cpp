@@ -14,7 +14,7 @@ namespace brdf::io {
 
 namespace {
 
-// What OpenEXR throws, and tells as a damaged file.
+// Throws the exception that OpenEXR uses for a damaged file.
 [[noreturn]] void ends_too_soon() {
   throw Iex::InputExc("the file ends too soon");
 }
@@ -25,8 +25,9 @@ std::string word_at(Imf::IStream& stream) {
   return word;
 }
 
-// Whether it ends where its attribute does: names with 16 bytes each, to an empty name. OpenEXR reads it to
-// there, whatever the attribute says of its size.
+// Returns whether a list of channels ends at the end of its attribute. The list consists of names, each
+// followed by 16 bytes, and ends with an empty name. OpenEXR reads up to the empty name and ignores the
+// size of the attribute.
 bool is_list_of_channels(const std::string& bytes) {
   std::size_t at = 0;
   while (at < bytes.size() && bytes[at] != '\0') {
@@ -45,7 +46,7 @@ T number_at(const std::string& value, std::size_t place) {
   return number;
 }
 
-// OpenEXR takes memory for a window and a tile as large as a header says.
+// Checks the extent of a window or a tile, because OpenEXR allocates the memory that the header requests.
 void check_extent(const std::string& file, std::int64_t width, std::int64_t height) {
   constexpr std::int64_t kMost = kMostPixels, kWidest = kWidestPicture;
   if (width > kWidest || (width > 0 && height > kMost / width))
@@ -64,9 +65,10 @@ bool is_sound(const std::string& file, const std::string& name, const std::strin
   return true;
 }
 
-// Walks the attributes of a header: name, type, size, value. How many there are; none where one is damaged.
+// Walks the attributes of a header: name, type, size, value. Returns their number, or std::nullopt if one
+// is damaged.
 std::optional<std::size_t> count_attributes(Imf::IStream& stream, std::uint64_t bytes) {
-  constexpr std::int32_t kLongest = 1 << 20;  // of what is looked at
+  constexpr std::int32_t kLongest = 1 << 20;  // bytes; longer values are skipped, except lists of channels
   std::size_t count = 0;
   for (std::string name; !(name = word_at(stream)).empty(); ++count) {
     const std::string type = word_at(stream);
@@ -84,7 +86,7 @@ std::optional<std::size_t> count_attributes(Imf::IStream& stream, std::uint64_t 
   return count;
 }
 
-// A file of several parts has their headers one after another, to an empty one.
+// Checks all headers. A file of several parts has its headers one after another, up to an empty one.
 bool has_sound_headers(Imf::IStream& stream, std::uint64_t bytes) try {
   int preamble[2] = {};  // magic number and version
   stream.seekg(0);
@@ -96,7 +98,7 @@ bool has_sound_headers(Imf::IStream& stream, std::uint64_t bytes) try {
   return false;
 }
 
-// At the file's beginning again.
+// Checks the headers, then rewinds the stream to the beginning of the file.
 void check_header(Imf::IStream& stream, std::uint64_t bytes) {
   if (!has_sound_headers(stream, bytes))
     throw InputError(std::string(stream.fileName()) +
@@ -122,7 +124,7 @@ ExrFile::ExrFile(const std::filesystem::path& path) : IStream(path.c_str()), fil
   struct stat status;
   if (stat(path.c_str(), &status) != 0) cannot_be_read(path.string(), errno);
   if (!S_ISREG(status.st_mode))
-    throw InputError(path.string() + ": is no file");  // a pipe would be waited for
+    throw InputError(path.string() + ": is no file");  // reading a pipe would block
   file_.reset(std::fopen(path.c_str(), "rbe"));
   if (!file_) cannot_be_read(path.string(), errno);
   size_ = std::uint64_t(status.st_size);

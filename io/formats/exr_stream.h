@@ -1,5 +1,5 @@
-// OpenEXR reads through these: what the machine fails to read is told apart from what is no picture, and a
-// header that says to be longer than the file is refused before OpenEXR takes that much memory.
+// Input streams for OpenEXR. They distinguish read errors of the machine from damaged pictures, and refuse
+// a header that claims more data than the file has before OpenEXR allocates the memory.
 #pragma once
 
 #include <ImfIO.h>
@@ -13,7 +13,8 @@
 
 namespace brdf::io {
 
-// What was read at once. The content must live longer. Throws InputError where the header is damaged.
+// A stream over bytes that are already in memory. `content` must outlive the stream. The constructor throws
+// InputError if the header is damaged.
 class ExrBytes : public Imf::IStream {
  public:
   explicit ExrBytes(const Content& content);
@@ -26,8 +27,9 @@ class ExrBytes : public Imf::IStream {
   std::uint64_t at_ = 0;
 };
 
-// A file that is read piece by piece. Throws InputError where it is no file that can be opened or the header
-// is damaged, then and when it is read EnvironmentError where the machine fails.
+// A stream that reads a file piece by piece. The constructor throws InputError if the path is not a file
+// that can be opened, or if the header is damaged. The constructor and read() throw EnvironmentError if the
+// machine fails to read.
 class ExrFile : public Imf::IStream {
  public:
   explicit ExrFile(const std::filesystem::path& path);
@@ -40,6 +42,7 @@ class ExrFile : public Imf::IStream {
   std::uint64_t size_ = 0, at_ = 0;
 };
 
+// Returns whether the content begins with the magic number of OpenEXR.
 bool is_exr(const Content& content);
 
 }  // namespace brdf::io

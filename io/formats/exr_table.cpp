@@ -20,9 +20,10 @@
 namespace brdf::io {
 namespace {
 
-// Attributes by which OpenEXR tells kinds of files apart, and its standard attributes of other types than
-// string: a comment of that name would be taken for one, and other programs pass it over or complain. From
-// IMF_STD_ATTRIBUTE_DEF of OpenEXR 3.1.5, and what later versions have besides.
+// Names that a comment's attribute must not take. They are the attributes by which OpenEXR distinguishes
+// kinds of files, and its standard attributes of types other than string. Under such a name a comment would
+// be mistaken for the standard attribute, and other programs would skip the comment or report an error.
+// Source: IMF_STD_ATTRIBUTE_DEF of OpenEXR 3.1.5, and additions of later versions.
 constexpr std::array kReserved{
     "type", "name", "version", "chunkCount", "tiles", "view", "multiView", "preview", "envmap",
     "chromaticities", "deepImageState", "idManifest", "maxSamplesPerPixel",
@@ -43,7 +44,7 @@ struct ExrColumn {
   bool is_sigma = false;
 };
 
-// A standard deviation stays above 0.
+// Converts to float. A positive standard deviation stays above 0.
 float as_float(double value, bool is_sigma) {
   const auto rounded = static_cast<float>(value);
   return is_sigma && rounded == 0 ? std::numeric_limits<float>::denorm_min() : rounded;

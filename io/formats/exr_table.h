@@ -1,3 +1,4 @@
+// Reads and writes tables as OpenEXR images.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +12,33 @@
 
 namespace brdf::io {
 
-// A table as an OpenEXR image of 32-bit floats: one pixel per row, kExrTableWidth to a line (the rest of the
-// last line is NaN), one channel per column under its CSV name.
+// Tables as OpenEXR images of 32-bit floats. A row is one pixel, with kExrTableWidth pixels per line; the
+// rest of the last line is NaN. A column is one channel under its CSV name.
 inline constexpr std::size_t kExrTableWidth = 1024;
-// String attributes beside those of the comments' keys: the columns in the table's order (OpenEXR sorts its
-// channels by name), the comments a line each (attributes are sorted too, and free text has no key).
+// String attributes in addition to one attribute per comment key. `columns` lists the columns in the
+// table's order, because OpenEXR sorts channels by name. `comments` holds the comments, one per line,
+// because attributes are sorted too and free text has no key.
 inline constexpr std::string_view kExrColumns = "columns", kExrComments = "comments";
-// Before a comment's key where OpenEXR has an attribute of that name.
+// Prefix of a comment's key if OpenEXR has an attribute of the same name.
 inline constexpr std::string_view kExrPrefix = "comment.";
 
-// Returns what is lost. A standard deviation that a float cannot hold is kept above 0.
+// Writes `table` to `path`. Returns the losses, one phrase each. A positive standard deviation stays above
+// 0 even if a float cannot hold it. Throws InputError if the table has no rows or breaks a rule of tables.
 std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io
 
 namespace brdf::io::exr {
 
-// Whether the content is an OpenEXR image.
+// Returns whether the content is an OpenEXR image.
 bool recognises(const Content& content);
 
-// Reads such an image, anybody's: the channels theta_i, phi_i, theta_o, phi_o in degrees and those of values,
-// of any type of pixel. A float becomes the shortest decimal that it stands for, so that numbers of six
-// digits come back as they were. Pixels that are not finite are left out and counted. Channels of another
-// quantity become f_r, as columns of text do, unless the attribute `columns` says that the file is ours.
-// Throws InputError where it is none or is damaged.
+// Reads a table from an OpenEXR image, which any program may have written. The image has the channels
+// theta_i, phi_i, theta_o and phi_o in degrees, and channels of values; pixels may have any type. Each
+// float becomes the shortest decimal number that rounds to this float, so numbers of six digits are
+// restored exactly. Pixels that are not finite are left out and counted. Channels of another quantity are
+// converted to f_r, as columns of text files are, unless the attribute `columns` shows that this program
+// wrote the file. Throws InputError if the image is not a table or is damaged.
 SampleTable read(const Content& content, const Supplied& supplied);
 
 }  // namespace brdf::io::exr

@@ -25,7 +25,8 @@
 namespace brdf::io {
 namespace {
 
-// The shortest decimal that is this float, as a double: 30.1 comes back as 30.1, not as 30.100000381.
+// Returns the shortest decimal number that rounds to this float, as a double: 30.1 is restored as 30.1, not
+// as 30.100000381.
 double as_written(float value) {
   if (!std::isfinite(value)) return value;
   char text[64];
@@ -40,8 +41,8 @@ struct Shape {
   Imath::Box2i window;
 };
 
-// A header may say any size: what no compression makes of the bytes that there are is refused before it takes
-// memory.
+// Upper bound of the compression factor. A header may claim any size; a size that no compression could
+// reach with the bytes present is refused before memory is allocated.
 constexpr std::size_t kMostDeflated = 4096;
 
 Shape shape_of(const Imf::Header& header, std::size_t columns, const Content& content) {
@@ -70,7 +71,8 @@ std::vector<std::string_view> fields_of(const std::string& text, char separator)
   return fields;
 }
 
-// In the order that the table had, where the file says it; OpenEXR's own is the alphabet's.
+// Returns the names in the table's order if the file records the order, otherwise in OpenEXR's alphabetical
+// order.
 std::vector<std::string> column_names(const Imf::Header& header, const std::string& file) {
   std::vector<std::string> names;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
@@ -123,7 +125,8 @@ RawAngle raw_angle(const std::string& name, const std::vector<double>& cells) {
   return angle;
 }
 
-// Takes the columns where they belong by name; standard deviations find their channels.
+// Moves the columns to their places in the table by name. Columns of standard deviations are assigned to
+// their channels.
 void place_columns(const std::vector<std::string>& names, std::vector<std::vector<double>>& columns,
                    const HeaderFacts& facts, SampleTable& table) {
   std::vector<double>* const angles[] = {&table.theta_i, &table.phi_i, &table.theta_o, &table.phi_o};
@@ -153,8 +156,8 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
   make_f_r(table, header.quantities);
 }
 
-// Leaves out pixels that are no rows: those that fill the last line, and any other whose numbers are not all
-// finite.
+// Leaves out pixels that are not rows: the filler of the last line, and all other pixels with a number that
+// is not finite.
 std::vector<std::size_t> rows_of(const std::vector<std::vector<float>>& planes, SampleTable& table) {
   const auto finite = [&](std::size_t pixel) {
     return std::ranges::all_of(planes, [&](const auto& plane) { return std::isfinite(plane[pixel]); });

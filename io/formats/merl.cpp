@@ -57,7 +57,8 @@ CellDirections cell_directions(std::size_t cell) {
   const SineCosine& h = half[cell / (kPhiDifference * kThetaDifference)];
   const SineCosine& d = difference[cell / kPhiDifference % kThetaDifference];
   const SineCosine& p = azimuth[cell % kPhiDifference];
-  // The light in the frame of the half vector, turned to the surface's; the viewer is its mirror image.
+  // Rotate the direction of incidence from the frame of the half vector to that of the surface. The viewing
+  // direction is its mirror image about the half vector.
   const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
   CellDirections c;
   polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x}, c.theta_i, c.phi_i);
@@ -73,7 +74,8 @@ std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o
   const Vec3<double> h{sum.x / length, sum.y / length, sum.z / length};
   const double sine = std::sqrt(h.x * h.x + h.y * h.y);
   const double c = sine > 0 ? h.x / sine : 1.0, s = sine > 0 ? h.y / sine : 0.0;
-  // Into the frame of the half vector: its azimuth to 0, then its polar angle.
+  // Rotate into the frame of the half vector: first the azimuth of the half vector to 0, then its polar
+  // angle.
   const double x = wi.x * c + wi.y * s, y = wi.y * c - wi.x * s;
   const double dx = h.z * x - sine * wi.z, dz = sine * x + h.z * wi.z;
   const double theta_h = std::atan2(sine, h.z) / kDegree;

@@ -56,7 +56,7 @@ class Reader {
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(name_ + ": " + what); }
 
-  // A part of a record of refractiveindex.info, which has wavelengths in micrometres.
+  // Begins a part of a record of refractiveindex.info. Its wavelengths are in micrometres.
   void begin_record(std::string_view type) {
     is_record_ = true;
     wavelength_ = n_ = k_ = material_ = std::nullopt;
@@ -83,7 +83,7 @@ class Reader {
     }
   }
 
-  // `DATA:` or `REFERENCES: ...` at the beginning.
+  // Returns whether a line begins with a key of a record, such as `DATA:` or `REFERENCES: ...`.
   static bool is_record_key(std::string_view line) {
     const std::size_t colon = line.find(':');
     return colon != line.npos && colon > 0 && line.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == colon;
@@ -93,7 +93,7 @@ class Reader {
     return line.find_first_not_of("0123456789+-.eE \t") == line.npos;
   }
 
-  // Whether the wavelength's field is a number: a second header's is not.
+  // Returns whether the field of the wavelength is a number. In a second header it is text.
   bool is_a_row(std::string_view line) {
     double number;
     split_line(line);
@@ -148,7 +148,7 @@ class Reader {
         materials_.push_back(found);
       if (found != asked_) return;
     }
-    constexpr double kShortest = 1e-3, kLongest = 1e9;  // of any unit: X rays to radio
+    constexpr double kShortest = 1e-3, kLongest = 1e9;  // in any unit: X rays to radio waves
     double nm;
     if (!parse(fields_[*wavelength_], nm) || !(nm >= kShortest && nm <= kLongest))
       fail(shown(fields_[*wavelength_]) + " is no wavelength (0.001 to 1e9)");
@@ -157,7 +157,8 @@ class Reader {
   }
 
   void add(IndexColumn& column, double wavelength, std::size_t field, const char* what) {
-    // Far beyond any metal's in the far infrared (some hundreds), and nothing overflows.
+    // Far above the index of any metal in the far infrared (some hundreds), and small enough to avoid
+    // overflow.
     constexpr double kMostIndex = 1e6;
     double value;
     if (!parse(fields_[field], value) || value < 0 || value > kMostIndex)
@@ -206,7 +207,7 @@ class Reader {
   std::string name_, asked_, other_type_;
   std::vector<std::string> materials_;
   std::vector<std::string_view> fields_;
-  std::optional<std::size_t> wavelength_, n_, k_, material_;  // their columns
+  std::optional<std::size_t> wavelength_, n_, k_, material_;  // indices of columns
   std::size_t width_ = 0;
   StatedUnit unit_ = StatedUnit::unsaid;
   Dialect dialect_;

@@ -17,7 +17,7 @@ bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != text.npos;
 }
 
-// By their first bytes.
+// Refuses formats that are recognised by their first bytes.
 void refuse_by_magic(const Content& content) {
   constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
       {"\x89PNG"sv, "is a picture (PNG), not a table of samples"},
@@ -35,7 +35,7 @@ void refuse_by_magic(const Content& content) {
     if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
 }
 
-// "OPTIS - brdf surface file v8.0", then 0 for text or 1 for binary.
+// The first line is "OPTIS - brdf surface file v8.0", then 0 for text or 1 for binary.
 std::string optis(std::string_view text) {
   const std::size_t end = text.find('\n');
   const std::string_view first = trimmed(text.substr(0, end));
@@ -48,7 +48,7 @@ std::string optis(std::string_view text) {
          std::string(kExportAsCsv);
 }
 
-// The name of the first element.
+// Returns the name of the first element.
 std::string_view root_of(std::string_view xml) {
   for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
     const char next = at + 1 < xml.size() ? xml[at + 1] : '?';

@@ -1,4 +1,4 @@
-// Files that are no table that is read, recognised by their content, with what to do about it.
+// Recognises files by their content that are not supported as tables, and explains the remedy.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace brdf::io {
 
-// Refuses pictures, workbooks, archives, documents and the formats of other programs that are known but not
-// read.
+// Throws InputError for pictures, workbooks, archives, documents and the formats of other programs that are
+// known but not read. The message states the format and the remedy.
 void refuse_other_formats(const Content& content);
 
 }  // namespace brdf::io

@@ -12,8 +12,9 @@
 #include "io/samples/repetition.h"
 #include "io/samples/table_rules.h"
 
-// The formats, in the order in which they are asked. A new one is a file with these two functions in a
-// namespace of its name, and its name here: among those of bytes, or of text, which is UTF-8 by then.
+// The formats, in the order in which they are tried. To add a format, write a file with these two functions
+// in a namespace of the format's name, and add this name to one of the two lists. Readers of text receive
+// UTF-8.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
 #define BRDF_FORMATS_OF_TEXT(FORMAT) FORMAT(zemax) FORMAT(astm) FORMAT(alta)
 
@@ -29,7 +30,7 @@ BRDF_FORMATS_OF_TEXT(BRDF_FUNCTIONS)
 namespace brdf::io {
 namespace {
 
-// A saved state of the window: what it is, and of which forms the material is that it shows.
+// Refuses a saved state of the window. The message names the forms of the material that the window shows.
 [[noreturn]] void refuse_view(const Content& text) {
   std::string forms;
   for (const Term& term : read_material(text).terms)

@@ -1,4 +1,4 @@
-// Which reader a table is for.
+// Reads tables of all known formats.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace brdf::io {
 
-// Reads a table in any known format, recognised by its content, never by its suffix (docs/formats.md). Throws
-// InputError naming file, line and column. What is read can be written: names, finite values and comments are
-// those of a CSV. Values of another quantity become f_r; `supplied` states what the file does not, and may
-// not contradict it.
+// Reads a table in any known format. The format is detected from the content, never from the suffix
+// (docs/formats.md). Values of another quantity are converted to f_r. `supplied` states facts that the file
+// does not state, and must not contradict the file. Every table that is read can be written: names, finite
+// values and comments obey the rules of a CSV. Throws InputError with file, line and column.
 SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied = {});
 SampleTable read_samples(Content content, const Supplied& supplied = {});
-// The same for a table of directions: a CSV without any value column is accepted.
+// Reads a table of directions in the same way; a CSV without any column of values is accepted.
 SampleTable read_directions(const std::filesystem::path& path);
 SampleTable read_directions(Content content);
 

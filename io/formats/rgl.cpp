@@ -17,7 +17,7 @@
 namespace brdf::io::rgl {
 namespace {
 
-// Polar angles are stored on a scale that is dense near the normal.
+// Maps polar angles to [0, 1], densely near the normal.
 double theta_to_unit(double theta) {
   return std::sqrt(theta * (2 / kPi));
 }
@@ -25,8 +25,8 @@ double phi_to_unit(double phi) {
   return (phi + kPi) / (2 * kPi);
 }
 
-// The direction in the part of the circle of azimuths that the file holds, for its symmetry: half a turn (2),
-// or two planes of symmetry (4). `of` is the light's.
+// Returns a direction mapped to the part of the circle of azimuths that the file holds, according to its
+// symmetry: half a turn (2), or two planes of symmetry (4). `of` is the direction of incidence.
 Vec3<double> folded(const Vec3<double>& w, const Vec3<double>& of, int symmetry) {
   const double across = of.y, along = symmetry == 4 ? of.x : across;
   return {std::signbit(along) ? w.x : -w.x, std::signbit(across) ? w.y : -w.y, w.z};
@@ -47,12 +47,12 @@ struct Measurement::Data {
   std::string description;
   std::vector<std::string> channels;
   std::vector<float> phi_i, theta_i;
-  Stack sigma, ndf, bands;  // of bands: channel is faster than theta_i
+  Stack sigma, ndf, bands;  // in `bands` the channel is a faster dimension than theta_i
   Warp vndf;
   bool has_jacobian = true;
-  int symmetry = 1;  // of the azimuths, by which the file is as many times smaller
+  int symmetry = 1;  // in azimuth; the file is smaller by this factor
 
-  // Two azimuths or one say nothing of an azimuth.
+  // One or two azimuths carry no dependence on azimuth.
   bool isotropic() const { return phi_i.size() <= 2; }
 };
 
@@ -135,7 +135,7 @@ void Measurement::eval_cos_o(const Vec3<double>& light, const Vec3<double>& view
     for (std::size_t s = 0; s < slices.count; ++s)
       mixed += slices.weight[s] * data_->bands.eval(x, y, {{slices.index[s] * channels + c}, {1}, 1});
     const double value = mixed * scale;
-    out[c] = value < 0 ? 0 : value;  // no number stays none
+    out[c] = value < 0 ? 0 : value;  // NaN stays NaN
   }
 }
 
@@ -145,7 +145,8 @@ bool recognises(const Content& content) {
 
 namespace {
 
-// Azimuths of the light at which an anisotropic file is sampled: every 30 degrees of what it holds.
+// Returns the azimuths of incidence at which a file is sampled: every 30 degrees of the part that an
+// anisotropic file holds.
 std::vector<double> azimuths_of(const Measurement& measurement) {
   if (measurement.isotropic()) return {180};
   std::vector<double> azimuths;
@@ -178,7 +179,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
     table.add_directions(theta_i, phi_i, theta_o, phi_o);
     for (std::size_t c = 0; c < values.size(); ++c) table.values[c].push_back(values[c] / wo.z);
   };
-  // Half of the hemisphere is enough of an isotropic one.
+  // Half of the hemisphere is sufficient for an isotropic file.
   const int last = measurement.isotropic() ? 180 : 345, step = measurement.isotropic() ? 10 : 15;
   for (const double phi_i : azimuths_of(measurement)) {
     for (const double theta_i : {5, 15, 30, 45, 60, 75}) {

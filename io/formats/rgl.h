@@ -1,5 +1,5 @@
-// The tensor files of the RGL material database (Dupuy and Jakob 2018, "An adaptive parameterization for
-// efficient material acquisition and rendering"): RGB and spectral, isotropic and anisotropic ones.
+// Reads the tensor files of the RGL material database (Dupuy and Jakob 2018, "An adaptive parameterization
+// for efficient material acquisition and rendering"): RGB and spectral files, isotropic and anisotropic.
 #pragma once
 
 #include <memory>
@@ -12,24 +12,25 @@
 
 namespace brdf::io::rgl {
 
+// Returns whether the content begins as a tensor file.
 bool recognises(const Content& content);
 
-// The measured BRDF as its own interpolation gives it between the measured directions.
+// A measured BRDF. Between the measured directions its values follow the interpolation of the format.
 class Measurement {
  public:
-  // Throws InputError where the file is damaged.
+  // Throws InputError if the file is damaged.
   explicit Measurement(const Content& content);
   ~Measurement();
 
-  // f_r cos_o per channel in 1/sr for unit directions above the horizon; negative values, which the
-  // conversion of a file to RGB produces, are 0.
+  // Evaluates f_r cos_o per channel, in 1/sr, for unit directions above the horizon. Negative values, which
+  // arise when a file is converted to RGB, become 0.
   void eval_cos_o(const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> out) const;
 
   const std::string& description() const;
   const std::vector<std::string>& channels() const;  // r, g, b, or bands: 379.98nm, ...
   bool isotropic() const;
-  // 2 where turning both directions by half a turn changes nothing, 4 where mirroring them does not either;
-  // else 1.
+  // Returns the symmetry in azimuth: 2 if rotating both directions by half a turn changes nothing, 4 if
+  // mirroring them changes nothing either, otherwise 1.
   int symmetry() const;
 
  private:
@@ -37,12 +38,13 @@ class Measurement {
   std::unique_ptr<Data> data_;
 };
 
-// f_r of the file at theta_i 5, 15, 30, 45, 60, 75, theta_o 0..80 in steps of 4, phi_o 0..180 in steps of 10
-// degrees (phi_i = 180): enough to fit the canonical forms; half of the hemisphere where the file is
-// isotropic. Of an anisotropic one phi_i in steps of 30 degrees over what the file holds (a quarter, half or
-// all of the circle, from 180) and phi_o 0..345 in steps of 15. Directions where the tables leave the value
-// undefined (a density of 0) are left out and counted.
-// `supplied` may say nothing else of values and azimuths than the format does.
+// Samples f_r of the file, densely enough to fit the canonical forms. theta_i is 5, 15, 30, 45, 60 and 75
+// degrees; theta_o is 0 to 80 in steps of 4. If the file is isotropic, phi_i is 180 and phi_o is 0 to 180
+// in steps of 10, which covers half of the hemisphere. If the file is anisotropic, phi_i runs in steps of
+// 30 from 180 over the part of the circle that the file holds (a quarter, half or all), and phi_o is 0 to
+// 345 in steps of 15. Directions for which the tables leave the value undefined (a density of 0) are left
+// out and counted. `supplied` must agree with the format about values and azimuths. Throws InputError for a
+// disagreement, and if the file is damaged or holds no finite value.
 SampleTable read(const Content& content, const Supplied& supplied = {});
 
 }  // namespace brdf::io::rgl

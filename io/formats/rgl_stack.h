@@ -1,4 +1,4 @@
-// Functions on the unit square, many of them, as RGL's files hold them (Dupuy and Jakob 2018, supplement).
+// Stacks of functions on the unit square, as RGL's files store them (Dupuy and Jakob 2018, supplement).
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,14 @@
 
 namespace brdf::io::rgl {
 
-// A node and its upper neighbour, with their weights.
+// A node, and the weights of this node (low) and of its upper neighbour (high).
 struct Between {
   std::size_t index;
   double low, high;
 };
 
+// Returns the nodes on both sides of x, with the weights of linear interpolation. Outside the nodes x is
+// clamped.
 inline Between find_between(const std::vector<float>& nodes, double x) {
   if (nodes.size() == 1) return {0, 1, 0};
   const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, x);
@@ -23,14 +25,15 @@ inline Between find_between(const std::vector<float>& nodes, double x) {
   return {k, 1 - t, t};
 }
 
-// Slices of a stack that are mixed, with their weights.
+// Slices of a stack that are interpolated, with their weights.
 struct Slices {
   std::array<std::size_t, 4> index{};
   std::array<double, 4> weight{1};
   std::size_t count = 1;
 };
 
-// Those next to an azimuth and a polar angle of the light; the polar angle is the fast dimension.
+// Returns the slices next to an azimuth and a polar angle of incidence. The polar angle is the fast
+// dimension.
 inline Slices find_slices(const std::vector<float>& phi_nodes, double phi,
                           const std::vector<float>& theta_nodes, double theta) {
   const Between across = find_between(phi_nodes, phi), along = find_between(theta_nodes, theta);
@@ -47,13 +50,14 @@ inline Slices find_slices(const std::vector<float>& phi_nodes, double phi,
   return slices;
 }
 
-// Functions on the unit square, one per slice, bilinear between nodes; x is the fast dimension.
+// Functions on the unit square, one per slice, bilinear between nodes. x is the fast dimension.
 class Stack {
  public:
   Stack() = default;
   Stack(std::vector<float> values, std::size_t width, std::size_t height)
       : width_(width), height_(height), values_(std::move(values)) {}
 
+  // Evaluates the function at (x, y) in [0, 1]^2, interpolated between the slices.
   double eval(double x, double y, const Slices& slices) const {
     const Cell cell = find_cell(x, y);
     const auto at = [&](std::size_t k) { return mix(values_, cell.offset + k, width_ * height_, slices); };
@@ -73,7 +77,7 @@ class Stack {
     return {column, row, column + row * width_, x - static_cast<double>(column),
             y - static_cast<double>(row)};
   }
-  // An index of at most `last`; 0 for what is no number.
+  // Returns an index of at most `last`; 0 for NaN.
   static std::size_t clamped(double x, std::size_t last) {
     return static_cast<std::size_t>(std::min(std::max(0.0, x), static_cast<double>(last)));
   }
@@ -92,8 +96,9 @@ class Stack {
   std::vector<float> values_;
 };
 
-// A density on the unit square per slice, with the map that makes it uniform: rows by their marginal
-// distribution, then columns by the conditional one, both piecewise linear densities.
+// A density on the unit square per slice, with the map that makes the density uniform. The map treats rows
+// by their marginal distribution and then columns by the conditional distribution; both densities are
+// piecewise linear.
 class Warp : public Stack {
  public:
   Warp() = default;
@@ -102,7 +107,7 @@ class Warp : public Stack {
     for (std::size_t s = 0; s < slices; ++s) integrate(s);
   }
 
-  // The uniform coordinates of a point.
+  // Computes the uniform coordinates of a point.
   void invert(double x, double y, const Slices& slices, double& uniform_x, double& uniform_y) const {
     const Cell cell = find_cell(x, y);
     const std::size_t area = width_ * height_;
@@ -119,7 +124,8 @@ class Warp : public Stack {
   }
 
  private:
-  // Cumulative trapezia of every row, then of the rows' totals, all scaled to a total of 1.
+  // Sums the trapezia of every row cumulatively, then the totals of the rows, and scales both to a total of
+  // 1.
   void integrate(std::size_t slice) {
     float* const density = values_.data() + slice * width_ * height_;
     float* const conditional = conditional_.data() + slice * width_ * height_;

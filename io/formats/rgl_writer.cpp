@@ -14,10 +14,10 @@ namespace brdf::io::rgl {
 namespace {
 
 constexpr double kSteepest = 89.5 * kPi / 180;
-constexpr std::size_t kProfile = 1024, kSigma = 256;  // nodes of ndf and sigma
-constexpr double kFaint = 1e-7;                       // of the largest: ndf and luminance are not below
+constexpr std::size_t kProfile = 1024, kSigma = 256;  // numbers of nodes of ndf and sigma
+constexpr double kFaint = 1e-7;                       // lower bound of ndf and luminance, over their maximum
 constexpr std::uint64_t kLeastBytes = 200'000;
-constexpr double kAnglesPerNode = 0.4;  // polar angles of the light for one node of a side
+constexpr double kAnglesPerNode = 0.4;  // polar angles of incidence per node of a side
 
 Vec3<double> at(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
@@ -29,7 +29,7 @@ double phi_of_unit(double u) {
   return (2 * u - 1) * kPi;
 }
 
-// Of a table over [0, 1], at u.
+// Interpolates a table over [0, 1] linearly at u.
 double between_nodes(const std::vector<float>& nodes, double u) {
   const double x = u * double(nodes.size() - 1);
   const std::size_t k = std::min(std::size_t(x), nodes.size() - 2);
@@ -70,7 +70,8 @@ class Tables {
     return row;
   }
 
-  // Fills f_ with f cos_o for the half vector m; returns its mean, 0 where the viewer is below the horizon.
+  // Fills f_ with f cos_o for the half vector m. Returns the mean, or 0 if the viewing direction is below
+  // the horizon.
   double reflected(const Vec3<double>& wi, const Vec3<double>& m) {
     const Vec3<double> wo = m * (2 * dot(m, wi)) - wi;
     std::fill(f_.begin(), f_.end(), 0.0);
@@ -80,7 +81,8 @@ class Tables {
     return std::accumulate(f_.begin(), f_.end(), 0.0) / double(f_.size());
   }
 
-  // The mean over lights and azimuths of f cos_i cos_o, along the half vector's polar angle.
+  // Tabulates f cos_i cos_o, averaged over incidence and azimuth up to a constant factor, as a function of
+  // the polar angle of the half vector.
   void make_profile() {
     std::vector<double> mean(kProfile);
     for (std::size_t k = 0; k < kProfile; ++k) {
@@ -95,7 +97,8 @@ class Tables {
     for (std::size_t k = 0; k < kProfile; ++k) ndf_[k] = float(std::max(mean[k], least));
   }
 
-  // 1/4 over what the mirror direction leaves of the profile, along the light's polar angle.
+  // Tabulates 1/4 of the profile's value at 0 over the mean f cos_o in the mirror direction, as a function
+  // of the polar angle of incidence.
   void make_sigma() {
     for (std::size_t k = 0; k < kSigma; ++k) {
       const Vec3<double> wi = at(std::min(theta_of_unit(double(k) / double(kSigma - 1)), kSteepest), 0);
@@ -126,7 +129,8 @@ class Tables {
     }
   }
 
-  // To a mean of 1 over the square, as importers take a density; rows of 0 would have no distribution.
+  // Scales a slice to a mean of 1 over the square, as importers expect a density. Rows of 0 would have no
+  // distribution and are raised to a small value.
   void normalise(float* slice) const {
     const std::size_t area = side_ * side_;
     const double least = kFaint * double(*std::max_element(slice, slice + area)) + 1e-30;
@@ -149,8 +153,8 @@ class Tables {
   std::vector<float> theta_i_, ndf_, sigma_, spectra_, luminance_;
 };
 
-// Wavelengths of a spectrum's channels in nm, which must ascend; none for colours. Throws InputError for
-// others.
+// Returns the wavelengths of a spectrum's channels in nm, which must ascend; an empty vector for colours.
+// Throws InputError for other channels.
 std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
   std::vector<double> nm;
   for (const std::string& channel : channels)
@@ -176,7 +180,7 @@ std::string file_of(const Values& values, const std::vector<std::string>& channe
                      std::to_string(kLeastBytes));
   const auto colours = channel_colours(channels);
   std::vector<double> own(channels.size());
-  // Of colours always three, in order.
+  // Colours always become three channels in the order red, green, blue.
   const Values in_order = [&](const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> f) {
     values(wi, wo, own);
     for (std::size_t c = 0; c < f.size(); ++c) f[c] = own[wavelengths.empty() ? colours->of[c] : c];

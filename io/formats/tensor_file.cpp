@@ -11,7 +11,7 @@
 namespace brdf::io {
 namespace {
 
-// Bytes of an element by the type's number: integers of 8 to 64 bits, each without and with sign, then
+// Bytes of an element by the number of its type: integers of 8 to 64 bits, each unsigned and signed, then
 // floats.
 constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
@@ -86,7 +86,7 @@ const TensorFile::Field& TensorFile::require(const std::string& name, std::uint8
 std::vector<float> TensorFile::floats(const std::string& name) const {
   const Field& field = require(name, kFloat32, "32-bit floats");
   std::vector<float> values(field.count);
-  if (values.empty()) return values;  // nothing may be copied to no place
+  if (values.empty()) return values;  // memcpy to a null pointer is undefined
   std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
   if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
     fail("field \"" + name + "\" holds a value that is not finite");

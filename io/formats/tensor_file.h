@@ -1,3 +1,4 @@
+// Reads the container of RGL's files: named arrays in one file.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +10,20 @@
 
 namespace brdf::io {
 
-// What both sides of the container know: its first bytes (name and version 1.0), and the numbers of element
-// types.
+// Constants that reader and writer share: the first bytes of the container (name and version 1.0), and the
+// numbers of element types.
 inline constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
 enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
 
-// The container of RGL's files: named arrays in one file.
+// The fields of a container.
 class TensorFile {
  public:
-  // The content must outlive it. Throws InputError where an array reaches beyond the file.
+  // `content` must outlive this object. Throws InputError if an array reaches beyond the end of the file.
   explicit TensorFile(const Content& content);
   explicit TensorFile(Content&&) = delete;
 
   bool has(const std::string& name) const { return find(name) != nullptr; }
-  // Sizes from slow to fast; throws InputError where the field is missing.
+  // Returns the sizes of a field from slow to fast. Throws InputError if the field is missing.
   const std::vector<std::size_t>& shape(const std::string& name) const;
   std::vector<float> floats(const std::string& name) const;  // refuses values that are not finite
   std::string bytes(const std::string& name) const;

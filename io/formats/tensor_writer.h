@@ -1,4 +1,4 @@
-// The container of RGL's files, written: named arrays one after another.
+// Writes the container of RGL's files: named arrays one after another.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,11 @@ namespace brdf::io {
 
 class TensorWriter {
  public:
+  // Adds an array of bytes.
   void add(const std::string& name, const std::string& bytes);
-  // Sizes from slow to fast.
+  // `shape` lists the sizes from slow to fast.
   void add(const std::string& name, std::vector<std::uint64_t> shape, const std::vector<float>& values);
+  // Returns the bytes of the file.
   std::string bytes() const;
 
  private:

@@ -14,7 +14,7 @@
 namespace brdf::io::zemax {
 namespace {
 
-// Words of the file's lines, comments and blank lines left out.
+// Iterates over the lines of a file as words. Comments and blank lines are skipped.
 class Lines {
  public:
   explicit Lines(const Content& text) : reader_(text), name_(text.name) {}
@@ -33,7 +33,7 @@ class Lines {
   void require(std::vector<std::string_view>& words, const std::string& what) {
     if (!next(words)) throw InputError(name_ + ": ends where " + what + " is expected");
   }
-  // The line "KEY VALUE".
+  // Reads the line "KEY VALUE".
   std::string value_of(const std::string& key) {
     require(words_, key);
     if (words_.size() != 2 || words_[0] != key) fail("'" + key + " <value>' expected");
@@ -50,7 +50,7 @@ class Lines {
         fail("column " + std::to_string(k + 1) + ": " + shown(words_[k]) + " is not a number");
     return values;
   }
-  // "KEY n" and n numbers on the next line.
+  // Reads "KEY n" and the n numbers on the next line.
   std::vector<double> enumeration(const std::string& key) {
     const std::string text = value_of(key);
     double count;
@@ -65,7 +65,7 @@ class Lines {
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   std::size_t line() const { return reader_.line(); }
 
-  SampleTable table;  // its comments
+  SampleTable table;  // holds the comments of the file
 
  private:
   void comment(std::string_view text) {
@@ -105,22 +105,23 @@ Header read_header(Lines& lines) {
   return header;
 }
 
-// The direction at `radial` degrees from the mirror direction (theta_i, phi 0), z = cos of its polar angle.
+// Returns the direction at `radial` degrees from the mirror direction (theta_i, phi 0); z is the cosine of
+// its polar angle.
 Vec3<double> scattered(double theta_i, double azimuth, double radial) {
   const double st = sin_degrees(theta_i), ct = cos_degrees(theta_i);
-  const Vec3<double> mirror{st, 0, ct}, to_normal{-ct, 0, st};  // and their cross product, {0, -1, 0}
+  const Vec3<double> mirror{st, 0, ct}, to_normal{-ct, 0, st};  // the third axis is {0, -1, 0}
   const double sr = sin_degrees(radial), cr = cos_degrees(radial);
   const double c = cos_degrees(azimuth), s = sin_degrees(azimuth);
   return {cr * mirror.x + sr * c * to_normal.x, -sr * s, cr * mirror.z + sr * c * to_normal.z};
 }
 
-// An angle as an instrument would be told it, without the rounding of the turn.
+// Returns an angle as an instrument's set point, without the rounding errors of the rotation.
 double set_point(double degrees) {
   constexpr double kPerDegree = 1e9;
-  return std::round(degrees * kPerDegree) / kPerDegree + 0.0;  // + 0 makes -0 plain
+  return std::round(degrees * kPerDegree) / kPerDegree + 0.0;  // + 0 turns -0 into 0
 }
 
-// One channel's values in file order.
+// Reads the values of one channel in file order.
 void read_channel(Lines& lines, const Header& header, std::vector<double>& values,
                   std::vector<std::uint32_t>& at_line) {
   std::vector<std::string_view> words;
@@ -196,7 +197,7 @@ SampleTable read(const Content& text, const Supplied& supplied) {
   table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(entry) +
                            " entries left out: " + std::to_string(below) + " below the horizon, " +
                            std::to_string(table.skipped - below) + " zero (not measured)");
-  // The mirror direction has an entry for every azimuth, the azimuths 0 and 360 have one each.
+  // The mirror direction has one entry per azimuth, and azimuths 0 and 360 are the same direction.
   leave_out_repetitions(table, [](std::size_t, std::size_t) { return false; });
   return table;
 }

@@ -1,4 +1,4 @@
-// The BSDF data interchange text of a lens-design program (Zemax OpticStudio).
+// Reads and writes the BSDF data interchange text of a lens-design program (Zemax OpticStudio).
 #pragma once
 
 #include "io/columns/supplied.h"
@@ -7,20 +7,23 @@
 
 namespace brdf::io::zemax {
 
+// Returns whether the first line of the text, apart from comments, is "Source Measured".
 bool recognises(const Content& text);
 
-// Reads the reflectance (BRDF) blocks. Directions in the file are polar about the mirror direction, azimuth 0
-// towards the normal; they are turned to the normal. Entries of 0 mean "not measured" and those below the
-// horizon are left out; both are counted. The TIS lines are not used: in files of this kind they are
-// unreliable. Only the half that a PlaneSymmetrical file holds is given.
-// `supplied` may say nothing else of values and azimuths than the format does.
+// Reads the reflectance (BRDF) blocks. Directions in the file are polar about the mirror direction, with
+// azimuth 0 towards the normal; they are converted to directions about the normal. Entries of 0, which mean
+// "not measured", and entries below the horizon are left out; both are counted. The TIS lines are not used
+// because they are unreliable in files of this kind. A PlaneSymmetrical file yields only the half that it
+// holds. `supplied` must agree with the format about values and azimuths. Throws InputError for a
+// disagreement, and if the text breaks the format or holds no measured value.
 SampleTable read(const Content& text, const Supplied& supplied = {});
 
-// Writes a table whose directions lie on a grid round the mirror direction (a scan in the plane of incidence
-// does, and what was read from such a file): one channel, or X, Y and Z. Where all rows have one phi_i it is
-// written as sample rotation 0; entries that no row has are 0. Each block's TIS is the trapezoidal sum of f_r
-// cos_o over its grid. Returns what is lost, one phrase each. Throws InputError where the channels are
-// others, two rows are one entry, or more than seven of eight entries would be empty.
+// Writes a table with directions on a grid about the mirror direction, for example a scan in the plane of
+// incidence or a table that was read from such a file. The table has one channel, or X, Y and Z. If all
+// rows have the same phi_i, the table is written as sample rotation 0. Entries without a row are 0. The TIS
+// of each block is the trapezoidal sum of f_r cos_o over the grid. Returns the losses, one phrase each.
+// Throws InputError for other channels, if two rows belong to the same entry, and if more than seven of
+// eight entries would be empty.
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io::zemax

@@ -17,12 +17,12 @@
 namespace brdf::io::zemax {
 namespace {
 
-constexpr double kSame = 1e-8;           // degrees between directions that are one
-constexpr std::size_t kMostEmpty = 8;    // entries for each row
+constexpr double kSame = 1e-8;           // degrees between directions taken as equal
+constexpr std::size_t kMostEmpty = 8;    // largest number of entries per row
 constexpr std::size_t kLongestKey = 40;  // of a comment that is read back as key and value
 constexpr std::size_t kBlocks = 0, kThetas = 1, kAzimuths = 2, kRadials = 3;
 
-// A direction about the mirror direction, degrees.
+// The direction of a row about the mirror direction, in degrees.
 struct Place {
   std::size_t row;
   double rotation, theta_i, azimuth, radial;
@@ -37,7 +37,7 @@ Place place_of(const SampleTable& table, std::size_t row, std::optional<double> 
   return p;
 }
 
-// The azimuth of a direction near the mirror's is known the less the nearer it is.
+// The azimuth of a direction becomes less accurate near the mirror direction.
 double azimuth_tolerance(const Place& p) {
   return std::min(kSame / std::max(sin_degrees(p.radial), 1e-12), 180.0);
 }
@@ -123,7 +123,7 @@ class Grid {
     if (places_.empty()) refuse("needs a value that is not 0, at less than 90 degrees");
   }
 
-  // Azimuths by those rows first that know them best.
+  // Collects the angles. Rows that determine the azimuth best come first.
   void find_angles() {
     std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
       return std::abs(a.radial - 90) < std::abs(b.radial - 90);
@@ -159,7 +159,7 @@ class Grid {
       const std::size_t block = angles_[kBlocks].index(p.rotation), theta = angles_[kThetas].index(p.theta_i),
                         radial = angles_[kRadials].index(p.radial);
       const std::size_t azimuth = angles_[kAzimuths].index(p.azimuth);
-      const bool is_mirror = radials_[radial] == 0;  // stands once for every azimuth
+      const bool is_mirror = radials_[radial] == 0;  // has an entry for every azimuth
       const std::size_t first = is_mirror ? 0 : azimuth, last = is_mirror ? azimuths_.size() : azimuth + 1;
       for (std::size_t a = first; a < last; ++a) {
         std::optional<std::size_t>& row = row_of_[entry(block, theta, a, radial)];
@@ -200,7 +200,8 @@ class Grid {
     out += "DataEnd\n";
   }
 
-  // What the trapezoids say of the integral of f_r cos_o; half of a plane's azimuths stand for both.
+  // Returns the trapezoidal sum of the integral of f_r cos_o. The azimuths of a symmetrical plane count for
+  // both halves.
   double scattered_share(double theta_i, const std::vector<std::vector<double>>& values) const {
     const double s = sin_degrees(theta_i), c = cos_degrees(theta_i);
     double sum = 0;
@@ -232,7 +233,7 @@ class Grid {
     return width(azimuths_, a) + (is_end ? degrees(seam / 2).radians() : 0);
   }
 
-  // Each row once, in the order of the entries.
+  // Returns each row once, in the order of the entries.
   std::vector<std::size_t> rows_in_order() const {
     std::vector<std::size_t> rows;
     std::vector<bool> is_seen(table_.rows());
@@ -244,7 +245,7 @@ class Grid {
     return rows;
   }
 
-  // The largest angle between a row's direction and what is read back of it, degrees.
+  // Returns the largest angle, in degrees, between a row's direction and the direction that is read back.
   double largest_movement(const SampleTable& back) const {
     double largest = 0;
     std::size_t k = 0;

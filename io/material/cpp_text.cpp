@@ -7,10 +7,10 @@
 namespace brdf::io {
 namespace {
 
-// (x + 12582912) - 12582912 and compensated products are what fast mathematics takes apart. clang has no
-// macro for its parts (-funsafe-math-optimizations), g++ 12 has them; with options of its own a function is
-// not inlined there, which costs half the speed, so they are for older versions alone. Contraction rounds
-// otherwise and does no harm.
+// Fast mathematics breaks (x + 12582912) - 12582912 and compensated products. clang has no macro for the
+// individual options (-funsafe-math-optimizations), g++ 12 has macros. In older versions of g++ the header
+// sets function options instead; this prevents inlining and halves the speed, so newer versions do not use
+// them. Contraction only changes the rounding and is harmless.
 constexpr const char* kBegin = R"text(#pragma once
 #include <cmath>
 #include <cstdint>
@@ -49,17 +49,17 @@ inline uint floatBitsToUint(float x) { uint bits; std::memcpy(&bits, &x, 4); ret
 inline float uintBitsToFloat(uint bits) { float x; std::memcpy(&x, &bits, 4); return x; }
 )";
 
-// Of the namespace that headers share, by name: a using-directive would let a vec3 of the user's make them
-// ambiguous.
+// Names from the namespace that the headers share. They are imported one by one, because a using-directive
+// would make them ambiguous if the user has a vec3 of their own.
 constexpr std::string_view kShared[]{"uint",      "vec3",     "floatBitsToUint", "uintBitsToFloat",
                                      "brdf_exp",  "brdf_log", "brdf_log1p",      "brdf_erfcx",
                                      "brdf_angle"};
 
-// Functions become inline and keep their arithmetic, numbers are float's.
+// Converts functions to C++: they become inline, keep their arithmetic unchanged, and use float literals.
 std::string as_cpp(const std::string& text) {
   const std::string plain = with_words(text, [](std::string word) -> std::string {
     if (word == "precise") return "const";
-    if (word == "atan") return "std::atan2";  // of a sine and a cosine: no other is written
+    if (word == "atan") return "std::atan2";  // atan is only used with a sine and a cosine
     if (word == "exp" || word == "log" || word == "sqrt") return "std::" + word;
     const bool number = std::isdigit(static_cast<unsigned char>(word[0]));
     return number && word.find_first_of(".e") != word.npos ? word + "f" : word;
@@ -88,8 +88,8 @@ std::string cpp_text(const Material& material, bool with_material, const std::st
     functions += "using " + shared + "::" + std::string(word) + ";\n";
   for (const auto& [form, text] : parts.forms) functions += as_cpp(text);
   functions += as_cpp(parts.material);
-  // Its number in the name: of two files of a program with materials of one name the linker would take
-  // either.
+  // The namespace contains a number of the text. Otherwise, if two files of a program have materials of the
+  // same name, the linker would use either of them for both.
   const std::string own = "text_" + text_number(functions);
   return parts.head + kBegin +
          guarded("BRDF_KERNELS_" + number,

@@ -1,4 +1,4 @@
-// The formulas as a C++17 header in float.
+// Writes the formulas as a C++17 header in float.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace brdf::io {
 
-// The library's float values, with own kernels bit for bit where contraction is off (-ffp-contract=off). The
-// header refuses
-// -ffast-math and its like where a macro tells, and keeps the arithmetic as it is written where none does.
-// The forms' functions, and with `with_material` brdf_material(wi, wo), stand in a namespace of this name
-// (io/files/identifier.h); vec3 and the kernels in one that several headers share.
+// Returns a header that computes the library's float values. With the library's kernels the values are
+// bit-identical if contraction is off (-ffp-contract=off). The header refuses -ffast-math and similar
+// options if a macro reveals them; otherwise the header itself disables reassociation. The namespace `name`
+// (io/files/identifier.h) holds the functions of the forms, and brdf_material(wi, wo) if `with_material`.
+// vec3 and the kernels are in a namespace that several headers share. `builtin_kernels`: use the standard
+// functions instead of the library's kernels.
 std::string cpp_text(const Material& material, bool with_material, const std::string& name,
                      bool builtin_kernels);
 

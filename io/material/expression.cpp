@@ -157,7 +157,7 @@ double value_of(const Node& n, const std::function<double(std::string_view)>& of
   }
 }
 
-// Commas that are in no bracket.
+// Splits the text at commas outside brackets.
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> out;
   int depth = 0;

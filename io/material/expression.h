@@ -1,4 +1,4 @@
-// Small formulas of a command line: "roughness*roughness", "kd + ks <= 1".
+// Parses small formulas of a command line: "roughness*roughness", "kd + ks <= 1".
 #pragma once
 
 #include <functional>
@@ -9,12 +9,13 @@
 
 namespace brdf::io {
 
-// Numbers, names, + - * / ^, brackets, sqrt, exp, log, abs, min and max of two. ^ binds closest, to the
-// right.
+// An expression of numbers, names, + - * / ^, brackets, sqrt, exp, log, abs, and min and max of two
+// arguments. ^ binds most tightly and associates to the right.
 class Expression {
  public:
-  // `option` is named in messages. Throws InputError.
+  // Parses `text`. `option` is named in messages. Throws InputError.
   Expression(std::string_view text, std::string_view option);
+  // Evaluates the expression. `of_name` returns the value of a name.
   double value(const std::function<double(std::string_view name)>& of_name) const;
   const std::vector<std::string>& names() const { return names_; }
 
@@ -25,10 +26,13 @@ class Expression {
   std::vector<std::string> names_;
 };
 
-// One or more of "A <= B", "A < B", "A >= B", "A > B", separated by commas: whether all hold.
+// One or more comparisons "A <= B", "A < B", "A >= B", "A > B", separated by commas. The condition holds if
+// all comparisons hold.
 class Condition {
  public:
   Condition(std::string_view text, std::string_view option);
+  // Returns whether all comparisons hold. A tolerance of 1e-12, relative and absolute, applies to <= and
+  // >=.
   bool holds(const std::function<double(std::string_view name)>& of_name) const;
   const std::vector<std::string>& names() const { return names_; }
 

@@ -1,5 +1,5 @@
-// The words of other programs and books for our forms and parameters. A word may have several meanings: what
-// is known in its place decides.
+// Maps the terms of other programs and books to the forms and parameters of this project. A term may have
+// several meanings; the names known in the context decide.
 #include <array>
 
 #include "io/files/near_name.h"

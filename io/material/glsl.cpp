@@ -16,7 +16,7 @@
 namespace brdf::io {
 namespace {
 
-// One parameter of the channels that are red, green and blue as a vec3.
+// Returns one parameter of the red, green and blue channels as a vec3.
 std::string glsl_vector(const Term& term, const ChannelColours& colours, std::size_t parameter) {
   const auto value = [&](std::size_t colour) {
     return glsl_number(term.weights[colours.of[colour]][parameter]);
@@ -24,7 +24,7 @@ std::string glsl_vector(const Term& term, const ChannelColours& colours, std::si
   return "vec3(" + value(0) + ", " + value(1) + ", " + value(2) + ")";
 }
 
-// A call with one of the term's shapes.
+// Returns a call with one of the shapes of the term.
 std::string call(const Term& term, const ChannelColours& colours, std::size_t shape, const std::string& wi,
                  const std::string& wo) {
   const ReflectanceInfo& form = info(term.form);
@@ -34,7 +34,7 @@ std::string call(const Term& term, const ChannelColours& colours, std::size_t sh
   return text + ")";
 }
 
-// The term's value of all three colours: in one call where they share a shape.
+// Returns the value of the term for all three colours, in one call if they share a shape.
 std::string value(const Term& term, const ChannelColours& colours, const std::string& wi,
                   const std::string& wo) {
   if (term.shape.size() == 1) return call(term, colours, 0, wi, wo);
@@ -44,7 +44,7 @@ std::string value(const Term& term, const ChannelColours& colours, const std::st
   return text + ")";
 }
 
-// vec3 FUNCTION(wi, wo): the sum of the terms with their parameters as constants.
+// Returns vec3 FUNCTION(wi, wo): the sum of the terms with their parameters as constants.
 std::string material_function(const Material& given, const std::string& function) {
   const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
@@ -70,8 +70,8 @@ std::string material_function(const Material& given, const std::string& function
   return text + "  return f;\n}\n";
 }
 
-// The library's kernels by GLSL's own functions; erfcx, which GLSL has not, stays, and what the forms
-// themselves take.
+// Returns the library's kernels written with GLSL's own functions. brdf_erfcx, which GLSL lacks, is kept,
+// and so are the functions that the forms use themselves.
 std::string builtin_kernels(const GlslOptions& options) {
   const std::string own = glsl_kernels(options);
   const std::size_t begin = own.find("float brdf_erfcx("), end = own.find("float brdf_angle(");
@@ -84,7 +84,8 @@ std::string builtin_kernels(const GlslOptions& options) {
          "float brdf_angle(float sine, float cosine) {\n  return atan(sine, cosine);\n}\n";
 }
 
-// What `--shader` reads: the function, and its parameters' ranges where it takes them.
+// Returns the annotations that `--shader` reads: the function, and the ranges of its parameters if it has
+// parameters.
 std::string annotations(const Material& material, const std::string& function) {
   if (!function.empty()) return "//: entry " + function + "(wi, wo)\n";
   if (material.terms.size() != 1) return "";
@@ -101,13 +102,14 @@ std::string annotations(const Material& material, const std::string& function) {
   return text;
 }
 
-// While one material stands in a shader, brdf_material is it; two would have to be told apart.
+// Makes brdf_material refer to the function as long as the shader has one material; with two materials the
+// name would be ambiguous.
 std::string alias(const std::string& function) {
   return "#ifndef BRDF_ONE_MATERIAL\n#define BRDF_ONE_MATERIAL\n#define brdf_material " + function +
          "\n#else\n#undef brdf_material\n#endif\n";
 }
 
-// Texts of several exports one after another: what they share stands in the shader once.
+// Guards a text so that several exports can follow one another; shared parts occur in the shader once.
 std::string guarded_source(const GlslParts& parts, const std::string& given) {
   std::string text =
       parts.head + guarded("BRDF_KERNELS", parts.kernels,

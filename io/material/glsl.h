@@ -1,4 +1,4 @@
-// Materials as shader source (GLSL 4.50 for Vulkan, GLSL ES 3.00 for WebGL 2).
+// Writes materials as shader source (GLSL 4.50 for Vulkan, GLSL ES 3.00 for WebGL 2).
 #pragma once
 
 #include <string>
@@ -10,43 +10,47 @@
 namespace brdf::io {
 
 struct GlslContent {
-  // brdf_material(wi, wo) with the parameters as constants, beside the forms' functions.
+  // Includes brdf_material(wi, wo), with the parameters as constants, in addition to the functions of the
+  // forms.
   bool material = true;
-  // A shader that compiles as it is: #version and an empty main().
+  // Writes a complete shader that compiles: with #version and an empty main().
   bool whole = true;
   GlslDialect dialect = GlslDialect::vulkan;
-  // exp, log and the rest by GLSL's own functions: to be read, and for scalars other than float; not the
-  // library's bits.
+  // Uses GLSL's own exp, log and other functions, for readability and for scalars other than float. The
+  // values are then not bit-identical to the library's.
   bool builtin_kernels = false;
-  // The function's name is brdf_material_NAME; empty and not guarded: brdf_material.
+  // Names the function brdf_material_NAME. If `name` is empty and `guarded` is false, the function is
+  // brdf_material.
   std::string name = {};
-  // Of functions only: several texts can stand in one shader. Kernels and forms are taken from the first,
-  // each material has its own function, and while there is one material, brdf_material is it too.
+  // Writes functions only, so several texts can be part of one shader. Kernels and forms are taken from the
+  // first text. Each material has its own function; as long as there is only one material, brdf_material
+  // also refers to it.
   bool guarded = false;
 };
 
-// What a source is put together from.
+// The parts from which a source is assembled.
 struct GlslParts {
   std::string head;                                        // comments
-  std::string kernels;                                     // what every form takes
+  std::string kernels;                                     // functions that every form uses
   std::vector<std::pair<std::string, std::string>> forms;  // name, functions
-  std::string material;                                    // its function; empty without
+  std::string material;                                    // its function; empty if not requested
 };
 
+// Returns the parts of the source of `material`. Throws as glsl_source() does.
 GlslParts glsl_parts(const Material& material, const GlslContent& content = {});
 
-// Throws InputError where a reflectance has no GLSL, and for a material function of channels that are no
-// colours (io/colour/channel_colours.h).
+// Returns the source of `material`. Throws InputError if a reflectance has no GLSL, or if brdf_material is
+// requested for channels that are not colours (io/colour/channel_colours.h).
 std::string glsl_source(const Material& material, const GlslContent& content = {});
 
-// Tells texts apart: of 28 bits, so that every preprocessor takes it for an int.
+// Returns a number of 28 bits that distinguishes texts. Every preprocessor accepts such a number as an int.
 std::string text_number(const std::string& text);
-// The text behind an include guard, which holds a number of the text: the same text again is left out,
-// another under the same macro ends the compilation with this sentence. None is needed where the macro itself
-// holds the text's number.
+// Returns the text in an include guard that holds a number of the text. The same text is then skipped when
+// repeated; another text under the same macro stops the compilation with the sentence `clash`. `clash` may
+// be empty if the macro itself contains the number of the text.
 std::string guarded(const std::string& macro, const std::string& text, const std::string& clash);
 
-// A finite number rounded to float, as GLSL spells it: "0.5", "2.0".
+// Returns a finite number, rounded to float, in the spelling of GLSL: "0.5", "2.0".
 std::string glsl_number(double value);
 
 }  // namespace brdf::io

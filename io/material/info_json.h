@@ -1,4 +1,4 @@
-// What a reflectance says of itself, as `brdf models --json` lists it.
+// Writes the description of a reflectance as `brdf models --json` lists it.
 #pragma once
 
 #include "brdf/reflectance.h"
@@ -6,8 +6,8 @@
 
 namespace brdf::io {
 
-// `{"form", "family", "fittable", "canonical", "parameters": [{"name", "kind", "role", "min", ...}],
-// "known_violations"}`.
+// Returns `{"form", "family", "fittable", "canonical", "parameters": [{"name", "kind", "role", "min",
+// ...}], "known_violations"}`.
 Json to_json(const ReflectanceInfo& form);
 
 }  // namespace brdf::io

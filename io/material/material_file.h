@@ -1,3 +1,4 @@
+// Reads and checks material files.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +8,14 @@
 
 namespace brdf::io {
 
-// Reads a material's JSON (docs/formats.md). Throws InputError with file, JSON path, value and rule.
-// io/material/material_json.h has the rest: writing, the `fit` block, materials inside other documents.
+// Reads a material's JSON (docs/formats.md). Throws InputError with the file, the JSON path, the value and
+// the rule. See io/material/material_json.h for writing, the `fit` block, and materials inside other
+// documents.
 Material read_material(const std::filesystem::path& path);
 Material read_material(const Content& content);
 
-// Refuses parameters outside their table's range, wrong counts,
-// channel names that a table cannot hold. `where` opens the message.
+// Throws InputError if parameters are outside the range of their table, if counts are wrong, or if a table
+// cannot hold the names of the channels. `where` opens the message.
 void check_material(const Material& material, const std::string& where);
 
 }  // namespace brdf::io

@@ -22,7 +22,8 @@ constexpr const char* kFormat = "brdf-material";
 constexpr std::string_view kViewFormat = "brdf-view";
 constexpr int kVersion = 1;
 
-// The shortest decimal in degrees that gives this angle back; the nearest one where none does.
+// Returns the shortest decimal number of degrees that converts back to this angle, or the nearest number if
+// there is no such number.
 double to_degrees(Angle angle) {
   const double exact = angle.degrees();
   for (int digits = 15; digits <= 17; ++digits) {
@@ -57,7 +58,7 @@ void check_parameter_names(const JsonPlace& place, std::span<const ParameterInfo
   }
 }
 
-// One value per channel; a single number stands for all of them.
+// Reads one value per channel. A single number applies to all channels.
 std::vector<double> read_values(const JsonPlace& place, const ParameterInfo& p, std::size_t channels) {
   if (place.value().is_number()) return std::vector(channels, place.number(p.min, p.max));
   if (place.size() != channels)
@@ -99,7 +100,7 @@ void check_header(const JsonPlace& place) {
     place.at("version").fail("must be " + std::to_string(kVersion));
 }
 
-// How the form of a material's place is found, of a term or of a whole.
+// Determines the form of a term, or of a material that is a single term.
 using FormReader = std::function<Reflectance(const JsonPlace& term)>;
 
 Reflectance read_form(const JsonPlace& term) {
@@ -116,7 +117,7 @@ bool is_sum(const JsonPlace& place) {
   return !place.has(kShader) && place.at("form").value() == "sum";
 }
 
-// A term of a sum: its channels may be left out.
+// Reads a term of a sum. The term may omit its channels if they are known already.
 Term read_sum_term(const JsonPlace& place, const FormReader& form_of, std::vector<std::string>& channels) {
   check_header(place);
   if (is_sum(place)) place.at("form").fail("must be a form: sums do not nest");
@@ -136,7 +137,8 @@ Json values_json(const std::vector<std::vector<double>>& sets, std::size_t param
   return values;
 }
 
-// Shaders as a file in this folder names them; null: by absolute paths.
+// Writes a term. Shaders are named as a file in `folder` names them; with absolute paths if `folder` is
+// null.
 Json term_json(const Term& given, const std::vector<std::string>& channels,
                const std::filesystem::path* folder) {
   const Term term = whole_term(given);
@@ -189,7 +191,7 @@ MaterialFile material_from_json(const JsonPlace& place) {
 
 namespace {
 
-// A saved state of `brdf view` holds a scene: the material is that of the object that was selected.
+// A saved state of `brdf view` contains a scene. The material is that of the selected object.
 MaterialFile material_of_view(const JsonPlace& view) {
   const JsonPlace objects = view.at("scene").at("objects");
   const auto selected = std::size_t(view.at("selected").number(0, double(objects.size()) - 1));
@@ -270,7 +272,7 @@ void write_material_file(const std::filesystem::path& path, const MaterialFile& 
 
 void check_material(const Material& material, const std::string& where) {
   const Json json = to_json(material);
-  std::size_t next = 0;  // the forms are there already: only their parameters are checked
+  std::size_t next = 0;  // the forms are known already: only their parameters are checked
   read_material_at(JsonPlace(json, where), [&](const JsonPlace& term) {
     const Term& known = material.terms.at(next++);
     return term.has(kShader) ? whole_term(known).form : read_form(term);

@@ -1,3 +1,4 @@
+// Reads and writes materials as JSON, with the facts that a material file adds.
 #pragma once
 
 #include "io/files/content.h"
@@ -6,23 +7,28 @@
 
 namespace brdf::io {
 
-// A material with the provenance and statistics of the fit it came from (null where there are none), what
-// people call it and where its numbers come from (empty where the file does not say).
+// A material with additional facts. `fit` holds the provenance and statistics of the fit that produced the
+// material, or null. `name` is the common name and `source` the origin of its numbers; each is empty if the
+// file does not give it.
 struct MaterialFile {
   Material material;
   Json fit;
   std::string name{}, source{};
 };
 
+// Reads a material file, or the selected material of a saved state of `brdf view`. Throws InputError with
+// file, JSON path, value and rule.
 MaterialFile read_material_file(const std::filesystem::path& path);
 MaterialFile read_material_file(const Content& content);
+// Writes a material file. Throws InputError as check_material() does.
 void write_material_file(const std::filesystem::path& path, const MaterialFile& file);
 
-// A material inside another document, for instance a scene's object.
+// Reads a material inside another document, for instance in an object of a scene.
 MaterialFile material_from_json(const JsonPlace& place);
 
-// File, memory, file gives the same text, and memory, file, memory the same values; only tangent_phi, degrees
-// in the file and radians in memory, may differ from a computed value in its last bit.
+// Converts to JSON. Reading a file and writing it again restores the text; writing a material and reading
+// it again restores the values. The only exception is tangent_phi, in degrees in the file and in radians in
+// memory: a computed value may change in its last bit.
 Json to_json(const Material& material);
 Json to_json(const MaterialFile& file);
 

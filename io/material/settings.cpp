@@ -38,7 +38,7 @@ void check_values(const Setting& setting, const ParameterInfo& p) {
     if (nearest_value(p, value) != value) refuse(setting, to_text(value) + " must be a whole number");
 }
 
-// The setting's value for each of `channels` channels.
+// Returns the value of the setting for each of `channels` channels.
 std::vector<double> per_channel(const Setting& setting, std::size_t channels) {
   if (setting.values.size() == 1) return std::vector(channels, setting.values[0]);
   if (setting.values.size() != channels)
@@ -64,7 +64,7 @@ void set_shape(Term& term, std::size_t index, const Setting& setting) {
   for (std::size_t s = 0; s < term.shape.size(); ++s) term.shape[s][index] = values[s];
 }
 
-// False where the term has no such parameter.
+// Applies a setting. Returns false if the term has no such parameter.
 bool apply(Term& term, const Setting& setting) {
   const ReflectanceInfo& table = info(term.form);
   if (table.anisotropic() && setting.name == table.tied_name()) {
@@ -89,7 +89,7 @@ bool apply(Term& term, const Setting& setting) {
   return false;
 }
 
-// What the material has, for messages about a name that it lacks.
+// Lists the parameters of the material, for messages about an unknown name.
 std::string known_parameters(std::string_view name, const Material& material) {
   std::vector<std::string> known;
   const auto add = [&](std::string_view other) {
@@ -180,7 +180,7 @@ MaterialFile choose_material_file(const MaterialChoice& choice) {
                                     channel_names(channels));
   }
   if (!settings.empty())
-    file = {std::move(file.material), nullptr};  // no longer what was fitted or published
+    file = {std::move(file.material), nullptr};  // no longer the material that was fitted or published
   apply_settings(file.material, settings);
   return file;
 }

@@ -1,3 +1,4 @@
+// Parses and applies the options of a command line that choose a material.
 #pragma once
 
 #include <optional>
@@ -16,33 +17,36 @@ struct Setting {
   std::vector<double> values;
 };
 
-// Parses settings as given to `option` (named in messages). Throws InputError.
+// Parses settings given to `option`, which is named in messages. Throws InputError.
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option);
 
-// How a verb is told about a material: --form or --material, and --set.
+// The choice of a material on a command line: --form or --material, and --set.
 struct MaterialChoice {
   std::string form;
   std::string material;               // path of a material's JSON
   std::vector<std::string> set;       // name=value
-  std::optional<Material> made = {};  // instead of those: what reflects, at its defaults
+  std::optional<Material> made = {};  // used instead of `form` and `material`, at its defaults
 };
 
-// The material chosen. Of a form: the table's defaults with one channel, "fr", or as many as the longest list
-// of values has (three are r, g, b). Throws InputError on an unknown form or parameter, a value out of range,
-// a wrong count, or when not exactly one of form and material is given.
+// Returns the chosen material. A form has the default values of its table. The number of channels is that
+// of the longest list of values: one channel is "fr", three are r, g, b. Throws InputError for an unknown
+// form or parameter, a value out of range, a wrong count, or unless exactly one of form, material and made
+// is given.
 Material choose_material(const MaterialChoice& choice);
-// The same with the statistics of the fit it came from: null where it is of no fit, or --set has changed it.
+// Returns the chosen material with the statistics of its fit. They are null if the material is not from a
+// fit or if --set has changed it.
 MaterialFile choose_material_file(const MaterialChoice& choice);
 
-// Applies settings to every term that has the parameter; what the widths along and across are called together
-// ("alpha") sets both, tangent_phi is in degrees.
+// Applies each setting to all terms that have the parameter. The common name of the widths along and across
+// the tangent ("alpha") sets both. tangent_phi is in degrees. Throws InputError if no term has the
+// parameter or if a value is not valid.
 void apply_settings(Material& material, const std::vector<Setting>& settings);
 
-// What a setting of that name sets, with its range and scale: a term's parameter, the widths' common name,
-// tangent_phi. Throws InputError that lists the known ones.
+// Returns the parameter that a setting of this name sets, with its range and scale: a parameter of a term,
+// the common name of the widths, or tangent_phi. Throws InputError with the list of known names.
 ParameterInfo parameter_named(const Material& material, const std::string& name, const std::string& option);
 
-// The form of that name. Throws InputError that lists the known ones.
+// Returns the form of this name. Throws InputError with the list of known names.
 Reflectance require_form(const std::string& name);
 
 }  // namespace brdf::io

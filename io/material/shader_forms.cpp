@@ -5,8 +5,8 @@ namespace {
 
 const ShaderForms* used_forms = nullptr;
 
-// A material's shaders, by absolute paths and with their texts, and as the material's file names them,
-// without.
+// Returns pairs for the shaders of a material: first with absolute paths and texts, second as the
+// material's file names them, without texts.
 std::vector<std::pair<Json, Json>> named_shaders(const Material& material,
                                                  const std::filesystem::path& file) {
   std::vector<std::pair<Json, Json>> names;

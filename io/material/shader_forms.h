@@ -1,5 +1,5 @@
-// Forms of materials that are users' shaders. The room that reads shaders stands above this one, so it says
-// here, once in a process, how a material names one.
+// Forms of materials that are users' shaders. The library that reads shaders depends on this one, so a
+// process registers here once how a material names a shader.
 #pragma once
 
 #include <filesystem>
@@ -12,42 +12,46 @@ namespace brdf::io {
 class ShaderForms {
  public:
   virtual ~ShaderForms() = default;
-  // The shader that the object `shader` of a material names, files relative to this folder. Throws
-  // InputError: it is not there, is not the one that the material is of, or is no reflectance.
+  // Returns the shader that the object `shader` of a material names. Files are relative to `folder`. Throws
+  // InputError if the shader does not exist, differs from the shader of the material, or is not a
+  // reflectance.
   virtual Reflectance read(const JsonPlace& shader, const std::filesystem::path& folder) const = 0;
-  // That object; null: the reflectance is no shader's. Files have absolute paths.
+  // Returns the object `shader`, with absolute paths, or null if the reflectance is not a shader.
   virtual Json write(const Reflectance& form) const = 0;
-  // The same as a file in this folder names it: relative to the folder, where the user named it by a relative
-  // path.
+  // Returns the object `shader` as a file in `folder` names it: paths are relative to the folder if the
+  // user gave a relative path.
   virtual Json write(const Reflectance& form, const std::filesystem::path& folder) const = 0;
 };
 
-// From now on materials with shaders are read and written by `forms`, which lives as long as the process.
+// Makes `forms` read and write materials with shaders from now on. `forms` must live as long as the
+// process.
 void use_shader_forms(const ShaderForms& forms);
-// Null: this program reads no shaders.
+// Returns the registered object, or null if this program reads no shaders.
 const ShaderForms* shader_forms();
 
-// A reflectance that stands for another one, some of whose parameters it holds: files have that one.
+// A reflectance that represents another one with some parameters fixed. Files contain the original
+// reflectance.
 class StandsFor {
  public:
   virtual ~StandsFor() = default;
+  // Returns the term of the reflectance that the form of `term` represents.
   virtual Term whole(const Term& term) const = 0;
 };
 
-// The term itself, or the one that its form stands for.
+// Returns the term itself, or the term of the reflectance that its form represents.
 Term whole_term(const Term& term);
 
 inline constexpr const char* kShader = "shader";  // the key of a term
 
-// The form of a term that has that key. Throws InputError.
+// Returns the form of a term that has the key `shader`. Throws InputError.
 Reflectance read_shader(const JsonPlace& term);
-// What that key holds, as a file in this folder names it (null: by absolute paths); null where the form is no
-// shader's.
+// Returns the value of this key as a file in `folder` names it; with absolute paths if `folder` is null.
+// Returns null if the form is not a shader.
 Json shader_json(const Reflectance& form, const std::filesystem::path* folder);
 
-// A document that was made beside the material, as the `fit` block is, names its shaders by absolute paths
-// and has their texts. In the material's file it names them as the material does, without the texts; once
-// that is read, as before.
+// A document that was made together with the material, such as the `fit` block, contains shaders by
+// absolute paths and with their texts. The first function replaces them by the names that the material's
+// file uses, without the texts; the second restores them after such a file is read.
 void name_shaders_from(const std::filesystem::path& file, Json& document, const Material& material);
 void name_shaders_from_here(Json& document, const Material& material, const std::filesystem::path& file);
 

@@ -16,12 +16,12 @@ std::string hlsl(std::string text) {
     if (word == "vec3") return "float3";
     if (word == "floatBitsToUint") return "asuint";
     if (word == "uintBitsToFloat") return "asfloat";
-    if (word == "atan") return "atan2";  // of a sine and a cosine: no other is written
+    if (word == "atan") return "atan2";  // atan is only used with a sine and a cosine
     return word;
   });
 }
 
-// A slider's line: its type, name and range.
+// Returns the line of a slider: type, name and range.
 std::string slider(const ParameterInfo& p, bool weight, const std::vector<double>& of_channels) {
   if (!weight)
     return "float " + std::string(p.name) + " " + to_text(p.min) + " " + to_text(p.usual_max) + " " +

@@ -1,4 +1,5 @@
-// The formulas in languages that are GLSL but for their words: HLSL, C++, and Disney's BRDF Explorer.
+// Writes the formulas in languages that differ from GLSL only in their keywords: HLSL, C++, and the files
+// of Disney's BRDF Explorer.
 #pragma once
 
 #include <string>
@@ -13,9 +14,10 @@ enum class ShaderLanguage {
   explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
 };
 
-// The forms' functions, and with `material` the function brdf_material(wi, wo) of these parameters; in the
-// Explorer's file without it the parameters are sliders. `name`: of the namespace in C++. Kernels,
-// conventions and errors as of glsl_source (io/material/glsl.h).
+// Returns the functions of the forms and, if `with_material`, the function brdf_material(wi, wo) with the
+// parameters of `material`. Without it, a file of the Explorer has sliders for the parameters. `name` is
+// the suffix of the function in HLSL and the namespace in C++. Kernels, conventions and errors are the same
+// as for glsl_source() (io/material/glsl.h).
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
                         const std::string& name, bool builtin_kernels = false);
 

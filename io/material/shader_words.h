@@ -1,4 +1,4 @@
-// GLSL in the words of a language like it.
+// Translates GLSL into the keywords of a similar language.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace brdf::io {
 
-// Every word outside of comments as `change` has it; numbers and members (f.r) count as words.
+// Replaces every word outside comments by the result of `change`. Numbers and members (f.r) count as words.
 template <class Change>
 std::string with_words(const std::string& text, Change&& change) {
   const auto in_word = [](char c) {
@@ -33,6 +33,7 @@ std::string with_words(const std::string& text, Change&& change) {
   return out;
 }
 
+// Replaces every occurrence of `what` by `by`.
 inline void replace_all(std::string& text, const std::string& what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
     text.replace(at, what.size(), by);

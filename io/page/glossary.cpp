@@ -6,7 +6,8 @@
 namespace brdf::io {
 namespace {
 
-// Those of which a parameter has the name too come from the forms' tables.
+// Quantities and statistics. A term that is also the name of a parameter is described in the tables of the
+// forms instead.
 const std::vector<GlossaryTerm>& quantities() {
   static const std::vector<GlossaryTerm> terms{
       {"f_r",
@@ -130,12 +131,12 @@ std::string_view words(Role role) {
   return "";
 }
 
-// A symbol rather than a word of everyday language.
+// Returns whether a name is a symbol rather than an everyday word.
 bool is_symbol(std::string_view name) {
   return name.size() <= 2 || name.find_first_of("_0123456789") != name.npos;
 }
 
-// Each name with the description that most forms give it.
+// Returns the names of all parameters, each with the description that most forms give it.
 std::vector<GlossaryTerm> parameters() {
   std::map<std::string, std::map<std::string, int>> found;
   std::vector<std::string> order;

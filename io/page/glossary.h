@@ -1,4 +1,4 @@
-// The words of the reports, each with what it means, for readers who write no programs.
+// The glossary of the reports: terms and their meanings, for readers who do not write programs.
 #pragma once
 
 #include <string>
@@ -11,17 +11,18 @@ namespace brdf::io {
 
 struct GlossaryTerm {
   std::string term, meaning;
-  bool in_text = false;  // a symbol: explained wherever it stands first, not only in headers
+  bool in_text = false;  // a symbol: also explained at its first occurrence in running text
 };
 
-// Quantities and statistics, and the parameters of every form of the catalogue by the forms' own tables.
+// Returns the terms: quantities and statistics, and the parameters of all forms of the catalogue, as
+// described in the tables of the forms.
 const std::vector<GlossaryTerm>& glossary();
 
-// Null where the word is not in it.
+// Returns the term, or null if the glossary does not contain `word`.
 const GlossaryTerm* glossary_term(std::string_view word);
 
-// What a parameter of a form is in plain words, from its role: "surface roughness along". `along_is_all`:
-// both axes have one value.
+// Returns the plain name of a parameter of a form, derived from its role: "surface roughness along".
+// `along_is_all`: both axes have the same value, so "along" is omitted.
 std::string plain_name(const ReflectanceInfo& form, const ParameterInfo& parameter,
                        bool along_is_all = false);
 

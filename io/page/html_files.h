@@ -5,6 +5,6 @@ namespace brdf::io {
 
 extern const char* const kPageStyle;
 extern const char* const kPageScript;   // of every page
-extern const char* const kChartScript;  // after `const plots = [...]`
+extern const char* const kChartScript;  // follows `const plots = [...]`
 
 }  // namespace brdf::io

@@ -7,7 +7,7 @@
 namespace brdf::io {
 namespace {
 
-// The colours of map_colour() as a CSS gradient.
+// Returns the colours of map_colour() as a CSS gradient.
 std::string gradient(Colours colours) {
   std::string css = "linear-gradient(90deg";
   for (int k = 0; k <= 4; ++k) {

@@ -1,4 +1,4 @@
-// Small words of HTML for io/html_*.cpp.
+// Small fragments of HTML for io/html_*.cpp.
 #pragma once
 
 #include <string>
@@ -8,18 +8,19 @@
 
 namespace brdf::io {
 
-// "" for Mark::none.
+// Returns the CSS class of a mark; "" for Mark::none.
 const char* css_class(Mark mark);
-// " class=...", or nothing.
+// Returns " class=...", or nothing if the mark has no class.
 std::string class_of(Mark mark);
-// With a space before it where it is not empty.
+// Returns the word with a space before it; "" if the word is empty.
 std::string after_space(std::string_view word);
-// The HTML as a link, or as it stands where there is no address.
+// Returns `html` as a link to `address`, or unchanged if the address is empty.
 std::string linked(std::string_view address, const std::string& html);
+// Returns an image element with the PNG file embedded; `alt` is its alternative text.
 std::string image(std::string_view png, std::string_view alt);
-// The colours of map_colour() from end to end, with what both ends mean.
+// Returns the colours of map_colour() from end to end, labelled with the meaning of both ends.
 std::string colour_bar(std::string_view low, Colours colours, std::string_view high);
-// JSON as it may stand in a script element, where "</" and "<!--" have meanings of their own.
+// Escapes JSON for a script element, in which "</" and "<!--" have special meanings.
 std::string within_script(std::string_view json);
 
 }  // namespace brdf::io

@@ -27,7 +27,8 @@ Json values(const std::vector<double>& data, bool log) {
   return array;
 }
 
-// Values with the lowest decade of the axis in place of what its edge holds.
+// The bottom edge of the axis: the lowest decade of the other values (`least`), and the value `at` which
+// replaces the values on the edge.
 struct Edge {
   double least = HUGE_VAL, at = 0;
 };
@@ -85,7 +86,7 @@ void append_ticks(std::string& html, const char* extra, const std::vector<std::s
 }  // namespace
 
 std::vector<int> channel_palette(const std::vector<std::string>& channels) {
-  constexpr std::array kRedGreenBlue{1, 2, 0};  // of --c0 to --c7 in html_page.css
+  constexpr std::array kRedGreenBlue{1, 2, 0};  // numbers of --c0 to --c7 in html_page.css
   std::vector<int> numbers(channels.size(), -1);
   const auto colours = channel_colours(channels);
   if (colours && channels.size() > 1)

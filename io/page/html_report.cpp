@@ -17,7 +17,7 @@
 namespace brdf::io {
 namespace {
 
-// Beside the program, or where the distribution puts it.
+// Returns the file of Chart.js: next to the program, or in the place of the distribution.
 std::filesystem::path chart_file() {
   for (const char* name : {"brdf/chart.min.js", "javascript/chart.js/chart.min.js"})
     if (std::filesystem::path file = installed_file(name); !file.empty()) return file;
@@ -29,8 +29,8 @@ std::string chart_library() {
   if (!file)
     throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
   std::string text{std::istreambuf_iterator<char>(file), {}};
-  // The addresses in its licence comments lose their scheme: a report refers to nothing outside, and a search
-  // for addresses can show it.
+  // Remove the scheme of the addresses in the licence comments. A report refers to nothing outside the
+  // file, and a search for addresses can then prove it.
   constexpr std::string_view kScheme = "https://";
   for (std::size_t comment = 0; (comment = text.find("/*!", comment)) != text.npos; ++comment)
     for (std::size_t at; (at = text.find(kScheme, comment)) < text.find("*/", comment);)

@@ -1,10 +1,11 @@
-// The template of every report: one HTML file that opens without a network, on a phone, in the dark, by
-// keyboard, and prints on paper. docs/validation.md says by what rules a page is told.
+// The template of every report: one HTML file that opens without a network, on a phone, in dark mode and by
+// keyboard, and prints on paper. docs/validation.md gives the rules for the content of a page.
 //
-// A page is written from top to bottom: verdict(), then what a reader asks next. What few ask for goes into a
-// fold. Words of the glossary (io/page/glossary.h) explain themselves: every header of a table or axis, and
-// in running text where a symbol stands first. Blocks of one's own take their colours from the variables of
-// io/page/html_page.css and draw anew at the document's event "scheme".
+// A page is written from top to bottom: first verdict(), then the facts in the order in which readers need
+// them. Details for few readers go into a fold. Terms of the glossary (io/page/glossary.h) explain
+// themselves: in every header of a table or axis, and, for symbols, at the first occurrence in running
+// text. Custom blocks take their colours from the variables of io/page/html_page.css and redraw themselves
+// at the document's event "scheme".
 #pragma once
 
 #include <optional>
@@ -19,37 +20,39 @@
 
 namespace brdf::io {
 
-// A line of a plot. Points with a value that is not finite (or not positive on a logarithmic axis) are gaps.
+// A line of a plot. Points with a value that is not finite, or not positive on a logarithmic axis, are
+// gaps.
 struct Series {
   std::string label;  // empty: not in the legend
   std::vector<double> x, y;
   enum class Style { line, dashed, points, faint, faint_points } style = Style::line;
-  std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: none
-  int colour = -1;                          // of the palette; -1: the next one. Equal ones belong together
-  std::vector<std::string> names = {};  // of the points: in the tooltip, and beside those that are not faint
+  std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: no band
+  int colour = -1;                          // of the palette; -1: the next one. Equal numbers belong together
+  std::vector<std::string> names = {};      // of the points: in tooltips, and as labels unless faint
 };
 
-// Where a logarithmic axis ends below: what is exact, 0 or nothing but rounding. It is drawn at the bottom
-// edge, a decade below all else, with a word in place of a number.
+// The bottom edge of a logarithmic axis. It holds exact values, that is, 0 or rounding errors. They are
+// drawn a decade below all other values, with a word instead of a number.
 struct BottomEdge {
   std::string label;     // "exact"
   double below = 1e-15;  // values up to this
 };
 
-// Drawn by Chart.js, which is embedded in the file. The legend has at most 8 entries; where there are more,
-// none is drawn, and names of points or a table must say what is what.
+// A plot, drawn by Chart.js, which is embedded in the file. The legend has at most 8 entries. If there are
+// more, no legend is drawn, and names of points or a table must identify the series.
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Series> series;
   bool log_x = false, log_y = false;
-  bool equal_axes = false;  // square, both axes alike: polar lobes
+  bool equal_axes = false;  // the same scale on both axes: polar lobes
   std::string caption;
-  std::string command;                      // that prints the same numbers, folded away
+  std::string command;                      // prints the same numbers; folded
   std::optional<BottomEdge> bottom_edge{};  // of a logarithmic y axis
 };
 
-// unknown: nothing says whether it is good; absent: does not apply. Each but none has a sign beside its
-// colour. In the order of what outweighs what.
+// The assessment of a value. Marks are ordered by precedence: the largest of several marks outweighs the
+// others. unknown: it is not known whether the value is good; absent: does not apply. Every mark except
+// none has a sign in addition to its colour.
 enum class Mark { none, good, unknown, warn, bad, absent };
 
 }  // namespace brdf::io
@@ -68,28 +71,28 @@ struct Cell {
   std::string text;
   Mark mark = Mark::none;
   bool code = false;
-  std::string command = {};  // folded beneath
-  std::string note = {};     // small, beneath; in a matrix folded unless the mark is warn or bad
-  std::string link = {};     // the page that the text leads to, relative to this one
-  std::string png = {};      // a small picture above the text: the file's bytes
-  std::string alt = {};      // what it shows; empty: the text says it
+  std::string command = {};  // folded, below the text
+  std::string note = {};     // small, below the text; in a matrix folded unless the mark is warn or bad
+  std::string link = {};     // the page that the text leads to, relative to this page
+  std::string png = {};      // a small picture above the text: the bytes of the file
+  std::string alt = {};      // alternative text of the picture; empty: the text serves
   std::optional<double> sorted_by =
-      {};  // in a sortable table; none: the number or word that the text begins with
+      {};  // in a sortable table; std::nullopt: the number or word that begins the text
 };
 
 using Row = std::vector<Cell>;
 
-// A row for each property, a column for each subject (or channel). Properties that apply to no subject are
-// folded away. More than 8 subjects are written downwards, a column for each property.
+// A table with a row per property and a column per subject (or channel). Properties that apply to no
+// subject are folded. With more than 8 subjects, rows and columns are exchanged.
 struct Matrix {
-  std::string properties;  // what the rows are: "property"
+  std::string properties;  // the kind of the rows: "property"
   std::vector<std::string> subjects;
   struct Property {
     std::string name;
-    Row cells;  // one for each subject
+    Row cells;  // one per subject
   };
   std::vector<Property> rows;
-  bool fold_notes = true;  // of more than two columns, unless the mark is warn or bad
+  bool fold_notes = true;  // with more than two columns, unless the mark is warn or bad
 };
 
 // A sentence with its mark.
@@ -100,25 +103,25 @@ struct Remark {
 
 // One picture of a row.
 struct Figure {
-  std::string png;  // the file's bytes
+  std::string png;  // the bytes of the file
   std::string title;
   std::string text = {};  // one line
   Mark mark = Mark::none;
   std::string link = {};     // the page that the picture leads to
-  std::string command = {};  // folded away
+  std::string command = {};  // folded
 };
 
-// How values become colours: dark to bright, readable in print and without colour vision, or, for values with
-// a sign, blue over white to red.
+// Colour scales for values: dark to bright, readable in print and without colour vision; or, for values
+// with a sign, blue over white to red.
 enum class Colours { sequential, diverging };
 
-// A picture whose pixels are values over two axes, colours by map_colour(). Transparent pixels are hatched:
-// no value.
+// A picture with values over two axes as pixels, coloured by map_colour(). Transparent pixels have no value
+// and are hatched.
 struct HeatMap {
-  std::string png;  // the file's bytes, first row on top
+  std::string png;  // the bytes of the file, first row on top
   std::string x_label, y_label;
   std::vector<std::string> x_ticks, y_ticks;  // evenly spaced, from the left and from the bottom
-  std::string low, high;                      // what the colours at both ends mean
+  std::string low, high;                      // the meaning of the colours at both ends
   std::string caption, command;
   Colours colours = Colours::sequential;
 };
@@ -130,45 +133,47 @@ class HtmlReport {
   void heading(std::string_view text);
   void subheading(std::string_view text);
   void paragraph(std::string_view text);
-  // One line that says how it stands, in colour and with a sign.
+  // Adds one line with the overall assessment, in colour and with a sign.
   void verdict(Mark mark, std::string_view text);
-  // What else must be known at once, one line each; nothing where there is none.
+  // Adds further facts that readers must know at once, one line each; nothing if the list is empty.
   void remarks(const std::vector<Remark>& remarks);
-  // An empty header is left out. Sortable: a sign in each column's head sorts by it.
+  // Adds a table, without a header row if `header` is empty. Sortable: a control in the header of each
+  // column sorts by it.
   void table(const std::vector<std::string>& header, const std::vector<Row>& rows, bool sortable = false);
   void matrix(const Matrix& matrix);
   void plot(const Plot& plot);
-  // `png` holds a PNG file's bytes.
+  // Adds a picture. `png` holds the bytes of a PNG file.
   void picture(std::string_view png, std::string_view caption, std::string_view command = {});
-  // Side by side as far as there is room, on a phone one below the other.
+  // Adds pictures side by side as far as there is room; on a phone one below the other.
   void pictures(const std::vector<Figure>& row);
   void map(const HeatMap& map);
-  // Folded away: most readers need none.
+  // Adds a command, folded because most readers do not need it.
   void command(std::string_view text);
 
-  // What comes between the two is folded away under one line. Folds may hold folds; all are open on paper.
-  // end_fold() throws std::logic_error where none is open.
+  // The content between the two calls is folded under one line. Folds may contain folds; all are open on
+  // paper. end_fold() throws std::logic_error if no fold is open.
   void begin_fold(std::string_view summary, bool open = false);
   void end_fold();
-  // A page's own explanation of a word, beside the glossary's or in place of it, from here on.
+  // Adds an explanation of a term to this page from here on, in addition to the glossary or in place of its
+  // entry.
   void explain(std::string term, std::string meaning);
 
-  // A block of one's own: HTML as it stands, style and a script that runs after the whole page is there.
-  // Neither may refer to anything outside the file. Style and script stand once, however often they are
-  // given.
+  // Adds a custom block: HTML without escaping, a style, and a script that runs after the whole page is
+  // loaded. None of them may refer to anything outside the file. Repeated styles and scripts are included
+  // once.
   void raw(std::string_view html);
   void style(std::string_view css);
   void script(std::string_view js);
-  // A line at the page's end: where something comes from, with its path.
+  // Adds a line at the end of the page: the origin of something, with its path.
   void footnote(std::string_view key, std::string_view text);
 
-  // The whole document. Throws EnvironmentError where Chart.js is not installed and a plot needs it,
-  // std::logic_error where a fold is open.
+  // Returns the whole document. Throws EnvironmentError if a plot needs Chart.js and it is not installed,
+  // and std::logic_error if a fold is open.
   std::string document(const Provenance& made) const;
 
  private:
-  std::string term(std::string_view word);          // with its explanation, if it has one
-  std::string running_text(std::string_view text);  // symbols that stand first explained
+  std::string term(std::string_view word);          // with its explanation, if there is one
+  std::string running_text(std::string_view text);  // explains symbols at their first occurrence
   std::string cell_of(const Cell& cell, bool fold_note = false);
   void append_matrix(const std::string& corner, const std::vector<std::string>& columns,
                      const std::vector<Matrix::Property>& rows, bool fold_notes);
@@ -182,16 +187,17 @@ class HtmlReport {
   int count_ = 0, open_folds_ = 0;
 };
 
-// The palette's number for the curve of each channel: reddish, green and blue for those that are these
-// colours.
+// Returns the number in the palette for the curve of each channel: reddish, green and blue for channels of
+// these colours.
 std::vector<int> channel_palette(const std::vector<std::string>& channels);
 
+// Escapes <, >, & and double quotes for HTML.
 std::string html_escaped(std::string_view text);
 
-// "copper.csv" of "/data/copper.csv": what a title shows. The path belongs into a footnote.
+// Returns "copper.csv" for "/data/copper.csv", for use in titles. The path belongs in a footnote.
 std::string file_name(std::string_view path);
 
-// The colour of x in [0, 1] (beyond it: of the nearer end).
+// Computes the colour of x in [0, 1]; values outside are clamped.
 void map_colour(double x, unsigned char rgb[3], Colours colours = Colours::sequential);
 
 }  // namespace brdf::io

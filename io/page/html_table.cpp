@@ -1,4 +1,4 @@
-// Tables of a report, and the words in them that explain themselves.
+// Tables of a report, and terms that explain themselves.
 #include <algorithm>
 #include <cctype>
 
@@ -16,7 +16,8 @@ bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// What begins with a number and is short stays on one line ("22.1 %"), a sentence gets room.
+// Returns the CSS class of a cell. Short text that begins with a number stays on one line ("22.1 %"); a
+// sentence gets more room.
 const char* css_class(const Cell& cell) {
   constexpr std::size_t kShort = 24, kSentence = 40;
   double value;
@@ -30,7 +31,7 @@ bool applies(const Matrix::Property& row) {
                      [](const Cell& c) { return c.mark != Mark::absent; });
 }
 
-// A row for each subject, a column for each property.
+// Exchanges rows and columns: a row per subject, a column per property.
 std::vector<Matrix::Property> turned(const Matrix& m, const std::vector<Matrix::Property>& rows) {
   std::vector<Matrix::Property> out;
   for (std::size_t s = 0; s < m.subjects.size(); ++s) {

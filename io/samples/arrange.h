@@ -1,4 +1,4 @@
-// What is made of a table before it is used, where somebody asks for it.
+// Optional changes to a table before it is used: the choice of a polarisation and the average of repeats.
 #pragma once
 
 #include "io/samples/polarisation.h"
@@ -13,8 +13,8 @@ struct Arrangement {
   bool operator==(const Arrangement&) const = default;
 };
 
-// First the channels, then the rows. What was done stands in the table's warnings. Throws InputError as
-// choose_polarisation does.
+// Applies the requested changes, first to the channels and then to the rows, and adds them to the table's
+// warnings. Throws InputError as choose_polarisation() and check_table() do.
 void arrange(SampleTable& table, const Arrangement& asked);
 
 }  // namespace brdf::io

@@ -22,7 +22,7 @@ std::int32_t azimuth_unit(double angle) {
   return u < 0 ? u + kTurn : u;
 }
 
-std::uint64_t mixed(std::uint64_t x) {  // Steele, Lea and Flood 2014: the end of SplitMix64
+std::uint64_t mixed(std::uint64_t x) {  // the finalizer of SplitMix64 (Steele, Lea and Flood 2014)
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
   x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
@@ -30,13 +30,13 @@ std::uint64_t mixed(std::uint64_t x) {  // Steele, Lea and Flood 2014: the end o
 }
 
 using Key = std::array<std::int32_t, 4>;
-constexpr std::ptrdiff_t kScanOfPairs = 3;  // members of a pair's key: the scan that the pairs are on
+constexpr std::ptrdiff_t kScanOfPairs = 3;  // members of a pair's key that identify the scan of the pairs
 
 bool in_pairs(Neighbours n) {
   return n == Neighbours::repeated || n == Neighbours::mirrored || n == Neighbours::reciprocal;
 }
 
-// One of 4096, by the scan.
+// Returns one of 4096 buckets, chosen by the scan.
 std::size_t bucket_of(const Key& key, Neighbours n) {
   const auto both = [](std::int32_t a, std::int32_t b) {
     return std::uint64_t(std::uint32_t(a)) << 32 | std::uint32_t(b);
@@ -44,7 +44,7 @@ std::size_t bucket_of(const Key& key, Neighbours n) {
   return mixed(mixed(both(key[0], key[1])) ^ both(key[2], in_pairs(n) ? 0 : key[3])) >> 52;
 }
 
-// A polar angle with a sign: one scan goes through the normal.
+// Converts a polar angle to a signed one, so that one scan passes through the normal.
 void put_polar(std::int32_t theta, std::int32_t azimuth, std::int32_t& plane, std::int32_t& x) {
   const bool far = azimuth >= kHalfTurn;
   plane = far ? azimuth - kHalfTurn : azimuth;
@@ -53,7 +53,7 @@ void put_polar(std::int32_t theta, std::int32_t azimuth, std::int32_t& plane, st
 
 }  // namespace
 
-// A row on its scan: rows of one key are on one scan, in the order of x.
+// A row on its scan. Rows with equal keys are on the same scan, ordered by x.
 struct Contrasts::Place {
   Key key;
   std::int32_t x;
@@ -62,7 +62,8 @@ struct Contrasts::Place {
 
 namespace {
 
-// The divided difference of the values at these places.
+// Returns the divided difference of the values at these places, with weights scaled so that their squares
+// add to 1.
 template <class Place>
 Contrast divided_difference(std::span<const Place> places) {
   Contrast c;
@@ -91,7 +92,7 @@ void along_scans(std::span<const Place> places, std::size_t first_order, const C
 }
 
 template <class Place>
-// Pairs of repeated rows have no law in common: any two of them are neighbours.
+// Repeated rows follow no common function along a scan, so that any two pairs of them count as neighbours.
 void of_pairs(std::span<const Place> places, std::ptrdiff_t scan, const Contrasts::Use& use) {
   const double half = 0.5, one = std::sqrt(half);
   const Place* before = nullptr;
@@ -123,7 +124,8 @@ void Contrasts::for_each(Neighbours neighbours, std::size_t most, const Use& use
       const Vec3<double> wi = unit_vector(table_.theta_i[k], table_.phi_i[k]),
                          wo = unit_vector(table_.theta_o[k], table_.phi_o[k]), h = wi + wo;
       const double across = std::hypot(h.x, h.y), length = std::hypot(across, h.z);
-      // The light in the frame of the half vector: along its meridian, and aside of it.
+      // The incident direction in the frame of the half vector: along its meridian, and perpendicular to
+      // the meridian.
       const double along =
           across > 0 ? (h.z * (h.x * wi.x + h.y * wi.y) / across - across * wi.z) / length : wi.x;
       const double aside = across > 0 ? (h.x * wi.y - h.y * wi.x) / across : wi.y;
@@ -140,7 +142,7 @@ void Contrasts::for_each(Neighbours neighbours, std::size_t most, const Use& use
     along_scans(all, neighbours == Neighbours::turn ? 1 : 2, use);
 }
 
-// False where the row is on no such scan.
+// Computes the place of a row. Returns false if the row is on no scan of this kind.
 bool Contrasts::place(std::size_t index, Neighbours neighbours, Place& p) const {
   const auto& [ti, pi, to, po] = units_[index];
   const std::int32_t turned = (po - pi + kTurn) % kTurn, apart = std::min(turned, kTurn - turned);
@@ -198,8 +200,8 @@ bool Contrasts::place_by_half_vector(std::size_t index, Neighbours neighbours, P
   return true;
 }
 
-// Which of several rows of the same directions is taken: as if by chance, but the same one in any order of
-// rows.
+// Returns a pseudo-random number from the values of a row. Among several rows of the same directions the
+// row with the smallest number is taken, which does not depend on the order of rows.
 std::uint64_t Contrasts::lot(std::uint32_t row) const {
   std::uint64_t h = 0;
   for (const std::vector<double>& column : table_.values)
@@ -207,7 +209,7 @@ std::uint64_t Contrasts::lot(std::uint32_t row) const {
   return h;
 }
 
-// The places of whole scans, sorted, each of its own.
+// Returns the places on whole scans, sorted. Each place appears once, or twice for Neighbours::repeated.
 std::vector<Contrasts::Place> Contrasts::places(Neighbours neighbours, std::size_t most) const {
   std::vector<std::size_t> counts(4096);
   std::size_t end = counts.size(), taken = 0;
@@ -226,7 +228,7 @@ std::vector<Contrasts::Place> Contrasts::places(Neighbours neighbours, std::size
   return neighbours == Neighbours::repeated ? two_each(all) : one_each(all);
 }
 
-// Of rows of the same directions one.
+// Keeps one of several rows of the same directions.
 std::vector<Contrasts::Place> Contrasts::one_each(std::span<const Place> sorted) const {
   std::vector<Place> single;
   for (const Place& next : sorted)
@@ -237,7 +239,7 @@ std::vector<Contrasts::Place> Contrasts::one_each(std::span<const Place> sorted)
   return single;
 }
 
-// Of rows of the same directions two.
+// Keeps two rows with different values of each group of the same directions.
 std::vector<Contrasts::Place> Contrasts::two_each(std::span<const Place> sorted) const {
   std::vector<Place> pairs;
   for (std::size_t begin = 0, end = 0; begin < sorted.size(); begin = end) {

@@ -1,6 +1,6 @@
-// Contrasts: sums of the logarithms of a few values, with weights that add to 0 and whose squares add to 1.
-// What varies slowly from row to row leaves them, noise stays: values that scatter by s, relative, give
-// contrasts that scatter by s.
+// Contrasts are weighted sums of the logarithms of a few values. The weights add to 0 and their squares add
+// to 1. A shape that varies slowly from row to row cancels in a contrast, but noise does not: values with a
+// relative standard deviation s give contrasts with the standard deviation s.
 #pragma once
 
 #include <array>
@@ -13,27 +13,29 @@
 
 namespace brdf::io {
 
-// Divided differences up to this order: a polynomial of a lower degree along the scan leaves nothing in them.
+// The highest order of divided differences. A divided difference is 0 for a polynomial along the scan of a
+// degree below its order.
 inline constexpr std::size_t kMostOrder = 6;
 
+// A contrast: the rows and their weights. Only the first `count` entries are used.
 struct Contrast {
   std::array<std::uint32_t, kMostOrder + 1> rows;
   std::array<double, kMostOrder + 1> weights;
   std::size_t count = 0;
 };
 
-// How rows are put beside each other: along scans of one angle, the others being equal, and in pairs that a
-// symmetry makes equal.
+// How rows are selected as neighbours: along scans of one angle while the other angles are equal, and in
+// pairs that a symmetry makes equal.
 enum class Neighbours {
-  repeated,      // rows of the same directions, two by two
+  repeated,      // pairs of rows of the same directions
   viewer_polar,  // through the normal
   viewer_azimuth,
   light_polar,
   light_azimuth,
-  turn,        // of the sample: equal at once where it is isotropic
-  mirrored,    // both sides of the plane of incidence: equal where the sample is isotropic
+  turn,        // rotation of the sample; equal values if the sample is isotropic
+  mirrored,    // both sides of the plane of incidence; equal values if the sample is isotropic
   reciprocal,  // light and viewer exchanged
-  half_polar,  // theta_h, with theta_d and phi_d equal: the grid of MERL's files
+  half_polar,  // theta_h, with equal theta_d and phi_d: the grid of MERL's files
   difference_polar,
   difference_azimuth
 };
@@ -45,19 +47,20 @@ inline constexpr std::array<Neighbours, 3> kOfHalfVectors{
 
 class Contrasts {
  public:
-  // Of these rows of the table, which must outlive this.
+  // Prepares the contrasts of these rows. The table and `rows` must outlive this object.
   Contrasts(const SampleTable& table, std::span<const std::uint32_t> rows);
 
   using Use = std::function<void(std::size_t order, const Contrast&)>;
-  // Calls use(order, contrast) for every order that the scans are long enough for; a pair is of order 1, the
-  // difference of neighbouring pairs of order 2. Rows that repeat directions and values are copies, no pair.
-  // At most about `most` rows are used, whole scans of them. Which ones, and which of several rows of the
-  // same directions, follows from angles and values alone, not from the order of rows.
+  // Calls use(order, contrast) for every order for which the scans are long enough. A pair has order 1, the
+  // difference of two neighbouring pairs order 2. Rows that repeat both directions and values are copies
+  // and form no pair. At most about `most` rows are used, in whole scans. The choice of scans, and of one
+  // among several rows of the same directions, depends only on the angles and values, not on the order of
+  // rows.
   void for_each(Neighbours neighbours, std::size_t most, const Use& use);
 
  private:
   struct Place;
-  // Angles in whole thousandths of a degree: 10.0 and 9.9999999 are one.
+  // Angles in whole thousandths of a degree, so that 10.0 and 9.9999999 are the same.
   struct Units {
     std::int32_t theta_i, phi_i, theta_o, phi_o;
   };
@@ -75,7 +78,7 @@ class Contrasts {
   const SampleTable& table_;
   std::span<const std::uint32_t> rows_;
   std::vector<Units> units_;
-  std::vector<HalfDifference> half_;  // made where it is asked for
+  std::vector<HalfDifference> half_;  // computed on first use
 };
 
 }  // namespace brdf::io

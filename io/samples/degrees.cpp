@@ -6,7 +6,7 @@
 namespace brdf::io {
 namespace {
 
-// Taylor series on [-pi/4, pi/4] in s = x^2, highest power first; the first term left out is below 1e-17.
+// Taylor series on [-pi/4, pi/4] in s = x^2, highest power first. The first omitted term is below 1e-17.
 constexpr std::array kSine{
     1.0 / 355687428096000.0, -1.0 / 1307674368000.0, 1.0 / 6227020800.0, -1.0 / 39916800.0,
     1.0 / 362880.0,          -1.0 / 5040.0,          1.0 / 120.0,        -1.0 / 6.0};

@@ -1,20 +1,21 @@
-// Directions in degrees, the same on every machine.
+// Directions in degrees, computed identically on every machine.
 #pragma once
 
 #include "brdf/directions.h"
 
 namespace brdf::io {
 
-// The unit vector of a direction given in degrees. Built on sin_degrees, so it is the same on every machine.
+// Returns the unit vector of a direction given in degrees. Uses sin_degrees(), so that the result is the
+// same on every machine.
 Vec3<double> unit_vector(double theta, double phi);
 
-// The polar angle in [0, 180] and the azimuth in [0, 360)
-// of a direction, in degrees; its length does not matter.
+// Computes the polar angle in [0, 180] and the azimuth in [0, 360) of a direction, in degrees. The length
+// of `w` does not matter.
 void polar_degrees(const Vec3<double>& w, double& theta, double& phi);
 
-// Sine and cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp of the true
-// value for |degrees| <= 1e6. Plain arithmetic only: the C library's differ in the last bit between
-// processors, and seeded samples must not.
+// Return the sine and the cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp
+// of the true value for |degrees| <= 1e6. The functions use plain arithmetic only, because the functions of
+// the C library differ in the last bit between processors. Seeded samples must not differ.
 double sin_degrees(double degrees);
 double cos_degrees(double degrees);
 

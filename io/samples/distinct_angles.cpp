@@ -9,7 +9,7 @@ namespace {
 double set_point(double degrees) {
   constexpr double kPerDegree = 1e6, kMeant = 1e-7;
   const double few = std::round(degrees * kPerDegree) / kPerDegree;
-  return std::abs(few - degrees) < kMeant ? few + 0.0 : degrees;  // + 0 makes -0 plain
+  return std::abs(few - degrees) < kMeant ? few + 0.0 : degrees;  // + 0 turns -0 into 0
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The angles of a grid, told by rows that hit it to rounding.
+// Recovers the angles of a grid from rows that match the grid within rounding.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,24 @@ namespace brdf::io {
 
 class DistinctAngles {
  public:
-  // `turn`: the angle that is the same as 0, or 0 where there is none.
+  // `turn`: the angle in degrees that equals 0, for example 360; 0 if the angles are not periodic.
   explicit DistinctAngles(double turn = 0) : turn_(turn) {}
 
-  // Adds an angle in degrees unless one within the tolerance is there. What is within 1e-7 degrees of a
-  // number of six decimals is meant to be that.
+  // Adds an angle in degrees unless the list has an angle within `tolerance`. An angle within 1e-7 degrees
+  // of a number of six decimals is stored as that number.
   void add(double angle, double tolerance);
-  // Numbers them, ascending, from 0: index() is asked after this.
+  // Numbers the angles from 0 in ascending order. Call before index().
   void number();
-  // Of the nearest one; there must be one.
+  // Returns the number of the nearest angle. The list must not be empty.
   std::size_t index(double angle) const;
   std::size_t size() const { return angles_.size(); }
+  // Returns the angles in ascending order.
   std::vector<double> list() const;
 
  private:
   using Entry = std::map<double, std::size_t>::value_type;
 
-  // The nearest within the tolerance; null where there is none.
+  // Returns the nearest entry within the tolerance, or null.
   const Entry* find(double angle, double tolerance) const;
 
   std::map<double, std::size_t> angles_;

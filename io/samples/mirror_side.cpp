@@ -17,9 +17,9 @@ double sum_of_channels(const SampleTable& table, std::size_t row) {
   return sum;
 }
 
-// On which side the largest value of one light lies: 1 positive, -1 negative, 0 undecided. It decides if it
-// stands out from the value at the same angle on the other side, or, if there is none, from half of the
-// values.
+// Returns the side of the largest value for one angle of incidence: 1 positive, -1 negative, 0 undecided.
+// The largest value decides if it exceeds the largest value at the same angle on the other side, or the
+// median if there is no such value, by the factor kStandsOut, and if it is near the angle of incidence.
 int side_of_the_peak(const SampleTable& table, const std::vector<std::size_t>& rows, double theta_i) {
   constexpr double kReach = 6, kStandsOut = 1.25;
   std::vector<double> values;
@@ -29,7 +29,7 @@ int side_of_the_peak(const SampleTable& table, const std::vector<std::size_t>& r
     if (values.back() > sum_of_channels(table, peak)) peak = k;
   }
   const double angle = table.theta_o[peak], value = sum_of_channels(table, peak);
-  double opposite = -1;  // the largest one there
+  double opposite = -1;  // the largest value there
   for (const std::size_t k : rows)
     if (std::abs(table.theta_o[k] + angle) <= kReach)
       opposite = std::max(opposite, sum_of_channels(table, k));
@@ -44,7 +44,8 @@ struct Votes {
 };
 
 Votes votes_of(const SampleTable& table) {
-  constexpr double kSteep = 20;  // nearer the normal the two sides lie within one highlight
+  // Nearer the normal both sides lie within one highlight.
+  constexpr double kSteep = 20;
   std::map<double, std::vector<std::size_t>> lights;
   for (std::size_t k = 0; k < table.rows(); ++k) lights[table.theta_i[k]].push_back(k);
   Votes votes;
@@ -61,7 +62,7 @@ Votes votes_of(const SampleTable& table) {
 }
 
 struct Decision {
-  bool is_negative;  // the mirror side
+  bool is_negative;  // the mirror side is at negative angles
   bool has_one_scale;
   std::string note;
 };
@@ -97,7 +98,8 @@ void place_in_plane(SampleTable& table, MirrorSide asked) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const double theta_o = decision.is_negative ? -table.theta_o[k] : table.theta_o[k];
     const bool is_back = theta_o < 0, is_turned = table.theta_i[k] < 0;
-    // The positive side of the scale is at azimuth 0; a light without a sign stands opposite the mirror side.
+    // On one scale the positive side is at azimuth 0. A light without a sign is placed opposite the mirror
+    // side.
     table.phi_i[k] += decision.has_one_scale && !is_turned ? 0 : 180;
     table.phi_o[k] += is_back ? 180 : 0;
     table.theta_i[k] = std::abs(table.theta_i[k]);

@@ -11,27 +11,30 @@
 namespace brdf::io {
 namespace {
 
-constexpr std::size_t kLeast = 24;  // contrasts that give a scale
-constexpr double kCopies = 1e-5;    // values that agree as well as this were not measured twice
+constexpr std::size_t kLeast = 24;  // fewest contrasts that give a scale
+// Values with a relative scatter below this were copied, not measured twice.
+constexpr double kCopies = 1e-5;
 
-// A standard deviation and how many contrasts it is of.
+// A standard deviation and the number of contrasts from which it was estimated.
 struct Spread {
   double value;
   double count;
 };
 
-// From the squares of the smallest seven tenths, normal distribution taken: outliers and a highlight do not
-// matter, and it is twice as efficient as a median.
+// Estimates a standard deviation from the mean square of the smallest 70 %, assuming a normal distribution.
+// Outliers and a highlight do not matter, and the estimate is twice as efficient as one from the median.
 Spread robust_scale(std::vector<double>& sizes) {
-  constexpr double kShare = 0.7, kMeanSquare = 0.3095613;  // of a standard normal, given |x| < 1.0364334
+  // The mean square of a standard normal variable x, given |x| < 1.0364334.
+  constexpr double kShare = 0.7, kMeanSquare = 0.3095613;
   const auto end = sizes.begin() + std::ptrdiff_t(kShare * double(sizes.size()));
   std::nth_element(sizes.begin(), end, sizes.end());
   const double sum = std::inner_product(sizes.begin(), end, sizes.begin(), 0.0);
   return {std::sqrt(sum / double(end - sizes.begin()) / kMeanSquare), double(sizes.size())};
 }
 
-// The mean of the lowest scales that agree with one another within what so few contrasts allow, if they are
-// `least` or more and hold this share of all contrasts. Sorts.
+// Returns the geometric mean of the lowest scales that agree with one another within the uncertainty of so
+// few contrasts. There must be at least `least` of them, with this share of all contrasts; otherwise
+// returns std::nullopt. If `share` is 0, the lowest scale must be among them. Sorts `scales`.
 std::optional<Spread> lowest_agreeing(std::vector<Spread>& scales, std::size_t least, double share) {
   std::sort(scales.begin(), scales.end(), [](const Spread& a, const Spread& b) { return a.value < b.value; });
   double all = 0;
@@ -48,17 +51,19 @@ std::optional<Spread> lowest_agreeing(std::vector<Spread>& scales, std::size_t l
     }
     if (std::size_t(last - first) >= least && counts >= share * all)
       return Spread{std::exp(sum / counts), largest};
-    if (share == 0) break;  // nothing may be passed over
+    if (share == 0) break;  // no scale may be skipped
   }
   return std::nullopt;
 }
 
-// Scales of the contrasts of each channel, and of all, in each of some bands: [channel or all][band][way].
+// Scales of the contrasts of each channel, and of all channels together, in each band: [channel or
+// all][band][way].
 using Ways = std::vector<std::vector<std::vector<Spread>>>;
-// The band of a contrast in a channel, whose mean logarithm this is.
+// Returns the band of a contrast in a channel. `mean`: the mean logarithm of its values.
 using BandOf = std::function<std::size_t(const Contrast&, std::size_t channel, double mean)>;
 
-// Rows that are used of each way: enough for a few per cent of the scale of a band.
+// The largest number of rows that one kind of neighbours uses: enough to determine the scale of a band
+// within a few per cent.
 std::size_t most_rows(std::size_t channels) {
   return std::clamp<std::size_t>(40000 / channels, 3000, 12000);
 }
@@ -109,14 +114,14 @@ class Gatherer {
         found.size(), [&](std::size_t c) { put(sizes, c, found[c]); }, threads);
   }
 
-  // NaN of what is not above 0.
+  // Returns NaN for values that are not above 0.
   double logarithm(std::size_t channel, std::uint32_t row) {
     double& y = logs_[channel][row];
     if (y == kNotYet) y = table_.values[channel][row] > 0 ? std::log(table_.values[channel][row]) : NAN;
     return y;
   }
 
-  // Of a channel, or of all together.
+  // Adds the scales of a channel, or of all channels together if `channel` is their number.
   void put(const std::array<Sizes, kMostOrder + 1>& sizes, std::size_t channel,
            std::vector<std::vector<Spread>>& found) const {
     for (const Sizes& of_order : sizes)
@@ -143,14 +148,15 @@ class Gatherer {
   Contrasts contrasts_;
 };
 
-// Of the half vector's angle from the normal: all that matters to a lobe lies in few bands of it.
+// Returns the cosine of the angle between half vector and normal. A lobe varies mainly within few bands of
+// this cosine.
 float half_cosine(const SampleTable& t, std::uint32_t k) {
   const Vec3<double> h = direction(degrees(t.theta_i[k]), degrees(t.phi_i[k])) +
                          direction(degrees(t.theta_o[k]), degrees(t.phi_o[k]));
   return float(h.z / std::sqrt(dot(h, h)));
 }
 
-// These rows or, of very many, some, by their angles.
+// Returns these rows, or a subset of about kMost of them that is chosen by their angles.
 std::vector<std::uint32_t> some(const SampleTable& t, std::span<const std::uint32_t> rows) {
   constexpr std::size_t kMost = 20000;
   std::vector<std::uint32_t> chosen;
@@ -163,7 +169,7 @@ std::vector<std::uint32_t> some(const SampleTable& t, std::span<const std::uint3
   return chosen;
 }
 
-// What parts these values, which it sorts, into bands of as many each.
+// Returns the edges that divide these values into bands of equal count. Sorts its copy of the values.
 template <class T>
 std::vector<T> edges_of(std::vector<T> values, std::size_t bands) {
   std::sort(values.begin(), values.end());
@@ -177,7 +183,7 @@ std::size_t band_in(const std::vector<T>& edges, T value) {
   return std::size_t(std::upper_bound(edges.begin(), edges.end(), value) - edges.begin());
 }
 
-// Small tables have two bands, so that one can be without the highlight.
+// Small tables have two bands, so that one of them can be free of the highlight.
 std::size_t bands_for(std::size_t rows) {
   return std::clamp<std::size_t>(rows / 80, rows < 96 ? 1 : 2, 12);
 }
@@ -189,8 +195,8 @@ std::optional<double> over_bands(std::vector<std::vector<Spread>> bands) {
     if (const auto scale = lowest_agreeing(ways, 2, 0)) known.push_back(*scale);
   if (4 * known.size() < bands.size()) return std::nullopt;
   if (const auto scale = lowest_agreeing(known, 1, kShareOfBands)) return scale->value;
-  // Noise that is no share of the value differs from band to band: the middle one, where nearly all are
-  // known.
+  // Noise that is not proportional to the value differs from band to band. The median over the bands is
+  // returned if the noise of at least three quarters of the bands is known.
   if (4 * known.size() < 3 * bands.size()) return std::nullopt;
   return known[known.size() / 2].value;
 }
@@ -238,7 +244,8 @@ std::vector<NoiseAtLevel> noise_by_level(const SampleTable& t, std::span<const s
   const std::size_t bands =
       std::clamp<std::size_t>(levels.size() / t.channels.size() / kRowsOfBand, 1, kMostBands);
   const std::vector<double> edges = edges_of(std::move(levels), bands);
-  // The mean of a contrast's values knows nothing of the contrast: its own value would choose the large ones.
+  // The mean of a contrast's values is independent of the contrast. Selecting by a single value would
+  // prefer large ones.
   std::vector<double> sum(bands), count(bands);
   Ways ways = Gatherer(t, rows, bands, [&](const Contrast&, std::size_t, double mean) {
                 const std::size_t band = band_in(edges, mean);

@@ -14,7 +14,7 @@ namespace {
 
 using P = Polarisation;
 
-// Which channel has each polarisation, of those that share a name.
+// The channel of each polarisation, among the channels that share a name.
 struct Polarised {
   std::map<P, std::size_t> channels;
   std::vector<std::size_t> with(std::initializer_list<P> all) const {
@@ -25,7 +25,7 @@ struct Polarised {
   }
 };
 
-// The channels to be added up, and by what.
+// The channels to add, and the factor of their sum.
 struct Sum {
   std::vector<std::size_t> channels;
   double factor;

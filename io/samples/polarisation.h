@@ -1,4 +1,4 @@
-// Channels that were measured with polarisers.
+// Combines channels that were measured with polarisers.
 #pragma once
 
 #include "io/columns/polarisation_names.h"
@@ -6,11 +6,14 @@
 
 namespace brdf::io {
 
-// Leaves one channel for all that have one name but for their polarisation. `average`: half the sum of s and
-// p, or of ss, sp, ps and pp (the light is a mixture of both polarisations, the viewer takes in both); `s`:
-// the channel s, or ss + sp; `ss`: that channel. Standard deviations add up as independent ones. Channels
-// without polarisation stay. Throws InputError where no channel has any, where one is missing, or where a
-// channel of the new name stands beside.
+// Replaces all channels whose names differ only in polarisation by one channel:
+// - `average`: half the sum of s and p, or of ss, sp, ps and pp. The light is a mixture of both
+//   polarisations, and the viewer receives both.
+// - `s` or `p`: the channel s or p, or the sum ss + sp or ps + pp.
+// - `ss`, `sp`, `ps` or `pp`: that channel.
+// Standard deviations are combined as independent ones, provided that all channels of the sum have them.
+// Channels without a polarisation stay. Throws InputError if no channel has a polarisation, if a required
+// one is missing or given twice, or if a channel of the new name already exists.
 void choose_polarisation(SampleTable& table, Polarisation asked);
 
 }  // namespace brdf::io

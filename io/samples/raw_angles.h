@@ -16,9 +16,9 @@ inline constexpr std::size_t kMostRawMagnitudes = 1000;
 
 // One of the four angles. All members are empty if the format has no column for the angle.
 struct RawAngle {
-  std::string name;       // of the column, as the file has it
+  std::string name;       // name of the column, as in the file
   bool has_unit = false;  // the file states the unit
-  double largest = 0;     // absolute value of all cells
+  double largest = 0;     // largest absolute value of all cells
   std::vector<double>
       magnitudes;  // absolute values of the cells, each once: the first kMostRawMagnitudes of them
 };
@@ -26,8 +26,8 @@ struct RawAngle {
 // In the order theta_i, phi_i, theta_o, phi_o.
 using RawAngles = std::array<RawAngle, 4>;
 
-// Collects the cells of one column, some nanoseconds each: tables have millions of rows and few distinct
-// angles.
+// Collects the cells of one column in some nanoseconds per cell, because tables have millions of rows but
+// few distinct angles.
 class RawMagnitudes {
  public:
   void add(double cell) {

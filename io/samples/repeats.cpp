@@ -11,11 +11,11 @@
 namespace brdf::io {
 namespace {
 
-constexpr double kPrior = 4;             // degrees of freedom that the neighbours' variance counts for
-constexpr double kPooled = 20;           // degrees of freedom that tell a variance
+constexpr double kPrior = 4;             // weight of the neighbours' variance, in degrees of freedom
+constexpr double kPooled = 20;           // degrees of freedom to pool for a variance
 using Group = std::vector<std::size_t>;  // rows
 
-// In the order of their first rows.
+// Returns groups of rows with the same directions, in the order of their first rows.
 std::vector<Group> groups_of(const SampleTable& table) {
   const auto turned = [](double phi) {
     const double rest = std::fmod(phi, 360.0);
@@ -32,7 +32,7 @@ std::vector<Group> groups_of(const SampleTable& table) {
   return groups;
 }
 
-// Of equal values exactly that value.
+// Returns the mean of a group. The mean of equal values is exactly that value.
 double mean_of(const std::vector<double>& values, const Group& group) {
   const double first = values[group.front()];
   double sum = 0;
@@ -40,14 +40,14 @@ double mean_of(const std::vector<double>& values, const Group& group) {
   return first + sum / double(group.size());
 }
 
-// The sum of squared differences from the mean.
+// Returns the sum of squared differences from the mean.
 double squares_of(const std::vector<double>& values, const Group& group, double mean) {
   double sum = 0;
   for (const std::size_t k : group) sum += (values[k] - mean) * (values[k] - mean);
   return sum;
 }
 
-// How repeated values of one channel scatter, by their size.
+// The scatter of repeated values of one channel as a function of their size.
 class Scatter {
  public:
   Scatter(const std::vector<double>& values, const std::vector<Group>& groups) {
@@ -61,7 +61,7 @@ class Scatter {
 
   bool is_known() const { return !repeated_.empty(); }
 
-  // The variance of one value of about this size.
+  // Returns the variance of a single value of about this size.
   double variance(double size) const {
     auto first = std::lower_bound(repeated_.begin(), repeated_.end(), size,
                                   [](const Repeated& r, double s) { return r.size < s; });
@@ -86,7 +86,8 @@ class Scatter {
   std::vector<Repeated> repeated_;
 };
 
-// Of the means, by the scatter of the values; empty where nothing tells it.
+// Returns the standard deviations of the means, estimated from the scatter of the values; empty if the
+// scatter is unknown.
 std::vector<double> scatter_of_means(const std::vector<double>& values, const std::vector<Group>& groups) {
   const Scatter scatter(values, groups);
   std::vector<double> sigma;

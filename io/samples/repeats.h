@@ -1,4 +1,4 @@
-// Directions that were measured more than once.
+// Averages directions that were measured more than once.
 #pragma once
 
 #include "brdf/names.h"
@@ -8,16 +8,17 @@ namespace brdf::io {
 
 enum class Repeats { keep, average };
 
-// Makes one row, in the place of the first, of all rows with the same four angles (azimuths to full turns):
-// the mean of their values. Its standard deviation is that of the mean. Where the table states standard
-// deviations they are propagated, sqrt(sum s^2)/n. Otherwise they are told by the scatter, a column for each
-// channel: the variance of one value is (d v + 4 w)/(d + 4), v the sample variance of the row's d + 1 values
-// and w what the rows of values nearest in size scatter by, pooled over 20 degrees of freedom or more; beyond
-// the largest of these relative to the value. So a row measured once has a standard deviation, too, and one
-// measured twice has none that chance made tiny (a variance moderated by its neighbours', after Smyth 2004,
-// Stat. Appl. Genet. Mol. Biol. 3, with his d0 at 4). Copies, which repeat the values, tell nothing of
-// scatter. Where nothing else is repeated there are means without standard deviations. What was done stands
-// in the warnings.
+// Replaces all rows with the same four angles (azimuths to full turns) by one row at the position of the
+// first. The new value is the mean, and the new standard deviation is that of the mean. The changes are
+// added to the warnings. If the table states standard deviations, they are propagated: sqrt(sum s^2)/n.
+// Otherwise they are estimated from the scatter of the repeats, separately for each channel. The variance
+// of a single value is (d v + 4 w)/(d + 4). v is the sample variance of the row's d + 1 values. w is the
+// variance of the repeated rows with the most similar values, pooled over at least 20 degrees of freedom if
+// the table has as many; for values beyond the largest repeated value, w scales with the square of the
+// value. A row measured once thus has a standard deviation too, and a row measured twice does not get one
+// that is tiny by chance. (This is a variance moderated by its neighbours', after Smyth 2004, Stat. Appl.
+// Genet. Mol. Biol. 3, with his d0 fixed at 4.) Copies, which repeat the values exactly, carry no
+// information on the scatter. If all repeats are copies, the result is means without standard deviations.
 void average_repeats(SampleTable& table);
 
 }  // namespace brdf::io

@@ -14,21 +14,21 @@ using Angles = std::array<double, 4>;
 
 double turned(double phi) {
   const double rest = std::fmod(phi, 360.0);
-  return rest < 0 ? rest + 360 : rest + 0.0;  // + 0 makes -0 plain
+  return rest < 0 ? rest + 360 : rest + 0.0;  // + 0 turns -0 into 0
 }
 
 Angles angles_of(const SampleTable& t, std::size_t k) {
   return {t.theta_i[k], t.phi_i[k], t.theta_o[k], t.phi_o[k]};
 }
 
-// The same for all ways to write a pair of directions.
+// Returns four angles that are equal for all notations of a pair of directions.
 Angles four_angles(const SampleTable& t, std::size_t k) {
   return {t.theta_i[k], t.theta_i[k] == 0 ? 0 : turned(t.phi_i[k]), t.theta_o[k],
           t.theta_o[k] == 0 ? 0 : turned(t.phi_o[k])};
 }
 
-// Whether azimuths of this column are written in two ways. Columns of very many azimuths are taken to have
-// some.
+// Returns whether the column writes some azimuth in two ways. A column with very many azimuths is assumed
+// to do so.
 bool has_turns(const std::vector<double>& azimuths) {
   constexpr std::size_t kMost = 5000;
   std::set<double> found;
@@ -61,7 +61,7 @@ bool have_same_values(const SampleTable& t, std::size_t a, std::size_t b) {
   return true;
 }
 
-// Rows by their directions and values.
+// Hashes and compares rows by their directions and values.
 struct Hash {
   const SampleTable* table;
   std::size_t operator()(std::size_t row) const {
@@ -81,7 +81,7 @@ struct Same {
   }
 };
 
-// Looks at the rows that may repeat another one.
+// Removes repeated rows among the rows that may repeat another one.
 template <class MayRepeat, class IsWrittenTwice>
 void leave_out(SampleTable& table, const MayRepeat& may_repeat, const IsWrittenTwice& is_written_twice) {
   std::unordered_set<std::size_t, Hash, Same> seen(0, Hash{&table}, Same{&table});

@@ -18,7 +18,7 @@
 namespace brdf::io {
 namespace {
 
-// The rule that a name breaks; empty where it may stand in a header row.
+// Returns the rule that a name breaks, or an empty string if the name is valid in a header row.
 std::string broken_rule(std::string_view name) {
   double number;
   if (name.empty()) return "must not be empty";

@@ -11,7 +11,7 @@
 namespace brdf::io {
 namespace {
 
-// Of the rows in which every cosine that the quantities divide by is above 0.
+// Returns the numbers of the rows in which every cosine of a divisor is above 0.
 std::vector<std::size_t> defined_rows(const SampleTable& table, bool by_light, bool by_viewer) {
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < table.rows(); ++k)

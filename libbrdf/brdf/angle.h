@@ -1,4 +1,5 @@
-// Angles that cannot be confused: an Angle is made from degrees or from radians by name, and read by name.
+// Angles with an explicit unit. An Angle is constructed from degrees or from radians by a named function,
+// and its value is read by a named function, so that the units cannot be confused.
 #pragma once
 
 #include <compare>

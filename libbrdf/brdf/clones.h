@@ -1,21 +1,22 @@
-// Loops compiled once per generation of the CPU, the right one chosen when the program is loaded.
+// Loops that are compiled once per CPU generation. The right version is chosen when the program is loaded.
 #pragma once
 
 #include <cstddef>
 
-// The macros of the library: an attribute cannot be named otherwise. Without `flatten` what a loop calls
-// would not be inlined into the clones, which costs a factor of 8. clang refuses the two together: correct
-// there, and slow. Under the sanitizers plain code: instrumented clones take minutes to compile, and cannot
-// be resolved before their runtime starts. BRDF_FEW_CLONES leaves out the last generation, a third of the
-// compiler's work: on a machine that has no AVX-512, and in a file whose loops hardly anybody waits for.
+// The library needs macros here because an attribute cannot be named in any other way. `flatten` inlines the
+// functions that a loop calls into the clones; without it the loops are 8 times slower. clang rejects
+// target_clones combined with flatten; the code is correct there, but slow. Under the sanitizers the macro
+// produces plain code, because instrumented clones take minutes to compile and cannot be resolved before the
+// sanitizer's runtime starts. BRDF_FEW_CLONES omits the newest generation, which is a third of the compiler's
+// work. Use it on machines without AVX-512 and in files with loops that are not critical for performance.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #ifdef BRDF_FEW_CLONES
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3"), gnu::flatten]]
 #else
 #define BRDF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4"), gnu::flatten]]
-// What a loop of the widest vectors is compiled as, beside one of narrower ones: for has_widest_vectors()
-// only.
+// Attribute of a loop compiled for the widest vectors, next to a version for narrower ones. Use only
+// together with has_widest_vectors().
 #define BRDF_WIDEST [[gnu::target("arch=x86-64-v4"), gnu::flatten]]
 #endif
 #elif defined(__clang__)
@@ -32,7 +33,7 @@ inline bool has_widest_vectors() {
 }
 #endif
 
-// body(i) for i in [0, count). No two calls may touch the same place.
+// Calls body(i) for i in [0, count). No two calls may access the same memory location.
 template <class Body>
 BRDF_CLONES void repeat(const Body body, const std::size_t count) {
 #if defined(__clang__)

@@ -1,4 +1,4 @@
-// Pairs of directions, one array per coordinate.
+// Pairs of directions, stored as one array per coordinate.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace brdf {
 
-// `count` pairs of unit directions: wi to the light, wo to the viewer.
+// `count` pairs of unit directions: wi points to the light, wo to the viewer.
 template <class T>
 struct Directions {
   const T *wi_x, *wi_y, *wi_z;
@@ -18,13 +18,13 @@ struct Directions {
 
   Vec3<T> wi(std::size_t i) const { return {wi_x[i], wi_y[i], wi_z[i]}; }
   Vec3<T> wo(std::size_t i) const { return {wo_x[i], wo_y[i], wo_z[i]}; }
-  // `size` pairs from `first` on.
+  // Returns `size` pairs, starting with pair `first`.
   Directions part(std::size_t first, std::size_t size) const {
     return {wi_x + first, wi_y + first, wi_z + first, wo_x + first, wo_y + first, wo_z + first, size};
   }
 };
 
-// Arrays that own directions.
+// Arrays that own the coordinates of the directions.
 template <class T>
 class DirectionArrays {
  public:
@@ -44,16 +44,16 @@ class DirectionArrays {
   std::size_t count_;
 };
 
-// A single pair, as directions.
+// Returns a view of a single pair. The vectors must outlive the view.
 template <class T>
 Directions<T> one_pair(const Vec3<T>& wi, const Vec3<T>& wo) {
   return {&wi.x, &wi.y, &wi.z, &wo.x, &wo.y, &wo.z, 1};
 }
 
-// The unit vector at this polar angle and azimuth.
+// Returns the unit vector with this polar angle and azimuth.
 Vec3<double> direction(Angle theta, Angle phi);
 
-// Writes the directions as seen from a frame whose tangent is turned by phi.
+// Writes the directions as seen from a frame with its tangent rotated by phi.
 void turn_batch(const Directions<double>& directions, Angle phi, DirectionArrays<double>& out);
 
 }  // namespace brdf

@@ -1,5 +1,5 @@
-// Forward-mode derivatives with N partials, written so that loops over it vectorise: element-wise copies and
-// pack expansions only (a loop over the partials costs 8 times as much).
+// Forward-mode derivatives with N partials. The code consists of element-wise copies and pack expansions
+// only, so that loops over duals vectorise. (A loop over the partials is 8 times slower.)
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,8 @@ struct Partials {
   T d[N > 0 ? N : 1];
 
   constexpr Partials() = default;
-  // A copy of the whole struct would be a memory operation, and a loop that holds one does not vectorise.
+  // The default copy would be a memory operation on the whole struct, and a loop that contains one does not
+  // vectorise.
   constexpr Partials(const Partials& x) {
     set([&](std::size_t k) { return x.d[k]; });
   }
@@ -48,7 +49,7 @@ struct Partials {
   }
 };
 
-// Value a and partial derivatives v.
+// A value a with its partial derivatives v.
 template <class T, int N>
 struct Dual {
   T a;
@@ -60,7 +61,7 @@ struct Dual {
   explicit constexpr Dual(float value) : Dual(double(value)) {}
   explicit constexpr Dual(int value) : Dual(double(value)) {}
   constexpr Dual(const T& value, const Partials<T, N>& partials) : a(value), v(partials) {}
-  // The k-th independent variable.
+  // Returns the k-th independent variable.
   static constexpr Dual variable(T value, std::size_t k) {
     return {value, Partials<T, N>::make([&](std::size_t j) { return j == k ? T(1) : T(0); })};
   }
@@ -74,7 +75,7 @@ struct Dual {
     const T q = x.a / y.a;
     return {q, (x.v - y.v * q) * inverse};
   }
-  // Geometry is often plain while the shape carries derivatives: half the work.
+  // The geometry is often plain while the shape carries derivatives. These operators do half the work then.
   friend constexpr Dual operator+(const Dual& x, const T& y) { return {x.a + y, x.v}; }
   friend constexpr Dual operator+(const T& x, const Dual& y) { return {x + y.a, y.v}; }
   friend constexpr Dual operator-(const Dual& x, const T& y) { return {x.a - y, x.v}; }

@@ -1,5 +1,5 @@
-// Distributions of microfacets and their masking, as forms
-// name them: using Facets = Facets<GgxSlopes, SmithGgx>.
+// Distributions of microfacets and their masking. A form names both: using Facets = Facets<GgxSlopes,
+// SmithGgx>.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace brdf {
 
-// --- Densities P22 = D cos_h^4 of the slopes of h = (p, q, 1), by the forms' own D ------------------------
+// --- Slope densities P22 = D cos_h^4 of h = (p, q, 1), computed with the D of the forms ------------------
 
 template <auto kD>
 struct SlopesOf {
@@ -29,8 +29,7 @@ struct BeckmannSlopes : SlopesOf<d_beckmann<double, double>> {
   static constexpr double far = 9;
 };
 
-// --- Masking G1 of the viewer o for a facet h; all but V-cavities' depend on the viewer alone
-// ---------------
+// --- Masking G1 of the viewer o for a facet h. Only that of V-cavities depends on the facet --------------
 
 struct PerViewer {
   double value;
@@ -54,7 +53,7 @@ struct VCavities {
   double operator()(const Vec3<double>& h) const { return std::min(1.0, 2 * o.z / dot(o, h)); }
 };
 
-// Both together. The shape's widths come first in its table.
+// A distribution together with its masking. The widths are the first parameters of the shape's table.
 template <class Slopes, class Masking>
 struct Facets {
   static Roughness<double> widths(std::span<const double> shape) { return {shape[0], shape[1]}; }

@@ -1,21 +1,22 @@
-// What a form is, and how any form is evaluated.
+// Definition of a form, and functions that evaluate any form.
 //
 // A form is an empty struct with static members:
-//   name, family         strings; the family's own form has its name
+//   name, family         strings; the main form of a family has the name of the family
 //   Weights<T>, Shape<T> parameter structs with their tables; weights are per channel (base Takes<...>)
-//   violations           what it is known to violate, with the witness
-//   and one of
+//   violations           its known violations, each with a witness
+// and one of the functions
 //   lobes(shape, g)               K lobes: f = sum of weights.linear()[k] * lobe[k] (can be fitted)
-//   value(w, first, shape, g)     f of one channel; `first`: the first channel's, for listings that mix them
+//   value(w, first, shape, g)     f of one channel; `first` are the weights of the first channel, for
+//                                 listings that mix the channels
 //   value_cos(w, first, shape, g) the same times cos_i
-// Functions are templates over S (shape, weights) and G (geometry); G is plain or equal to S.
+// The functions are templates over S (shape, weights) and G (geometry). G is a plain type or equal to S.
 //
-// Besides, where it is known (brdf/facts.h; what is absent is treated as unknown):
+// Optional members (brdf/facts.h; a missing member is treated as unknown):
 //   accuracy             an Accuracy, measured by `brdf validate --numerics`
-//   kink                 a Kink; without it integrals are bisected
+//   kink                 a Kink; without it integrals use bisection
 //   albedos              an array of ClosedAlbedo
-//   Facets               the distribution and masking it stands for (brdf/facets.h)
-//   Sampler              how its specular lobe is sampled (brdf/samplers.h)
+//   Facets               the distribution and masking of its microfacets (brdf/facets.h)
+//   Sampler              the sampler of its specular lobe (brdf/samplers.h)
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@
 
 namespace brdf {
 
-// The parameters of a form, as its base: struct ward : Takes<LobeWeights, Roughness>.
+// Base class that declares the parameters of a form: struct ward : Takes<LobeWeights, Roughness>.
 template <template <class> class WeightsOf, template <class> class ShapeOf>
 struct Takes {
   template <class T>
@@ -59,7 +60,7 @@ template <LinearForm F>
 inline constexpr std::size_t lobe_count = std::tuple_size_v<decltype(F::lobes(
     std::declval<typename F::template Shape<double>>(), std::declval<Geometry<double>>()))>;
 
-// The closed-form albedo of what reflects all light.
+// Returns the closed-form albedo of a surface that reflects all light.
 inline double whole_albedo(std::span<const double>, double) {
   return 1;
 }
@@ -85,15 +86,16 @@ scalar_of<W> above_horizon(const W& w, const W& first, const Shape& shape, const
 }
 }  // namespace detail
 
-// f_r of one channel in 1/sr, without cosine; 0 below the horizon. Finite for
-// every pair of unit directions and every parameter of the table; cosines below
-// kMinCosine are evaluated there. `first` are the first channel's weights.
+// Returns f_r of one channel in 1/sr, without the cosine. The result is 0 below the horizon, and finite for
+// every pair of unit directions and every parameter within the table's range. Cosines below kMinCosine are
+// replaced by kMinCosine. `first` are the weights of the first channel.
 template <Form F, ParameterStruct W, ParameterStruct Shape, class G>
 scalar_of<W> eval(F, const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
   return select(g.lowest < G(0), scalar_of<W>(0), detail::above_horizon<F>(w, first, shape, g));
 }
 
-// f_r cos_i. A listing's own radiance is returned as it stands, not divided and multiplied again.
+// Returns f_r cos_i. The radiance of a listing is returned unchanged instead of being divided by the cosine
+// and multiplied by it again.
 template <Form F, ParameterStruct W, ParameterStruct Shape, class G>
 scalar_of<W> eval_cos(F, const W& w, const W& first, const Shape& shape, const Geometry<G>& g) {
   using S = scalar_of<W>;

@@ -1,12 +1,12 @@
-// Directions as a tilted surface sees them.
+// Directions in the frame of a tilted surface.
 #pragma once
 
 #include "brdf/vec3.h"
 
 namespace brdf {
 
-// A direction in the frame of a surface of this unit normal (z > -1): turned by the smallest rotation that
-// takes the normal to +z (Rodrigues 1840).
+// Returns a direction in the frame of a surface with this unit normal (normal.z > -1). The direction is
+// rotated by the smallest rotation that takes the normal to +z (Rodrigues 1840).
 template <class T>
 constexpr Vec3<T> in_frame_of(const Vec3<T>& normal, const Vec3<T>& w) {
   const Vec3<T> middle{normal.x, normal.y, normal.z + T(1)};

@@ -1,6 +1,7 @@
 // Fresnel reflectance of unpolarised light at a smooth interface.
 //
-// All take the cosine of incidence c in [0, 1] and return a reflectance in [0, 1] (the misprinted one aside).
+// All functions take the cosine of the angle of incidence c in [0, 1] and return a reflectance in [0, 1],
+// except the misprinted one.
 #pragma once
 
 #include "brdf/math.h"
@@ -8,12 +9,13 @@
 namespace brdf {
 
 namespace detail {
-inline constexpr double kFresnelFloor = 1e-30;  // keeps 0/0 out where two media are equal
+inline constexpr double kFresnelFloor = 1e-30;  // prevents 0/0 if both media are equal
 }
 
-// Dielectric of relative index eta > 0, exact: Cook and Torrance 1982 eq. 15, with g - c written as
-// (eta^2 - 1)/(g + c), which keeps it accurate for eta near 1. eta = 1 gives 0 (also at c = 0), otherwise
-// c = 0 gives 1; total reflection (eta < 1) gives 1. Relative error for eta 1..5: 1.2e-15, 5e-7 in float.
+// Returns the exact reflectance of a dielectric with relative index eta > 0 (Cook and Torrance 1982 eq.
+// 15). g - c is written as (eta^2 - 1)/(g + c), which is accurate for eta near 1. The result is 0 for
+// eta = 1 (also at c = 0), otherwise 1 for c = 0, and 1 for total reflection (eta < 1). Relative error for
+// eta 1..5: 1.2e-15, in float 5e-7.
 template <class S, class G>
 S fresnel_dielectric(const S& eta, const G& c) {
   const S step = (eta - S(1)) * (eta + S(1));
@@ -27,9 +29,9 @@ S fresnel_dielectric(const S& eta, const G& c) {
   return select(total, S(1), S(0.5) * square(s) * (S(1) + square(p)));
 }
 
-// The same as the lookup-texture article's code has it: (g-c)(g-c)/(g+c)*(g+c) evaluates to (g-c)^2, so that
-// normal incidence on glass (eta 1.5) gives 0.25 instead of 0.04 and grazing 1.25. Not a reflectance: up to
-// (eta^2 - 1). Domain: eta >= 1.
+// Returns the same as written in the code of the lookup-texture article. There (g-c)(g-c)/(g+c)*(g+c)
+// evaluates to (g-c)^2, which gives 0.25 instead of 0.04 for glass (eta 1.5) at normal incidence, and 1.25
+// at grazing incidence. The result is not a reflectance; its upper bound is (eta^2 - 1). Domain: eta >= 1.
 template <class S, class G>
 S fresnel_dielectric_as_coded(const S& eta, const G& c) {
   const S g = math::sqrt((eta - S(1)) * (eta + S(1)) + c * c);
@@ -37,10 +39,13 @@ S fresnel_dielectric_as_coded(const S& eta, const G& c) {
   return S(0.5) * square(g - c) * (S(1) + square(p));
 }
 
-// Conductor of complex index n + i k, n and k in [0, 20], exact. With (a + i b)^2 = (n + i k)^2 - sin^2:
-// R_s = ((a - c)^2 + b^2)/((a + c)^2 + b^2), R_p = R_s ((a c - sin^2)^2 + (b c)^2)/((a c + sin^2)^2 + (b
-// c)^2). Sums of squares only: no cancellation for metals, never above 1. k = 0 is the dielectric; n = k = 0
-// gives 1. Relative error: 2.2e-15, 2.6e-6 in float (n >= .05, k >= 1e-3 or 0).
+// Returns the exact reflectance of a conductor with complex index n + i k, n and k in [0, 20]. With
+// (a + i b)^2 = (n + i k)^2 - sin^2:
+// R_s = ((a - c)^2 + b^2)/((a + c)^2 + b^2),
+// R_p = R_s ((a c - sin^2)^2 + (b c)^2)/((a c + sin^2)^2 + (b c)^2).
+// All terms are sums of squares. There is no cancellation for metals, and the result never exceeds 1. k = 0
+// gives the dielectric; n = k = 0 gives 1. Relative error: 2.2e-15, in float 2.6e-6
+// (n >= 0.05, k >= 1e-3 or 0).
 template <class T>
 T fresnel_conductor(const T& n, const T& k, const T& c) {
   const T sin2 = at_least((T(1) - c) * (T(1) + c), T(0));
@@ -53,7 +58,7 @@ T fresnel_conductor(const T& n, const T& k, const T& c) {
   const T a = math::sqrt(select(metal, small, big));
   const T b2 = select(metal, big, small);
   const T sum = a + c;
-  // a - c cancels where the indices match; there it is (a^2 - c^2)/(a + c).
+  // a - c cancels if the indices match. It is then computed as (a^2 - c^2)/(a + c).
   const T difference = select(metal, a - c, (excess + b2) / at_least(sum, T(detail::kFresnelFloor)));
   const auto ratio = [](const T& numerator, const T& denominator) {
     return select(denominator < T(detail::kFresnelFloor), T(1), numerator / denominator);

@@ -1,14 +1,15 @@
 // Integrals of a form over the hemisphere, each with an error bound.
 //
-// The directional albedo integrates f_r cos over one direction with the other fixed. Rules:
+// The directional albedo integrates f_r cos over one direction with the other direction fixed. Rules:
 //   pole      Gauss-Legendre in polar angle and azimuth about the mirror direction, mapped so that the
 //             complex poles of a lobe of known width lie at a distance of order one; isotropic lobes only
-//   slope     Gauss-Legendre in the slopes of the half vector, where the lobe stands at the origin with its
-//             widths along the axes and the horizon is a circle; any lobe of the half vector
-//   adaptive  bisection of cells in polar angle and azimuth; knows nothing of a form but its widths
-//   automatic pole where the lobe is isotropic, else slope
-// pole and slope raise their order until the error estimate max(|I_n - I_prev|, |I_prev - I_prevprev| / 10)
-// meets the tolerance. A result that did not converge says so, and its bound is then only an estimate.
+//   slope     Gauss-Legendre in the slopes of the half vector: the lobe lies at the origin with its
+//             widths along the axes, and the horizon is a circle; any lobe of the half vector
+//   adaptive  bisection of cells in polar angle and azimuth; uses only the widths of a form
+//   automatic pole for isotropic lobes, otherwise slope
+// pole and slope increase their order until the error estimate
+// max(|I_n - I_prev|, |I_prev - I_prevprev| / 10) meets the tolerance. A result that did not converge is
+// marked as such; its bound is then only an estimate.
 #pragma once
 
 #include <vector>
@@ -26,37 +27,40 @@ inline constexpr std::array<std::string_view, 4> kNames<Rule>{"automatic", "pole
 
 struct AlbedoOptions {
   Fixed fixed = Fixed::light;
-  double tolerance = 1e-6;  // relative; 1e-12 is the least that rounding allows
+  double tolerance = 1e-6;  // relative; rounding permits no less than 1e-12
   Rule rule = Rule::automatic;
   long max_evaluations = 4'000'000;
-  int order = 0;  // > 0: exactly this number of points per panel and dimension, with no error control (truth
-                  // for tests of the estimate); pole and slope only
+  // If > 0, use exactly this number of points per panel and dimension, without error control. Reference
+  // values for tests of the error estimate; pole and slope only.
+  int order = 0;
 };
 
 struct AlbedoResult {
   double value = 0;
   double error_bound = 0;  // absolute
-  long evaluations = 0;    // of the form, shared by the channels that were integrated together
+  long evaluations = 0;    // of the form; shared by channels that were integrated together
   bool converged = false;
   Rule rule = Rule::automatic;
 };
 
-// Integral of f_r cos over one direction with the other at (theta, phi), 0 <= theta <= 90 degrees; the
-// cosine is that of the direction integrated over. At 90 degrees it is the limit towards grazing, as far as
-// kMinCosine allows. Pole-adapted rule: after Johnston and Elliott 2005 (sinh maps); see docs/validation.md.
+// Computes the integral of f_r cos over one direction with the other at (theta, phi), 0 <= theta <= 90
+// degrees. The cosine belongs to the direction of integration. At 90 degrees the result is the limit
+// towards grazing, as far as kMinCosine permits. The pole rule follows Johnston and Elliott 2005 (sinh
+// maps); see docs/validation.md.
 AlbedoResult directional_albedo(const Term& term, std::size_t channel, Angle theta, Angle phi,
                                 const AlbedoOptions& options = {});
 
-// All channels of a sum of terms; channels that share a shape are integrated together.
+// Computes the albedo of all channels of a sum of terms. Channels that share a shape are integrated together.
 std::vector<AlbedoResult> directional_albedo(const Material& material, Angle theta, Angle phi,
                                              const AlbedoOptions& options = {});
 
-// The lobes of a form that is linear in its weights: one integral per lobe, f = sum of weight times lobe.
-// Empty for other forms.
+// Integrates the lobes of a form that is linear in its weights: one integral per lobe, where f is the sum
+// of weight times lobe. Returns an empty vector for other forms.
 std::vector<AlbedoResult> lobe_albedos(const Reflectance& form, std::span<const double> shape, Angle theta,
                                        Angle phi, const AlbedoOptions& options = {});
 
-// Reflected fraction of uniform illumination: the mean of the directional albedo over projected solid angle.
+// Computes the reflected fraction of uniform illumination, which is the mean of the directional albedo over
+// projected solid angle.
 AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoOptions& options = {});
 
 }  // namespace brdf

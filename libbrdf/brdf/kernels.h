@@ -1,8 +1,8 @@
 // Elementary functions as branchless polynomials, one template per function for both precisions.
 //
-// They vectorise, give the same bits on every compiler, and the float ones
-// are traced into GLSL, so that shader and library agree bit for bit.
-// Coefficients: tools/kernel_coefficients.py. Use them through brdf/math.h.
+// The functions vectorise and give the same bits with every compiler. The float versions are also traced
+// into GLSL; shader and library therefore agree bit for bit. Coefficients: tools/kernel_coefficients.py.
+// Use the functions through brdf/math.h.
 #pragma once
 
 #include <array>
@@ -35,16 +35,16 @@ struct Precision<float> {
   using Bits = std::uint32_t;
   static constexpr int mantissa_bits = 23;
   static constexpr Bits exponent_bias = 127;
-  static constexpr double magic =
-      12582912.0;  // 1.5 * 2^23: adding it rounds to an integer, kept in the low bits
+  // 1.5 * 2^23. Adding this number rounds to an integer, which is kept in the low bits.
+  static constexpr double magic = 12582912.0;
   static constexpr Bits magic_bits = 0x4B400000;
-  static constexpr double exp_lowest =
-      -80;  // below it exp is flushed to 0: subnormals cost time and accuracy
+  // exp of a smaller argument is flushed to 0 because subnormal numbers are slow and inaccurate.
+  static constexpr double exp_lowest = -80;
   static constexpr double exp_highest = 88;
   static constexpr double ln2_high = 0.693359375;
   static constexpr double ln2_low = -2.12194440054690583e-4;
   static constexpr Bits sqrt_half_bits = 0x3F3504F3;
-  static constexpr Bits upper_half = 0xFFFFF000;  // sign, exponent and 12 of 24 bits of the mantissa
+  static constexpr Bits upper_half = 0xFFFFF000;  // sign, exponent and 12 of the 24 bits of the mantissa
   static constexpr std::array exp{5.0e-1, 1.666657698969877568e-1, 4.16665546172045742e-2,
                                   8.36317905272257737e-3, 1.392618358771349454e-3};
   static constexpr std::array log{6.666668505073790482e-1, 3.9988775997834654e-1, 2.958015670534363011e-1};
@@ -69,7 +69,7 @@ struct Precision<double> {
   static constexpr double ln2_high = 6.93147180369123816490e-01;
   static constexpr double ln2_low = 1.90821492927058770002e-10;
   static constexpr Bits sqrt_half_bits = 0x3FE6A09E667F3BCD;
-  static constexpr Bits upper_half = 0xFFFFFFFFF8000000;  // 26 of 53 bits
+  static constexpr Bits upper_half = 0xFFFFFFFFF8000000;  // 26 of the 53 bits
   static constexpr std::array exp{5.000000000000001022e-1, 1.666666666666666745e-1, 4.166666666662412787e-2,
                                   8.333333333330061833e-3, 1.38888889172137169e-3,  1.984126986305361688e-4,
                                   2.480152129595437513e-5, 2.755726845999706477e-6, 2.762008844540974816e-7,
@@ -93,8 +93,9 @@ struct Precision<double> {
 template <class T>
 using precision_of = Precision<base_scalar_t<T>>;
 
-// c[last] z^n + c[last - step] z^(n-1) + ... + c[last % step]. Expanded, not looped: compilers unroll no loop
-// this long, and one that holds a loop does not vectorise.
+// Returns c[last] z^n + c[last - step] z^(n-1) + ... + c[last % step]. The sum is expanded by a template
+// because compilers do not unroll a loop of this length, and a loop body that contains a loop does not
+// vectorise.
 template <std::size_t last, std::size_t step, class T, std::size_t N>
 constexpr T chain(const T& z, const std::array<double, N>& c) {
   T y(c[last]);
@@ -103,12 +104,13 @@ constexpr T chain(const T& z, const std::array<double, N>& c) {
   }(std::make_index_sequence<last / step>{});
   return y;
 }
-// sum of c[k] x^k as one chain: the most accurate where the first term is the sum's size.
+// Returns the sum of c[k] x^k as one chain. This is the most accurate order if the first term dominates the
+// sum.
 template <class T, std::size_t N>
 constexpr T horner(const T& x, const std::array<double, N>& c) {
   return chain<N - 1, 1>(x, c);
 }
-// The same as two chains in x^2, of even and odd powers, where that halves the latency.
+// Returns the same sum as two chains in x^2, one of even and one of odd powers, if that halves the latency.
 template <class T, std::size_t N>
 constexpr T polynomial(const T& x, const std::array<double, N>& c) {
   if constexpr (N <= 3) {
@@ -120,13 +122,13 @@ constexpr T polynomial(const T& x, const std::array<double, N>& c) {
   }
 }
 
-// x with the lower half of its mantissa set to 0: products of two such are exact.
+// Returns x with the lower half of its mantissa set to 0. Products of two such numbers are exact.
 template <class T>
 inline T upper_half(const T& x) {
   return from_bits(to_bits(x) & precision_of<T>::upper_half);
 }
 
-// The integer n nearest to x (halves to even), |x| at most 2^10 (float: 2^7), and 2^n.
+// The integer n nearest to x (halves to even), and 2^n. |x| must be at most 2^10 (float: 2^7).
 template <class T>
 struct WholePower {
   T n, power;
@@ -139,7 +141,8 @@ inline WholePower<T> whole_power(const T& x) {
           from_bits((to_bits(rounded) << P::mantissa_bits) + (P::exponent_bias << P::mantissa_bits))};
 }
 
-// e^x for x <= 709 (float: 88). Largest error 1.0 ulp; 0 below -690 (float: -80). NaN passes through.
+// Returns e^x for x <= 709 (float: 88). Largest error: 1.0 ulp. The result is 0 below -690 (float: -80).
+// NaN passes through.
 template <class T>
 inline T exp(const T& x) {
   using P = precision_of<T>;
@@ -151,7 +154,8 @@ inline T exp(const T& x) {
   return select(x < lowest, T(0), mantissa * power);
 }
 
-// x = m 2^e with m in [sqrt(1/2), sqrt(2)): s = (m - 1)/(m + 1), log m = 2 s + s^3 R(s^2).
+// Decomposition x = m 2^e with m in [sqrt(1/2), sqrt(2)), f = m - 1 and s = (m - 1)/(m + 1). Then
+// log m = 2 s + s^3 R(s^2).
 template <class T>
 struct LogParts {
   T e, f, s;
@@ -170,13 +174,13 @@ inline LogParts<T> log_parts(const T& x) {
   parts.f = m - T(1);
   parts.s = parts.f / (m + T(1));
   const T z = parts.s * parts.s;
-  // 2 s = f - s f exactly in the sense of the expansion, and f carries no rounding error.
+  // 2 s = f - s f is exact in the sense of the expansion, and f carries no rounding error.
   parts.tail = parts.s * (parts.f - z * polynomial(z, P::log));
   parts.inverse = from_bits(to_bits(T(1)) - power);
   return parts;
 }
 
-// Natural logarithm of a normal positive x. Largest error 1 ulp away from 1, 1.5 ulp near it.
+// Returns the natural logarithm of a normal positive x. Largest error: 1 ulp away from 1, 1.5 ulp near 1.
 template <class T>
 inline T log(const T& x) {
   using P = precision_of<T>;
@@ -184,9 +188,9 @@ inline T log(const T& x) {
   return p.e * T(P::ln2_high) + (p.f - (p.tail - p.e * T(P::ln2_low)));
 }
 
-// log(1 + x + rest) for x > -1, accurate also for tiny x; |rest| at most a few ulp of x. Largest error 2 ulp.
-// What rounding takes from 1 + x is added to the rest, which counts as rest/(1 + x) (after Kahan); 1/m is
-// 1 - 2s + 2s^2 - ..., accurate enough for that.
+// Returns log(1 + x + rest) for x > -1, accurate also for tiny x. |rest| must be at most a few ulp of x.
+// Largest error: 2 ulp. The rounding error of 1 + x is added to the rest, which contributes rest/(1 + x)
+// (after Kahan). 1/m is approximated by 1 - 2s + 2s^2, which is accurate enough for this correction.
 template <class T>
 inline T log1p(const T& x, const T& rest) {
   using P = precision_of<T>;
@@ -197,13 +201,14 @@ inline T log1p(const T& x, const T& rest) {
   return p.e * T(P::ln2_high) + (p.f - (p.tail - (p.e * T(P::ln2_low) + correction)));
 }
 
-// Angle of the point (cosine, sine), both >= 0 and not both 0: [0, pi/2]. Largest error 2 ulp.
+// Returns the angle of the point (cosine, sine) in [0, pi/2]. Both coordinates must be >= 0 and not both 0.
+// Largest error: 2 ulp.
 template <class T>
 inline T angle(const T& sine, const T& cosine) {
   using P = precision_of<T>;
   const T low = smaller(sine, cosine);
   const T high = larger(sine, cosine);
-  const auto steep = high * T(0.41421356237309504880) < low;  // above tan(pi/8) turn by pi/4
+  const auto steep = high * T(0.41421356237309504880) < low;  // above tan(pi/8), rotate by pi/4
   const T t = select(steep, low - high, low) / select(steep, low + high, high);
   const T z = t * t;
   const T reduced = t + t * z * polynomial(z, P::atan);
@@ -211,7 +216,7 @@ inline T angle(const T& sine, const T& cosine) {
   return select(cosine < sine, T(kPi / 2) - octant, octant);
 }
 
-// exp(x^2) erfc(x) for x in [0, 10.5]. Largest relative error 6e-16 (double), 3e-7 (float).
+// Returns exp(x^2) erfc(x) for x in [0, 10.5]. Largest relative error: 6e-16 (double), 3e-7 (float).
 template <class T>
 inline T erfcx(const T& x) {
   using P = precision_of<T>;

@@ -1,5 +1,5 @@
-// Points that fill the unit cube evenly however many there are: the additive
-// recurrence with the generalised golden ratio (Roberts 2018).
+// Points that fill the unit cube evenly for any number of points: the additive recurrence with the
+// generalised golden ratio (Roberts 2018).
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace brdf {
 
-// The root above 1 of x^(d+1) = x + 1, by Newton's iteration.
+// Returns the root above 1 of x^(d+1) = x + 1, computed by Newton's method.
 constexpr double generalised_golden_ratio(std::size_t dimensions) {
   long double x = 2;
   for (int step = 0; step < 60; ++step) {
@@ -31,7 +31,7 @@ constexpr void fill_recurrence_steps(std::span<double> steps) {
 }
 }  // namespace detail
 
-// How far each coordinate moves from one point to the next: the powers of 1 / ratio.
+// Returns the step of each coordinate from one point to the next. The steps are the powers of 1 / ratio.
 template <std::size_t N>
 constexpr std::array<double, N> additive_recurrence_steps() {
   std::array<double, N> steps{};
@@ -44,7 +44,8 @@ inline std::vector<double> additive_recurrence_steps(std::size_t dimensions) {
   return steps;
 }
 
-// A coordinate of the k-th point, in [0, 1): the fraction of start + k step, for start and step from 0 on.
+// Returns a coordinate of the k-th point, in [0, 1): the fractional part of start + k step. start and step
+// must not be negative.
 inline double additive_recurrence(double start, double step, std::uint64_t k) {
   double whole;
   return std::modf(start + step * double(k), &whole);

@@ -1,4 +1,4 @@
-// Materials: reflectances with their parameters, for any number of channels.
+// Materials: reflectances with parameters, for any number of channels.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace brdf {
 
-// One reflectance with its parameters, each set in the order of the form's table.
+// One reflectance with its parameters. Each set of parameters has the order of the form's table.
 struct Term {
   Reflectance form;
   std::vector<std::vector<double>> shape;    // one set shared by all channels, or one per channel
   std::vector<std::vector<double>> weights;  // [channel][parameter]
-  Angle tangent_phi{};                       // azimuth of the tangent in the surface's frame
+  Angle tangent_phi{};                       // azimuth of the tangent in the frame of the surface
 
   std::span<const double> shape_of(std::size_t channel) const {
     return shape[shape.size() == 1 ? 0 : channel];
@@ -25,30 +25,34 @@ struct Term {
   friend bool operator==(const Term&, const Term&) = default;
 };
 
-// The sum of its terms. Every term has one set of weights per channel.
+// A sum of terms. Every term has one set of weights per channel.
 struct Material {
   std::vector<std::string> channels;
   std::vector<Term> terms;
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-// The form at its table's defaults.
+// Returns the form with the defaults of its table.
 Term make_term(const Reflectance& form, std::size_t channels);
 Material make_material(const Reflectance& form, std::vector<std::string> channels = {"r", "g", "b"});
 
-// Whether it looks different from different azimuths: some term has two widths that differ.
+// Returns true if the appearance depends on the azimuth of the sample, that is, if some term has two
+// different widths.
 bool is_anisotropic(const Material& material);
 
-// f_r per channel in 1/sr, without cosine (eval_cos: times cos_i). Unit directions in the surface's frame; 0
-// below the horizon, finite everywhere. `out` has one value per channel.
+// Computes f_r per channel in 1/sr, without the cosine (eval_cos: times cos_i). Directions are unit vectors
+// in the frame of the surface. The result is 0 below the horizon and always finite. `out` has one value per
+// channel.
 void eval(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> out);
 void eval_cos(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
               std::span<double> out);
 
-// One channel of a material's term at many directions in the surface's frame: its tangent_phi is applied.
+// Evaluates one channel of a term at many directions in the frame of the surface. The function applies the
+// term's tangent_phi.
 void eval_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out);
 void eval_cos_batch(const Term& term, std::size_t channel, const Directions<double>& directions, double* out);
-// The same in float, of parameters that are rounded to float: within the form's stated accuracy of float.
+// Evaluates the same in float, with parameters rounded to float. Errors stay within the accuracy that the
+// form declares for float.
 void eval_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out);
 void eval_cos_batch(const Term& term, std::size_t channel, const Directions<float>& directions, float* out);
 

@@ -1,8 +1,8 @@
 // Elementary functions for every scalar: brdf::math::exp, log, log1p, sqrt, pow, angle, erfcx.
 //
-// float, double: the kernels of brdf/kernels.h. Dual and ceres::Jet: one chain rule. The tracing scalar: a
-// call of the traced kernel. Anything else (a 50-digit number): the type's own function, found by
-// argument-dependent lookup.
+// float and double use the kernels of brdf/kernels.h. Dual and ceres::Jet share one chain rule. The tracing
+// scalar records a call of the traced kernel. Any other type (a 50-digit number) uses its own function,
+// found by argument-dependent lookup.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,8 @@ concept Plain = std::same_as<T, float> || std::same_as<T, double>;
 
 inline constexpr double kTwoOverSqrtPi = 1.12837916709551257390;
 
-// The type's own functions. Nothing here is named like the functions below, so that only those are found.
+// Calls of the functions that belong to a type. No name here equals the name of a function below; lookup
+// therefore finds the functions of the type only.
 namespace lookup {
 using std::sqrt;
 inline constexpr auto call_exp = [](const auto& x) { return exp(x); };
@@ -27,7 +28,7 @@ inline constexpr auto call_sqrt = [](const auto& x) { return sqrt(x); };
 inline constexpr auto call_erfcx = [](const auto& x) { return erfcx(x); };
 inline constexpr auto call_atan2 = [](const auto& y, const auto& x) { return atan2(y, x); };
 inline constexpr auto call_upper_half = [](const auto& x) { return upper_half(x); };
-// Types that record formulas keep what others leave out.
+// Types that record formulas keep the rounding errors that other types ignore.
 template <class T>
 concept KeepsRests = requires(const T& x) {
   log1p(x, x);
@@ -35,8 +36,8 @@ concept KeepsRests = requires(const T& x) {
 };
 }  // namespace lookup
 
-// x with the lower half of its mantissa set to 0, so that products of two such are exact; x itself in other
-// types, which need no help.
+// Returns x with the lower half of its mantissa set to 0; products of two such numbers are exact. Other
+// types do not need this and return x.
 template <class T>
 inline T upper_half(const T& x) {
   if constexpr (Plain<T> || std::same_as<T, Traced>)
@@ -47,7 +48,7 @@ inline T upper_half(const T& x) {
     return x;
 }
 
-// Each function: plain numbers, derivatives by the chain rule, everything else.
+// Each function has three cases: plain numbers, derivatives by the chain rule, and all other types.
 
 template <class T>
 inline T exp(const T& x) {
@@ -71,7 +72,7 @@ inline T log(const T& x) {
     return lookup::call_log(x);
 }
 
-// log(1 + x + rest), |rest| a few ulp of x: what rounding took from x.
+// Returns log(1 + x + rest). |rest| is a few ulp of x: the rounding error of x.
 template <class T>
 inline T log1p(const T& x, const decltype(value_of(x))& rest) {
   using B = base_scalar_t<T>;
@@ -113,7 +114,7 @@ inline T erfcx(const T& x) {
   }
 }
 
-// Angle of (cosine, sine) in the first quadrant.
+// Returns the angle of (cosine, sine) in the first quadrant.
 template <class T>
 inline T angle(const T& sine, const T& cosine) {
   if constexpr (Plain<T>) {
@@ -127,7 +128,7 @@ inline T angle(const T& sine, const T& cosine) {
   }
 }
 
-// x^y for x >= 0, 0 at x = 0; relative error |y log x| ulp.
+// Returns x^y for x >= 0, and 0 for x = 0. Relative error: |y log x| ulp.
 template <class T>
 inline T pow(const T& x, const T& y) {
   const T tiny(1e-37);

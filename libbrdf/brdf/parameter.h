@@ -1,6 +1,6 @@
-// Parameter tables. The table beside a struct of parameters is the only place that knows their names, ranges,
-// roles and meaning: command-line flags, JSON keys, solver bounds, sliders, shader arguments and the
-// documentation come from it.
+// Parameter tables. The table in a struct of parameters is the only place that defines their names, ranges,
+// roles and meaning. Command-line flags, JSON keys, solver bounds, sliders, shader arguments and the
+// documentation are derived from it.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace brdf {
 
-// What a parameter does, whatever it is called; says nothing of weight or shape.
+// The meaning of a parameter, independent of its name. A role does not imply a weight or a shape parameter.
 enum class Role {
-  diffuse,          // reflectance of light without direction
+  diffuse,          // diffuse reflectance
   specular,         // weight of the lobe
-  f0,               // Fresnel reflectance along the normal
+  f0,               // Fresnel reflectance at normal incidence
   width,            // of the slope distribution along the tangent
   width_across,     // the same across the tangent
   exponent,         // of a cosine, along the tangent
@@ -25,11 +25,11 @@ enum class Role {
   slope,            // standard deviation of the facets' slope angle
   index,            // of refraction, real part
   extinction,       // its imaginary part
-  tint,             // factor of the reflectance along the normal, by colour
+  tint,             // factor of the reflectance at normal incidence, by colour
   other
 };
 
-// Roles that go together: along and across the tangent.
+// Roles in pairs: along and across the tangent.
 inline constexpr std::array<std::array<Role, 2>, 2> kAxisRoles{
     {{Role::width, Role::width_across}, {Role::exponent, Role::exponent_across}}};
 
@@ -38,8 +38,8 @@ inline constexpr std::array<std::string_view, 12> kNames<Role>{
     "diffuse",         "specular", "f0",    "width",      "width_across", "exponent",
     "exponent_across", "slope",    "index", "extinction", "tint",         "other"};
 
-// Whether it says how much a surface reflects along the normal, by Fresnel's equations or a rule that stands
-// for them.
+// Returns true if the parameter determines the reflectance at normal incidence, by Fresnel's equations or
+// by an approximation of them.
 constexpr bool is_fresnel(Role role) {
   switch (role) {
     case Role::f0:
@@ -60,28 +60,29 @@ constexpr bool is_fresnel(Role role) {
   return false;
 }
 
-// The texture map that holds a parameter as it stands, beside what its role says
-// (render/scene/texture_rule.h).
+// The texture map that holds the value of a parameter unchanged. Without such a map the role of the
+// parameter decides (render/scene/texture_rule.h).
 enum class Map { none, roughness, metallic };
 
 struct ParameterInfo {
   std::string_view name;
   double min, max, initial;
-  double usual_max;       // what a slider or a random test covers; beyond it up to max is allowed
-  std::string_view unit;  // "" where dimensionless
+  // Upper end of sliders and random tests. Values from here up to max are permitted.
+  double usual_max;
+  std::string_view unit;  // "" if dimensionless
   bool log_scale;         // searched and shown on a logarithmic scale
   std::string_view doc;
   Role role = Role::other;
   Map map = Map::none;
-  bool whole = false;  // whole numbers only: a count, a choice, or a truth value (0 and 1)
+  bool whole = false;  // whole numbers only: a count, a choice, or a Boolean (0 and 1)
 };
 
-// The value that a parameter can have next to x, which lies between its least and its largest.
+// Returns the permitted value nearest to x. x must lie between the minimum and the maximum of the parameter.
 inline double nearest_value(const ParameterInfo& p, double x) {
   return p.whole ? std::floor(x + 0.5) : x;
 }
 
-// The place in a table, by name or role; -1 where there is no such parameter.
+// Returns the position in a table, by name or role, or -1 if there is no such parameter.
 constexpr int parameter_index(std::span<const ParameterInfo> table, std::string_view name) {
   for (std::size_t k = 0; k < table.size(); ++k)
     if (table[k].name == name) return int(k);
@@ -101,7 +102,7 @@ struct Field {
 template <class P, class T>
 Field(T P::*, ParameterInfo) -> Field<P, T>;
 
-// Parameters of a form: `fields()` lists every member, in order.
+// Parameters of a form. `fields()` lists every member, in order.
 template <class P>
 concept ParameterStruct = requires {
   { P::fields().size() } -> std::convertible_to<std::size_t>;
@@ -110,8 +111,8 @@ concept ParameterStruct = requires {
 template <class P>
 inline constexpr std::size_t parameter_count = P::fields().size();
 
-// True where the table lists each member once, with a
-// sensible range: asserted for every form at compile time.
+// Returns true if the table lists each member once, with a valid range. Asserted for every form at compile
+// time.
 template <class P, class T>
 consteval bool table_is_sound() {
   constexpr auto fields = P::fields();
@@ -135,7 +136,7 @@ consteval bool table_is_sound() {
   return true;
 }
 
-// The values of a struct in table order.
+// Returns the values of a struct in table order.
 template <class T, ParameterStruct P>
 constexpr std::array<T, parameter_count<P>> to_values(const P& p) {
   std::array<T, parameter_count<P>> values{};
@@ -144,7 +145,7 @@ constexpr std::array<T, parameter_count<P>> to_values(const P& p) {
   return values;
 }
 
-// The struct from its values in table order.
+// Returns the struct with these values, given in table order.
 template <class P, class T>
 constexpr P from_values(std::span<const T> values) {
   P p{};
@@ -153,16 +154,16 @@ constexpr P from_values(std::span<const T> values) {
   return p;
 }
 
-// --- The parameter sets that forms share ------------------------------------------------------------------
+// --- Parameter sets that several forms share -------------------------------------------------------------
 
-inline constexpr double kWeightMax = 1000;  // uncalibrated measurements may need far more than 1
+inline constexpr double kWeightMax = 1000;  // uncalibrated measurements may need much more than 1
 
 template <class T>
 struct NoShape {
   static constexpr std::array<Field<NoShape, T>, 0> fields() { return {}; }
 };
 
-// linear() gives the weights of a form's lobes; from_linear() is its inverse.
+// linear() returns the weights of a form's lobes; from_linear() is its inverse.
 template <class T>
 struct DiffuseWeights {
   T rho;
@@ -189,7 +190,7 @@ struct LobeWeights {
   static constexpr LobeWeights from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
 };
 
-// Schlick's F = f0 + (1 - f0) s split into two lobes, so that the form is linear in (kd, ks f0, ks (1 - f0)).
+// Schlick's F = f0 + (1 - f0) s, split into two lobes: the form is linear in (kd, ks f0, ks (1 - f0)).
 template <class T>
 struct SchlickWeights {
   T kd, ks, f0;
@@ -200,7 +201,7 @@ struct SchlickWeights {
                                           "Fresnel reflectance at normal incidence (of ks)", Role::f0}}};
   }
   constexpr std::array<T, 3> linear() const { return {kd, ks * f0, ks * (T(1) - f0)}; }
-  // f0 of a lobe without weight is unidentified: it gets the table's default.
+  // f0 of a lobe without weight is not identifiable; it is set to the default of the table.
   static constexpr SchlickWeights from_linear(const std::array<T, 3>& w) {
     const T ks = w[1] + w[2];
     return {w[0], ks, select(T(0) < ks, w[1] / ks, T(fields()[2].info.initial))};

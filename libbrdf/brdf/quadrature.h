@@ -1,4 +1,4 @@
-// Gauss rules, and panels mapped so that nodes gather where an integrand varies fastest.
+// Gauss rules, and panels that concentrate their nodes in regions of fast variation.
 #pragma once
 
 #include <algorithm>
@@ -8,28 +8,29 @@
 
 namespace brdf::quadrature {
 
-inline constexpr std::size_t kRow = 64;  // nodes handled at a time
+inline constexpr std::size_t kRow = 64;  // nodes processed at a time
 
-// sinh and cosh of 0 <= s[k] <= 700. Largest relative error 4 ulp, for tiny s
-// too. Outputs may not overlap. Vectorised as the batches of the forms are:
-// with calls of the C library the nodes cost ten times what the forms cost.
+// Computes sinh and cosh of 0 <= s[k] <= 700. Largest relative error: 4 ulp, also for tiny s. Outputs may
+// not overlap. The loop is vectorised like the batches of the forms; with calls of the C library the nodes
+// would cost ten times as much as the forms.
 void sinh_cosh(std::size_t count, const double* s, double* sinh, double* cosh);
 
 struct GaussRule {
   std::vector<double> node, weight;  // on [0, 1]
 };
 
-// Nodes to 1e-16, by Newton's method on the Legendre recurrence. Kept once computed; thread safe.
+// Returns the Gauss-Legendre rule with n points. Nodes are accurate to 1e-16 (Newton's method on the
+// Legendre recurrence). Rules are computed once and kept. Thread safe.
 const GaussRule& gauss_legendre(int n);
-// The rule of n >= 3 points that has both ends among its nodes (Lobatto): exact to degree 2 n - 3.
+// Returns the Gauss-Lobatto rule with n >= 3 points, which includes both ends; exact up to degree 2 n - 3.
 const GaussRule& gauss_lobatto(int n);
 
 struct UnitNode {
   double v, weight;
 };
 
-// The k-th node of [0, 1] after v -> v^power at the ends where the integrand has a square root or a kink's
-// tangent (power 2): the substitution makes it smooth.
+// Returns the k-th node of [0, 1] after the substitution v -> v^2 at each marked end: an end at which the
+// integrand has a square root or the tangent of a kink. The substitution makes the integrand smooth.
 inline UnitNode unit_node(const GaussRule& rule, std::size_t k, bool root_low, bool root_high) {
   const double v = rule.node[k], w = rule.weight[k];
   if (root_low && root_high) return {v * v * (3 - 2 * v), w * 6 * v * (1 - v)};  // quadratic at both ends
@@ -39,8 +40,8 @@ inline UnitNode unit_node(const GaussRule& rule, std::size_t k, bool root_low, b
   return {1 - u * u, w * 2 * u};
 }
 
-// visit(distance, weight) for distances in [0, length] from a point where the integrand varies on `scale`.
-// Returns how many e-folds of distance the nodes are spread over.
+// Calls visit(distance, weight) for distances in [0, length] from a point near which the integrand varies
+// on the length `scale`. Returns the number of e-folds of distance that the nodes cover.
 template <class Visit>
 double graded_panel(const GaussRule& rule, double length, double scale, bool root, Visit&& visit) {
   scale = std::fmin(scale, length);

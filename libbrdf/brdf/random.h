@@ -1,5 +1,5 @@
-// Seeded random numbers that are the same on every machine:
-// the standard's engines are, its distributions are not.
+// Seeded random numbers that are identical on every machine. The engines of the standard library guarantee
+// this; its distributions do not.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace brdf {
 
-// In [0, 1), from the upper 53 bits of a 64-bit engine's number.
+// Returns a number in [0, 1) from the upper 53 bits of a number of a 64-bit engine.
 template <class Engine>
 double uniform01(Engine& engine) {
   static_assert(Engine::max() == ~std::uint64_t{0} && Engine::min() == 0);
@@ -26,7 +26,8 @@ class Random {
   double uniform() { return uniform01(engine_); }
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   double log_uniform(double low, double high) { return low * std::pow(high / low, uniform()); }
-  // Of mean 0 and variance 1: Box and Muller's pairs in Marsaglia's polar form, which needs no sine.
+  // Returns a normal variate with mean 0 and variance 1: the pairs of Box and Muller in Marsaglia's polar
+  // form, which needs no sine.
   double normal() {
     if (spare_) return *std::exchange(spare_, std::nullopt);
     double x, y, r2;

@@ -1,7 +1,9 @@
-// A reflectance from a form's struct: everything the interface can ask for, from the one formula.
+// Constructs a reflectance from the struct of a form. All functions of the interface are derived from the
+// one formula of the struct.
 //
-// Include this where a struct of your own is made one: Reflectance r = my_form{}. It compiles the batches in
-// float and double, the derivatives and the tracer for that form, which takes seconds.
+// Include this header in code that makes a reflectance from a struct of its own: Reflectance r = my_form{}.
+// It compiles the batches in float and double, the derivatives and the tracer for that form, which takes
+// seconds.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +33,7 @@ void eval_directions(const ParameterValues<T>& p, const Directions<T>& direction
   repeat(body, directions.count);
 }
 
-// A direction that turns with the frame: its last derivative is the one with respect to tangent_phi.
+// Returns a direction that rotates with the frame. Its last derivative is the derivative by tangent_phi.
 template <class T, int D>
 Vec3<Dual<T, D>> turning(const Vec3<T>& w) {
   const auto last = [](T value, T derivative) {
@@ -88,7 +90,8 @@ void lobes_with(std::span<const T> shape, Partial partial, const Directions<T>& 
   }
 }
 
-// What linear() does, found out by asking it: which weight each lobe takes, and times what.
+// Determines the effect of linear() by evaluating it: the weight that each lobe takes, and the factor of
+// that weight.
 template <LinearForm F>
 consteval auto lobe_weights() {
   using W = typename F::template Weights<double>;
@@ -266,7 +269,7 @@ const ReflectanceModel& reflectance_of() {
   return model;
 }
 
-// A string as a template's argument.
+// A string as a template argument.
 template <std::size_t N>
 struct FixedName {
   char text[N];
@@ -289,7 +292,8 @@ struct LobesForm : Takes<WeightsOf, ShapeOf> {
 
 }  // namespace detail
 
-// A reflectance from a function without captures, lobes(shape, geometry) as in a form's struct:
+// Constructs a reflectance from a function without captures: lobes(shape, geometry), as in the struct of a
+// form.
 //   reflectance_from<"velvet", LobeWeights, Exponent>([](const auto& shape, const auto& g) { ... })
 template <FixedName kName, template <class> class WeightsOf, template <class> class ShapeOf, class Lobes>
 Reflectance reflectance_from(Lobes) {

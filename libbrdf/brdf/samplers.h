@@ -1,12 +1,12 @@
-// How single lobes are sampled. A form names the one that follows its specular lobe: using Sampler =
-// VisibleGgx, or OfWidths<VisibleGgx> where its shape holds more than widths.
+// Samplers of single lobes. A form names the sampler of its specular lobe: using Sampler = VisibleGgx, or
+// OfWidths<VisibleGgx> if its shape has other parameters in addition to widths.
 //
-// A sampler has two static templates over the shape parameters S<T> it takes:
+// A sampler has two static templates over the shape parameters S<T>:
 //   Vec3<T> sample(const S<T>&, T u1, T u2, const Vec3<T>& wo)   a direction wi, u in [0, 1)
 //   T pdf(const S<T>&, const Geometry<T>&)                       its density per solid angle of wi, 1/sr
-// Directions in the local frame, wo fixed and above the horizon. A sampled wi may lie below it. T is float,
-// double or the tracing scalar (brdf/trace.h), which writes the sampler as GLSL: hence select() instead of
-// `?:`, and elementary functions named without std::.
+// Directions are given in the local frame, with wo fixed and above the horizon. A sampled wi may lie below
+// the horizon. T is float, double or the tracing scalar (brdf/trace.h), which writes the sampler as GLSL.
+// The templates therefore use select() instead of `?:`, and name elementary functions without std::.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ Vec3<T> normalised(const Vec3<T>& v) {
   return v * (T(1) / math::sqrt(dot(v, v)));
 }
 
-// The direction at this cosine to z and this azimuth.
+// Returns the direction with this cosine to z and this azimuth.
 template <class T>
 Vec3<T> from_cosine(T cosine, T phi) {
   using std::cos, std::sin;
@@ -41,13 +41,13 @@ Vec3<T> mirrored(const Vec3<T>& w, const Vec3<T>& h) {
   return h * (T(2) * dot(w, h)) - w;
 }
 
-// Density cos/pi.
+// Density: cos/pi.
 template <class T>
 Vec3<T> sample_cosine(T u1, T u2) {
   return from_cosine(math::sqrt(T(1) - u1), T(2 * kPi) * u2);
 }
 
-// About the mirror direction of wo, density (n + 1)/(2 pi) (r.wi)^n.
+// Samples a direction about the mirror direction r of wo. Density: (n + 1)/(2 pi) (r.wi)^n.
 template <class T>
 Vec3<T> sample_phong(T n, T u1, T u2, const Vec3<T>& wo) {
   using std::pow;
@@ -63,7 +63,7 @@ T pdf_phong(T n, const Geometry<T>& g) {
   return (n + T(1)) * T(1 / (2 * kPi)) * mirror_cosine_power(n, g);
 }
 
-// Half vector with density (n + 2)/(2 pi) cos_h^(n+1).
+// Samples a half vector with density (n + 2)/(2 pi) cos_h^(n+1).
 template <class T>
 Vec3<T> sample_half_cosine(T n, T u1, T u2) {
   using std::pow;
@@ -75,8 +75,8 @@ T pdf_half_cosine(T n, const Geometry<T>& g) {
   return (n + T(2)) * T(1 / (2 * kPi)) * half_cosine_power(n, g) * cos_h / (T(4) * g.cos_d);
 }
 
-// Half vector with Gaussian slopes (Walter 2005, "Notes
-// on the Ward BRDF"): density D cos_h with Beckmann's D.
+// Samples a half vector with Gaussian slopes (Walter 2005, "Notes on the Ward BRDF"). Density: D cos_h with
+// Beckmann's D.
 template <class T>
 Vec3<T> sample_gaussian_slopes(const Roughness<T>& a, T u1, T u2) {
   using std::cos, std::sin, std::log;
@@ -90,7 +90,7 @@ T pdf_gaussian_slopes(const Roughness<T>& a, const Geometry<T>& g) {
   return d.num / d.den * g.h.z / (T(8) * square(g.cos_d));
 }
 
-// Visible normals of GGX (Heitz 2018): the disc of the stretched view direction, projected back.
+// Samples the visible normals of GGX (Heitz 2018): a disc for the stretched view direction, projected back.
 template <class T>
 Vec3<T> sample_visible_ggx(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
   using std::cos, std::sin;
@@ -107,7 +107,7 @@ Vec3<T> sample_visible_ggx(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo)
   const Vec3<T> h = t1 * p1 + t2 * p2 + v * p3;
   return normalised(Vec3<T>{a.alpha_x * h.x, a.alpha_y * h.y, at_least(h.z, T(1e-12))});
 }
-// G1 D/(4 cos_o): the mirrored direction's density.
+// Density of the mirrored direction: G1 D/(4 cos_o).
 template <class T>
 T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
   const Fraction<T> d = d_ggx(a, g);
@@ -115,9 +115,10 @@ T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
 }
 
 namespace detail {
-// The slope x below which a share u of the visible Gaussian slopes lies, seen at this angle: cos (1 + erf
-// x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. Newton's method inside a bracket; as many steps as it takes,
-// or where it is traced as many as float asks for.
+// Returns the slope x below which a share u of the Gaussian slopes lies that are visible at this angle. The
+// distribution is cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. The equation is solved by
+// Newton's method inside a bracket. Plain numbers iterate until convergence (40 steps at most); the traced
+// version has the 14 steps that float needs.
 template <class T>
 T visible_gaussian_slope(T cosine, T sine, T u) {
   using std::exp, std::erfc;
@@ -144,7 +145,8 @@ T visible_gaussian_slope(T cosine, T sine, T u) {
 }
 }  // namespace detail
 
-// Visible normals of Beckmann (Heitz and d'Eon 2014), the slopes inverted numerically.
+// Samples the visible normals of Beckmann slopes (Heitz and d'Eon 2014). The distribution of slopes is
+// inverted numerically.
 template <class T>
 Vec3<T> sample_visible_beckmann(const Roughness<T>& a, T u1, T u2, const Vec3<T>& wo) {
   const Vec3<T> v = normalised(Vec3<T>{a.alpha_x * wo.x, a.alpha_y * wo.y, wo.z});
@@ -161,7 +163,7 @@ T pdf_visible_beckmann(const Roughness<T>& a, const Geometry<T>& g) {
   return d.num / (d.den * (T(4) * (g.cos_o + cos_lambda_beckmann(a, g.wo))));
 }
 
-// About the mirror direction of wo, in proportion to a power of the cosine to it.
+// Samples about the mirror direction of wo, proportional to a power of the cosine to that direction.
 struct MirrorCosine {
   template <class T>
   static Vec3<T> sample(const Exponent<T>& s, T u1, T u2, const Vec3<T>& wo) {
@@ -173,7 +175,7 @@ struct MirrorCosine {
   }
 };
 
-// By the half vector, in proportion to a power of its cosine.
+// Samples the half vector, proportional to a power of its cosine.
 struct HalfCosine {
   template <class T>
   static Vec3<T> sample(const Exponent<T>& s, T u1, T u2, const Vec3<T>& wo) {
@@ -185,7 +187,7 @@ struct HalfCosine {
   }
 };
 
-// By the half vector with Gaussian slopes.
+// Samples the half vector with Gaussian slopes.
 struct GaussianSlopes {
   template <class T>
   static Vec3<T> sample(const Roughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
@@ -197,7 +199,7 @@ struct GaussianSlopes {
   }
 };
 
-// By the normals that are visible from wo.
+// Samples the normals that are visible from wo.
 struct VisibleGgx {
   template <class T>
   static Vec3<T> sample(const Roughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
@@ -219,7 +221,7 @@ struct VisibleBeckmann {
   }
 };
 
-// Evenly over the hemisphere, whatever the shape: for what does not fall off with cos_i.
+// Samples the hemisphere uniformly, for any shape. For terms that do not decrease with cos_i.
 struct Hemisphere {
   template <class S, class T>
   static Vec3<T> sample(const S&, T u1, T u2, const Vec3<T>&) {
@@ -231,7 +233,7 @@ struct Hemisphere {
   }
 };
 
-// A sampler of widths for a shape that has them among others: its widths().
+// Adapts a sampler of widths to a shape that has other parameters too. The shape provides widths().
 template <class Sampler>
 struct OfWidths {
   template <class S, class T>
@@ -244,7 +246,8 @@ struct OfWidths {
   }
 };
 
-// Each of two in half of all cases, told apart by u1, whose rest goes on.
+// Uses each of two samplers with probability 1/2. u1 selects the sampler; the rest of u1 is passed to the
+// sampler.
 template <class First, class Second>
 struct OneOf {
   template <class S, class T>

@@ -1,8 +1,9 @@
-// Random directions in proportion to a form: a mixture of its own sampler and the cosine.
+// Random directions roughly proportional to a form: a mixture of the form's own sampler and the cosine.
 //
-// Directions in the local frame, wo fixed and above the horizon; u in [0, 1). Densities are per solid angle
-// of wi, 1/sr. A sampled wi may lie below the horizon: its contribution is then 0, and over the upper
-// hemisphere pdf() integrates to the chance that it does not. T is float, double or the tracing scalar.
+// Directions are given in the local frame, with wo fixed and above the horizon; u in [0, 1). Densities are
+// per solid angle of wi, in 1/sr. A sampled wi may lie below the horizon; its contribution is then 0. Over
+// the upper hemisphere pdf() therefore integrates to the probability that wi lies above the horizon. T is
+// float, double or the tracing scalar.
 #pragma once
 
 #include "brdf/form.h"
@@ -13,8 +14,8 @@ namespace brdf {
 template <class F>
 concept SampledForm = requires { typename F::Sampler; };
 
-// Samples the specular lobe where u3 < `share` and the cosine otherwise; pdf() is the density of that
-// mixture. Any form can be sampled; a lobe is followed where the form names its sampler.
+// Samples the specular lobe if u3 < `share`, otherwise the cosine. pdf() is the density of that mixture.
+// Any form can be sampled; the lobe is followed only if the form names a sampler.
 template <Form F, class T>
 Vec3<T> sample(F, const typename F::template Shape<T>& shape, T u1, T u2, T u3, const Vec3<T>& wo,
                T share = T(0.5)) {
@@ -26,7 +27,7 @@ Vec3<T> sample(F, const typename F::template Shape<T>& shape, T u1, T u2, T u3, 
   return sample_cosine(u1, u2);
 }
 
-// Density of sample() at wi, 1/sr; 0 below the horizon.
+// Returns the density of sample() at wi, in 1/sr; 0 below the horizon.
 template <Form F, class T>
 T pdf(F, const typename F::template Shape<T>& shape, const Vec3<T>& wi, const Vec3<T>& wo, T share = T(0.5)) {
   const Geometry<T> g = geometry(wi, wo);

@@ -1,16 +1,17 @@
-// What a scalar type has to say about itself, and the few operations that every scalar shares.
+// Traits of scalar types, and the few operations that all scalars share.
 //
-// Scalars: float, double, Dual<T, N>, ceres::Jet, a 50-digit number and the
-// tracing scalar. Forms are written once for all of them: constants are converted
-// at use, S(0.33), and a choice is select(condition, a, b), never an `if`.
+// Scalars are float, double, Dual<T, N>, ceres::Jet, a 50-digit number and the tracing scalar. Forms are
+// written once for all of them: constants are converted at use, S(0.33), and a choice is
+// select(condition, a, b), never an `if`.
 #pragma once
 
 #include <concepts>
 #include <type_traits>
 
-// (x + magic) - magic and compensated sums are what fast mathematics takes apart. g++ 12 tells of its parts;
-// clang tells of -ffast-math alone, and is told to keep the order instead: to the end of the source, which a
-// user's own sums are not the worse for.
+// Fast mathematics breaks (x + magic) - magic and compensated sums. g++ from version 12 on defines a macro
+// for each of its parts. clang defines a macro for -ffast-math only. For clang and for older g++ a pragma
+// therefore forbids the reordering of sums up to the end of the source file, which does no harm to the sums
+// of user code.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error \
     "libbrdf relies on IEEE arithmetic: -ffast-math, -Ofast, -funsafe-math-optimizations and -fassociative-math make its kernels wrong by up to 41 %"
@@ -27,14 +28,15 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 class Traced;
 
-// A scalar with a value `a` and partial derivatives `v`: our Dual and ceres::Jet, without naming either.
+// A scalar with a value `a` and partial derivatives `v`. This covers Dual and ceres::Jet without naming
+// either.
 template <class T>
 concept Differentiated = requires(T t) {
   t.a;
   t.v;
 };
 
-// The type whose rounding a scalar has: float for float, Dual<float, N> and the tracing scalar.
+// The type that determines the rounding of a scalar: float for float, Dual<float, N> and the tracing scalar.
 template <class T>
 struct BaseScalar {
   using type = T;
@@ -50,7 +52,7 @@ struct BaseScalar<Traced> {
 template <class T>
 using base_scalar_t = typename BaseScalar<T>::type;
 
-// The value without its derivatives.
+// Returns the value without its derivatives.
 template <class T>
 constexpr const T& value_of(const T& x) {
   return x;
@@ -60,13 +62,13 @@ constexpr const auto& value_of(const T& x) {
   return x.a;
 }
 
-// Both values are computed, then one is taken: this is what vectorises, differentiates and traces.
+// Selects one of two computed values. This form vectorises, differentiates and can be traced.
 template <class T>
 constexpr T select(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
 }
 
-// These let NaN in `x` through: a comparison with NaN is false, and `x` is then the value taken.
+// These functions pass NaN in `x` through: a comparison with NaN is false, and `x` is then the result.
 template <class T>
 constexpr T at_least(const T& x, const T& lower) {
   return select(x < lower, lower, x);
@@ -89,7 +91,7 @@ constexpr T square(const T& x) {
   return x * x;
 }
 
-// a + b - sum exactly, where sum is a + b rounded (Knuth's two-sum).
+// Returns a + b - sum exactly, if sum is a + b rounded (Knuth's two-sum).
 template <class T>
 constexpr T sum_rest(const T& a, const T& b, const T& sum) {
   const T second = sum - a;

@@ -1,10 +1,10 @@
 // Targets: the reflectances that other programs compute, for fits and exports in their own formula.
 //
-// A target is a form in everything but its place: it stands in no list of forms (`fit --form all`, the checks
-// of all forms), because it is another program's choice, not a model of ours. It is found by its name as a
-// form is (find_form), evaluated, fitted, drawn and written to material files. Each header of brdf/targets/
-// cites the file and the snapshot it was read from; tests/libbrdf/targets_test.cpp holds the same lines a
-// second time.
+// A target is a form in every respect except that no list of forms contains it (`fit --form all`, the
+// checks of all forms), because it is the choice of another program and not a model of this library. A
+// target is found by its name like a form (find_form), evaluated, fitted, drawn and written to material
+// files. Each header of brdf/targets/ cites its source file and snapshot; tests/libbrdf/targets_test.cpp
+// contains the same lines a second time.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace brdf {
 
-// All of them, those of one program together.
+// Returns all targets; the targets of one program are adjacent.
 std::span<const Reflectance> targets();
 
 }  // namespace brdf

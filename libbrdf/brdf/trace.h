@@ -1,10 +1,11 @@
-// The tracing scalar: evaluating a form on it records the formula, which is then written as GLSL.
+// The tracing scalar. Evaluating a form on this type records the formula, which is then written as GLSL.
 //
-// This is how shaders come from the one formula in the headers. Traced values refuse `if`, `?:`, mixing with
-// double and std:: functions at compile time, so it also checks the style that keeps forms vectorisable.
-// Constant arithmetic is folded in float; equal expressions share one temporary; every float temporary is
-// `precise`, without which Mesa folds (x + magic) - magic and results differ by up to 50 %. Then software
-// driver and float library agree bit for bit. The dialect for browsers is in GlslDialect.
+// All shaders are generated in this way from the one formula in the headers. Traced values reject `if`,
+// `?:`, mixing with double and std:: functions at compile time; this also checks the style that keeps forms
+// vectorisable. Constant arithmetic is folded in float, and equal expressions share one temporary. Every
+// float temporary is `precise`; without it Mesa folds (x + magic) - magic, and results differ by up to
+// 50 %. The software driver and the float library therefore agree bit for bit. GlslDialect describes the
+// dialect for browsers.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@
 
 namespace brdf {
 
-// A recorded expression graph, with equal nodes shared.
+// A recorded expression graph. Equal nodes are shared.
 class Trace {
  public:
   enum class Type { float_type, uint_type, bool_type };
@@ -39,10 +40,11 @@ class Trace {
   int add(Node node);
   GlslDialect dialect() const { return dialect_; }
   const Node& operator[](int id) const { return nodes_[std::size_t(id)]; }
-  // Statements that compute `roots`, depth first, then `result` with %0, %1, ... replaced by the roots.
+  // Returns the statements that compute `roots`, depth first, followed by `result` with %0, %1, ...
+  // replaced by the roots.
   std::string statements(const std::vector<int>& roots, std::string_view result, bool precise) const;
 
-  // The graph that traced values record into: one per thread, replaced for the lifetime of a scope.
+  // Returns the graph into which traced values record: one per thread, replaced for the lifetime of a scope.
   static Trace& current();
   class Scope;
 
@@ -67,7 +69,7 @@ class TracedBool {
  public:
   explicit TracedBool(int node) : node_(node) {}
   int node() const { return node_; }
-  explicit operator bool() const = delete;  // no `if` and no `?:` on traced values
+  explicit operator bool() const = delete;  // forbids `if` and `?:` on traced values
 
  private:
   int node_;
@@ -108,13 +110,14 @@ class Traced {
   friend TracedBits to_bits(Traced x);
   friend Traced from_bits(TracedBits bits);
   friend kernels::WholePower<Traced> whole_power(Traced x);
-  // Kernels: traced once into GLSL functions, called here.
+  // Kernels, which are traced once into GLSL functions and called here.
   friend Traced exp(Traced x);
   friend Traced log(Traced x);
   friend Traced log1p(Traced x, Traced rest);
   friend Traced erfcx(Traced x);
   friend Traced atan2(Traced y, Traced x);
-  // What samplers take besides: not proved equal to the library's bit for bit, as values are.
+  // Functions for samplers only. In contrast to values, their results are not proved bit-identical to the
+  // library.
   friend Traced sin(Traced x);
   friend Traced cos(Traced x);
   friend Traced pow(Traced x, Traced y);
@@ -130,23 +133,24 @@ class Traced {
   int node_;
 };
 
-// Found by its argument only if declared here too.
+// Argument-dependent lookup finds this function only if it is declared here too.
 Traced from_bits(TracedBits bits);
 
-// GLSL functions of the elementary kernels; needed once before any form.
+// Returns the GLSL functions of the elementary kernels. A shader needs them once, before any form.
 std::string glsl_kernels(const GlslOptions& options = {});
 
 namespace detail {
 
-// The number as GLSL has it, which reads back to the same float.
+// Returns the number as a GLSL literal that reads back to the same float.
 std::string float_literal(float x);
 
-// A function with this signature: the statements that compute
-// the values, then `result` with %0, %1, ... replaced.
+// Returns a function with this signature: the statements that compute the values, followed by `result` with
+// %0, %1, ... replaced.
 std::string glsl_function(std::string_view signature, const std::vector<Traced>& values,
                           std::string_view result, bool precise);
 
-// The parameter struct whose members are the shader's arguments; `component` is "" or ".r", ".g", ".b".
+// Returns the parameter struct with the arguments of the shader as members. `component` is "" or ".r",
+// ".g", ".b".
 template <class P>
 P inputs(const std::string& component) {
   P p{};
@@ -159,7 +163,7 @@ inline Vec3<Traced> input_vector(const std::string& v) {
   return {Traced::input(v + ".x"), Traced::input(v + ".y"), Traced::input(v + ".z")};
 }
 
-// The shape's parameters as arguments that follow others.
+// Returns the parameters of the shape as arguments that follow other arguments.
 template <class Shape>
 std::string glsl_shape() {
   std::string text;
@@ -189,13 +193,13 @@ std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
 
 }  // namespace detail
 
-// A form's two functions, see ReflectanceModel::glsl.
+// Returns the two functions of a form; see ReflectanceModel::glsl.
 template <Form F>
 std::string glsl_functions(F form, const GlslOptions& options = {}) {
   return detail::glsl_of(form, false, options) + detail::glsl_of(form, true, options);
 }
 
-// A form's sampler and its density, see ReflectanceModel::glsl_sampler.
+// Returns the sampler of a form and its density; see ReflectanceModel::glsl_sampler.
 template <Form F>
 std::string glsl_sampler_functions(F form, const GlslOptions& options = {}) {
   using Shape = typename F::template Shape<Traced>;
@@ -218,15 +222,15 @@ std::string glsl_sampler_functions(F form, const GlslOptions& options = {}) {
                                       {density}, "return %0;", options.marks_precise());
 }
 
-// A function that picks the reflectance by its number in a shader:
+// Returns a function that selects the reflectance by its number in a shader:
 //   vec3 <function>(int form, vec3 wi, vec3 wo, vec4 shape, vec3 w0, vec3 w1, vec3 w2)
-// calls <function>_<name> of the one that has it; `function` is brdf_eval or brdf_eval_cos.
+// calls <function>_<name> of the reflectance with that number. `function` is brdf_eval or brdf_eval_cos.
 struct NumberedReflectance {
   int number;
   Reflectance reflectance;
 };
 std::string glsl_dispatch(std::string_view function, std::span<const NumberedReflectance> reflectances);
-// The same for samplers; one without a sampler in GLSL has the cosine's:
+// Returns the same for samplers. A reflectance without a sampler in GLSL uses the sampler of the cosine:
 //   vec3 brdf_sample(int form, vec3 u, vec3 wo, vec4 shape)
 //   float brdf_pdf(int form, vec3 wi, vec3 wo, vec4 shape)
 std::string glsl_sampler_dispatch(std::span<const NumberedReflectance> reflectances);

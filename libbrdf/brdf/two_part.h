@@ -1,16 +1,16 @@
-// Numbers in two parts, for what an exponent must not lose.
+// Numbers in two parts, which give exponents the necessary accuracy.
 //
-// At 1e-12 of a lobe's peak an exponent of 27 turns the relative error of one rounding into 27 of them: a
-// dozen roundings would be 1e-5 in float. What they take is therefore carried along, in plain numbers
-// (derivatives need none of it). Not by fused multiply-add, which shaders may take apart: halves of mantissas
-// multiply exactly everywhere.
+// At 1e-12 of a lobe's peak the exponent is 27 and multiplies the relative error of one rounding by 27; a
+// dozen roundings would give an error of 1e-5 in float. The rounding errors are therefore carried along, in
+// plain numbers (derivatives do not need them). Fused multiply-add is not used because shaders may split
+// it; products of half mantissas are exact everywhere.
 #pragma once
 
 #include "brdf/math.h"
 
 namespace brdf {
 
-// high + low, where high has half a mantissa.
+// The sum high + low; high has half a mantissa.
 template <class T>
 struct TwoPart {
   T high, low;
@@ -26,7 +26,7 @@ struct TwoPart {
   }
 };
 
-// x + rest, where rest is what rounding took from x.
+// Returns x + rest in two parts. rest is the rounding error of x.
 template <class T>
 TwoPart<T> two_part(const T& x, const T& rest) {
   const T high = math::upper_half(x);
@@ -38,14 +38,14 @@ TwoPart<T> half(const TwoPart<T>& x) {
   return {T(0.5) * x.high, T(0.5) * x.low};
 }
 
-// The square root, given its rounded value.
+// Returns the square root, given its rounded value.
 template <class T>
 TwoPart<T> square_root(const TwoPart<T>& x, const T& root) {
   const TwoPart<T> r = two_part(root, T(0)), square = r * r;
   return two_part(root, T(0.5) * ((x.high - square.high) + (x.low - square.low)) / root);
 }
 
-// a b - p where p is a b but for a few ulp.
+// Returns a b - p, if p equals a b up to a few ulp.
 template <class T>
 T product_rest(const T& a, const T& b, const T& p) {
   const T a_high = math::upper_half(a), b_high = math::upper_half(b);
@@ -53,7 +53,7 @@ T product_rest(const T& a, const T& b, const T& p) {
   return ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low;
 }
 
-// (n + n_rest)/d - q, where q is n/d but for a few ulp and `inverse` about 1/d.
+// Returns (n + n_rest)/d - q, if q equals n/d up to a few ulp and `inverse` is about 1/d.
 template <class T>
 T quotient_rest(const T& n, const T& n_rest, const TwoPart<T>& d, const T& inverse, const T& q) {
   const T q_high = math::upper_half(q);

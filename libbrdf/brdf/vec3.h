@@ -1,4 +1,4 @@
-// Three coordinates in the local frame: x along the tangent, z along the normal.
+// A vector in the local frame: x along the tangent, z along the normal.
 #pragma once
 
 #include "brdf/scalar.h"

@@ -25,7 +25,7 @@ std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings) {
   return nodes;
 }
 
-// Frame after Duff et al. 2017, "Building an orthonormal basis, revisited".
+// The frame follows Duff et al. 2017, "Building an orthonormal basis, revisited".
 Vec3<double> aperture_direction(const Vec3<double>& axis, const ApertureNode& node) {
   const double sign = std::copysign(1.0, axis.z);
   const double a = -1 / (sign + axis.z), b = axis.x * axis.y * a;

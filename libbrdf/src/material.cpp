@@ -21,8 +21,8 @@ void turn_all(const Directions<T>& directions, Angle phi, DirectionArrays<T>& ou
     out.set(i, turn(directions.wi(i), c, s), turn(directions.wo(i), c, s));
 }
 
-// Calls evaluate(values, directions, out) on blocks that stay in the cache, turned into the term's tangent
-// frame where it has one.
+// Calls evaluate(values, directions, out) on blocks that fit into the cache. The directions are rotated
+// into the tangent frame of the term if the term has a tangent_phi.
 template <class T, class Evaluate>
 void eval_term(Angle tangent_phi, const ParameterValues<T>& values, const Directions<T>& directions, T* out,
                Evaluate&& evaluate) {
@@ -36,7 +36,7 @@ void eval_term(Angle tangent_phi, const ParameterValues<T>& values, const Direct
   }
 }
 
-// A channel's parameters rounded to float.
+// The parameters of a channel, rounded to float.
 class FloatValues {
  public:
   explicit FloatValues(const ParameterValues<double>& p)
@@ -51,7 +51,7 @@ class FloatValues {
   std::size_t channel_;
 };
 
-// Adds every term's value for one pair to `out`.
+// Adds the value of every term for one pair to `out`.
 template <class Evaluate>
 void sum_terms(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
                std::span<double> out, Evaluate&& evaluate) {

@@ -32,7 +32,7 @@ GaussRule legendre(int n) {
   return rule;
 }
 
-// Inner nodes are the extrema of the Legendre polynomial of degree n - 1.
+// The inner nodes are the extrema of the Legendre polynomial of degree n - 1.
 GaussRule lobatto(int n) {
   const int degree = n - 1;
   GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
@@ -46,8 +46,8 @@ GaussRule lobatto(int n) {
         previous = value;
         value = next;
       }
-      if (k == 0) break;  // the end itself
-      // P' = degree (x P - P_before)/(x^2 - 1); P'' from Legendre's equation.
+      if (k == 0) break;  // the end of the interval
+      // P' = degree (x P - P_before)/(x^2 - 1). P'' follows from Legendre's equation.
       const double first = degree * (x * value - previous) / (x * x - 1);
       const double second = (2 * x * first - degree * (degree + 1) * value) / (1 - x * x);
       const double change = first / second;
@@ -61,7 +61,7 @@ GaussRule lobatto(int n) {
   return rule;
 }
 
-// The rule of n points, computed once.
+// Returns the rule with n points, which is computed once.
 const GaussRule& kept(std::map<int, GaussRule>& rules, int n, GaussRule (*compute)(int)) {
   static std::mutex mutex;
   const std::lock_guard lock(mutex);

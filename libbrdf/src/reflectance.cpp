@@ -10,7 +10,7 @@
 namespace brdf {
 namespace {
 
-// Evaluates in double and rounds, a block at a time.
+// Evaluates in double and rounds to float, one block at a time.
 template <class Evaluate>
 void by_double(const ParameterValues<float>& p, const Directions<float>& d, float* out, Evaluate&& evaluate) {
   constexpr std::size_t kBlock = 256;

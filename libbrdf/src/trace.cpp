@@ -54,14 +54,16 @@ TracedBits bits_op(const char* op, TracedBits a, int b) {
   return TracedBits(add(Trace::Type::uint_type, op, {a.node(), b}));
 }
 
-// The same number, but no compiler knows: a uniform that is 0 takes part in its bits.
+// Returns the same number in a form that no compiler can fold: a uniform with value 0 is combined with its
+// bits.
 Traced opaque(Traced x) {
   const int zero = add(Trace::Type::uint_type, "brdf_zero", {});
   return from_bits(bits_op("^", to_bits(x), zero));
 }
 
-// What the compilers of browsers rearrange, and rounding is then another: two constants that follow each
-// other, (x + 1) - 1 or 3 (2 x), become one; (a + b) - a becomes b; a factor is taken out of a b + a c.
+// Protects expressions that the shader compilers of browsers rearrange, which changes the rounding. They
+// merge two consecutive constants, (x + 1) - 1 or 3 (2 x), into one. They replace (a + b) - a by b. They
+// factor a out of a b + a c.
 void keep_as_written(std::string_view op, Traced& a, Traced& b) {
   const Trace::Node &x = Trace::current()[a.node()], &y = Trace::current()[b.node()];
   const auto joins = [op](const Trace::Node& operand) {
@@ -88,7 +90,7 @@ Traced arithmetic(const char* op, Traced a, Traced b, Fold fold) {
   return Traced::from_node(add(Trace::Type::float_type, op, {a.node(), b.node()}));
 }
 
-// A kernel call on a constant is folded by the float kernel itself.
+// A kernel call with a constant argument is folded by the float kernel itself.
 Traced call(const char* function, Traced x, float (*kernel)(const float&)) {
   if (const auto c = float_constant(x)) return Traced::from_node(add_float(kernel(*c)));
   return Traced::from_node(add(Trace::Type::float_type, function, {x.node()}));
@@ -126,7 +128,7 @@ std::string Trace::statements(const std::vector<int>& roots, std::string_view re
     std::string& name = names[std::size_t(id)];
     if (!name.empty()) return;
     const Node& node = nodes_[std::size_t(id)];
-    if (node.operands.empty()) {  // an input or a literal; a negative literal needs brackets
+    if (node.operands.empty()) {  // an input or a literal; a negative literal needs parentheses
       name = node.code[0] == '-' ? "(" + node.code + ")" : node.code;
       return;
     }

@@ -21,7 +21,7 @@ BytePicture side(const Comparison& c, bool second) {
   return out;
 }
 
-// What fits into a picture of so many pixels across.
+// Returns the measures of a difference, without the PSNR if the text is too wide for `width` pixels.
 std::string measures(const Difference& d, int width, int pixels) {
   char error[48], noise[48];
   std::snprintf(error, sizeof error, "relative MSE %.3g", d.rel_mse);
@@ -32,12 +32,12 @@ std::string measures(const Difference& d, int width, int pixels) {
   return int(text_width(all, pixels)) + pixels <= width ? all : error + unknown;
 }
 
-// The scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to 1, a
-// decade per sixth, or -50 to 50 %.
+// Draws the scale of the false colours along the upper edge, above a sphere that fills the picture: 1e-6 to
+// 1 with a decade per sixth, or -50 to 50 %.
 void draw_scale(BytePicture& picture, Scale scale) {
   const int pixels = std::max(9, label_pixels(picture) * 3 / 5), bar = std::max(4, pixels / 2), pad = bar / 2;
   const int width = picture.width - 2 * pad;
-  if (width < 12 * pixels) return;  // no room for its numbers
+  if (width < 12 * pixels) return;  // no room for the numbers
   fill(picture, {0, 0}, {picture.width, pad + bar + 3 * pixels / 2}, {0, 0, 0}, 0.55f);
   const bool log = scale == Scale::logarithmic;
   for (int x = 0; x < width; ++x) {
@@ -52,7 +52,7 @@ void draw_scale(BytePicture& picture, Scale scale) {
       log ? std::vector<std::string>{"1e-6", "1e-4", "1e-2", "1"}
           : std::vector<std::string>{"A darker by 50 %", "0", "A brighter by 50 %"};
   for (std::size_t k = 0; k < words.size(); ++k) {
-    const float along = float(k) / float(words.size() - 1);  // the outermost stay inside
+    const float along = float(k) / float(words.size() - 1);  // the outermost numbers stay inside
     const float left = float(pad) + along * (float(width) - text_width(words[k], pixels));
     draw_text(picture, {left, float(pad + bar) + 1.15f * float(pixels)}, words[k], pixels);
   }
@@ -79,7 +79,7 @@ BytePicture target_picture(Renderer& renderer, Target target, const Picture& ids
     const glm::vec3 value(pixel);
     if (ids.pixels[p].a < 0.5f / 255) {
       pixel = glm::vec4(0);
-    } else if (vector && renderer.gbuffer_bits() != 8) {  // bytes hold v/2 + 1/2 already
+    } else if (vector && renderer.gbuffer_bits() != 8) {  // bytes already contain v/2 + 1/2
       pixel = glm::vec4((direction ? value : value / extent) * 0.5f + 0.5f, 1);
     }
   }

@@ -17,7 +17,8 @@ namespace {
 constexpr int kRings = 90, kSectors = 180;  // of a body
 constexpr ByteColor kBackground{28, 28, 32}, kDots{255, 140, 40};
 
-// Seen from the side and above, without perspective. x of the lobe's frame points to the mirror direction.
+// The view from the side and from above, without perspective. x of the lobe's frame points to the mirror
+// direction.
 struct Eye {
   glm::vec3 right, up, back;  // unit vectors; back points to the eye
 
@@ -38,7 +39,7 @@ glm::vec3 towards(double theta, double phi) {
   return {float(d.x), float(d.y), float(d.z)};
 }
 
-// f_r of the channels at directions of the lobe's frame.
+// f_r of the channels for directions in the lobe's frame.
 class Lobe {
  public:
   Lobe(const Material& material, double theta_i)
@@ -72,7 +73,7 @@ class Canvas {
         scale_(scale),
         depth_(picture.pixels.size(), -std::numeric_limits<float>::infinity()) {}
 
-  // In pixels, and towards the eye in the lobe's units.
+  // Returns the place in pixels (x, y), and the coordinate towards the eye in the lobe's units (z).
   glm::vec3 place(const glm::vec3& p) const {
     const glm::vec3 s = eye_.seen(p);
     return {origin_.x + scale_ * s.x, origin_.y - scale_ * s.y, s.z};
@@ -101,12 +102,13 @@ class Canvas {
       }
     }
   }
-  // Faint where something stands before it.
+  // Draws a dot, faint if a part of the body hides it.
   void dot(const glm::vec3& p, float size, ByteColor color) {
     const glm::vec3 at = place(p);
     const int x = int(at.x), y = int(at.y);
     if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
-    constexpr float kInside = 0.01f;  // of the radius: a value that agrees lies on the body
+    // Of the radius: a measured value that agrees with the material lies on the body.
+    constexpr float kInside = 0.01f;
     draw_dot(picture, glm::vec2(at), size, color, at.z + kInside < depth_[index(x, y)] ? 0.25f : 1);
   }
 
@@ -136,7 +138,7 @@ void draw_ground(Canvas& canvas) {
   canvas.path({{0, 0, 0}, {0, 0, 1}}, 1, kLobeGrid);
 }
 
-// The body's points, ring by ring from the normal.
+// The points of the body, ring by ring from the normal.
 struct Body {
   std::vector<glm::vec3> points, values;
   const glm::vec3& point(int ring, int sector) const { return points[at(ring, sector)]; }
@@ -200,7 +202,8 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
     dots.push_back({p.theta, p.phi, value});
     largest = std::max(largest, value);
   }
-  // An isotropic lobe is its own mirror image: the side where most was measured is turned to the eye.
+  // An isotropic lobe is its own mirror image. The dots are mirrored if most of them lie on the side that
+  // faces away from the eye.
   double side = 0;
   for (const Dot& dot : dots) side += std::sin(degrees(dot.phi).radians());
   if (side > 0 && !is_anisotropic(material))

@@ -1,4 +1,4 @@
-// A lobe as a body: how far it reaches in a direction is f_r there.
+// Draws a lobe as a body: the radius in each direction shows f_r in this direction.
 #pragma once
 
 #include <string>
@@ -9,13 +9,15 @@
 
 namespace brdf::render {
 
-// The body of a material's f_r for one direction of the light (towards the left, theta_i from the normal),
-// seen from the side and above: its radius is the cube root of f_r over the largest, as in the plot of the
-// plane of incidence (lobe_plot.h), of the channel that is largest there; theta_o up to 89 degrees. On the
-// ground the angles about the normal and the circle of the largest value; a yellow line to the light, a white
-// one in the mirror direction. Coloured as the reflected light where the channels are colours. With a table
-// (may be null): the rows that were measured with this light (lobe_points.h) as dots, faint where the body
-// hides them; those of an isotropic material on the side towards the eye where most of them are on one.
+// Draws the body of a material's f_r for one direction of the light (from the left, theta_i_degrees from
+// the normal), seen from the side and from above. The radius is the cube root of f_r over the largest f_r,
+// as in the plot of the plane of incidence (lobe_plot.h), for the channel that is largest in that
+// direction; theta_o runs up to 89 degrees. The ground shows the angles about the normal and the circle of
+// the largest value; a yellow line points to the light, a white line in the mirror direction. The body has
+// the colour of the reflected light if the channels are colours. If `measured` is not null, the rows that
+// were measured with this light (lobe_points.h) are drawn as dots, faint if the body hides them. For an
+// isotropic material the dots are mirrored to the side that faces the eye if most of them lie on the other
+// side.
 BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
                               const io::SampleTable* measured, int width);
 

@@ -1,4 +1,4 @@
-// Colours of what stands around lobes in plots and bodies.
+// Colours of the grid, the light and the text around lobes, for plots and bodies.
 #pragma once
 
 #include "render/picture/canvas.h"

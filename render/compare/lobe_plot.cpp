@@ -25,7 +25,7 @@ std::vector<glm::vec2> half_circle(float radius) {
   return points;
 }
 
-// Of each channel, in the order of a material's or a table's.
+// Returns the colour of each channel, in the order of a material's or a table's channels.
 std::vector<ByteColor> channel_colors(const std::vector<std::string>& channels, bool second) {
   const auto& shades = second ? kSecond : kFirst;
   std::vector<ByteColor> out;
@@ -126,7 +126,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
                          const std::vector<LobeDot>& dots) {
   const int pixels = std::clamp(width / 45, 9, 40), pad = 3 * pixels;
   const float radius = float(width) / 2 - float(pad);
-  const int words = dots.empty() ? 1 : 2;  // lines of them
+  const int words = dots.empty() ? 1 : 2;  // lines of text
   BytePicture out(width, int(radius) + 2 * pad + (1 + 2 * words) * pixels);
   fill(out, {0, 0}, {out.width, out.height}, {28, 28, 32});
   const glm::vec2 origin(float(width) / 2, float(pad) + radius);
@@ -147,7 +147,7 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
                 glm::vec2(0, 0.35f * float(pixels)),
             std::to_string(std::abs(angle)) + "°", kLobeWords);
   }
-  // Radius: the cube root of the share, so half of it is an eighth.
+  // The radius is the cube root of the share, so that half of the radius corresponds to an eighth.
   const float below = origin.y + 1.6f * float(pixels);
   centred({origin.x + radius / 2, below}, io::short_number(double(plot.largest) / 8, 3), kLobeWords);
   centred({origin.x + radius, below}, io::short_number(double(plot.largest), 3), kLobeWords);

@@ -11,8 +11,9 @@
 
 namespace brdf::render {
 
-// f_r in the plane of incidence over theta_o from -89 to 89 degrees (mirror side positive), one channel.
-// Forms that diverge at 90 degrees would show nothing else there.
+// f_r of one channel in the plane of incidence, for theta_o from -89 to 89 degrees (the mirror side is
+// positive). The range ends at 89 degrees because a form that diverges at 90 degrees would dwarf all other
+// values of the plot.
 struct LobeCurve {
   std::string name;
   std::string channel;
@@ -21,33 +22,34 @@ struct LobeCurve {
 };
 inline constexpr int kSteepest = 89, kLobePoints = 2 * kSteepest + 1;
 
-// A curve per channel, in the shades of the first (A) or the second (B) material.
+// Returns a curve per channel, in the shades of the first (A) or the second (B) material.
 std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& name, double theta_i_degrees,
                                    bool second = false);
 
-// Of the selected object's material, of B where it is a material, and of those that are kept.
+// Returns the curves of the selected object's material, of B if B is a material, and of the kept materials.
 std::vector<LobeCurve> lobe_curves(const ViewState& state);
-// The same of another light.
+// The same for another light, theta_i_degrees from the normal.
 std::vector<LobeCurve> lobe_curves(const ViewState& state, double theta_i_degrees);
 
-// A measured value in the plane of incidence, by the name of its curve's channel.
+// A measured value in the plane of incidence, with the name of its channel.
 struct LobeDot {
-  double theta_o;  // degrees, mirror side positive
+  double theta_o;  // degrees, the mirror side is positive
   float value;     // f_r
   std::string channel;
   ByteColor color;
 };
 
-// The rows of a table near the plane of incidence (lobe_points.h), in the colours of the first material's
-// channels.
+// Returns the rows of a table near the plane of incidence (lobe_points.h), in the colours of the first
+// material's channels.
 std::vector<LobeDot> lobe_dots(const io::SampleTable& table, double theta_i_degrees);
 
-// Whether the choice of one curve (-1: all) shows this curve; and this dot, which is one of its channel.
+// Returns whether this curve is shown if `solo` selects one curve (-1: all); the second form: whether this
+// dot is shown, which requires that it belongs to the channel of the selected curve.
 bool is_shown(int solo, std::size_t curve);
 bool is_shown(int solo, const LobeDot& dot, const std::vector<LobeCurve>& curves);
 
 // The plot as lines in the half disc of radius 1 round (0, 0), y upwards: grid, direction of the light,
-// curves. The radius is the cube root of f_r over the largest one, so that a narrow lobe leaves the diffuse
+// curves. The radius is the cube root of f_r over the largest f_r, so that a narrow lobe leaves the diffuse
 // part visible. `solo` -1 shows all curves.
 struct LobePath {
   std::vector<glm::vec2> points;
@@ -63,11 +65,11 @@ struct LobePlot {
   std::vector<Dot> dots;
   float largest = 0;  // f_r at radius 1
 };
-// Of a curve shown alone: the dots of its channel.
+// Returns the plot. If a single curve is shown, only the dots of its channel are included.
 LobePlot lobe_plot(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo,
                    const std::vector<LobeDot>& dots = {});
 
-// The plot as a picture, with angles, values and the curves' names; and what the dots are.
+// Returns the plot as a picture with angles, values, the names of the curves, and a legend of the dots.
 BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_degrees, int solo, int width,
                          const std::vector<LobeDot>& dots = {});
 

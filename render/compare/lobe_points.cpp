@@ -24,7 +24,7 @@ std::vector<LobePoint> points_of_light(const io::SampleTable& table, double thet
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (std::abs(table.theta_i[k] - theta_i) > kNearLight) continue;
     if (turned && std::abs(io::sin_degrees(table.phi_i[k])) > io::sin_degrees(kNearLight)) continue;
-    // Light straight from above has no azimuth of its own.
+    // Light along the normal has no azimuth; 180 degrees is assumed.
     const double from = table.theta_i[k] > 0 ? table.phi_i[k] : 180;
     out.push_back({table.theta_o[k], std::remainder(table.phi_o[k] - from - 180, 360.0), k});
   }

@@ -1,4 +1,4 @@
-// The measured values that belong into a plot of a lobe.
+// The measured values that belong in the plot of a lobe.
 #pragma once
 
 #include <vector>
@@ -7,22 +7,26 @@
 
 namespace brdf::render {
 
-// Degrees: rows whose light stands within this of the plot's are drawn, in the plot of the plane of incidence
-// those of io/samples/in_plane.h.
+// Degrees: a row is drawn if its light lies within this angle of the plot's light. The plot of the plane of
+// incidence draws only the rows that io/samples/in_plane.h counts as in-plane.
 inline constexpr double kNearLight = 1;
 
-// A row's viewer as seen from the plane of incidence: the mirror direction is at theta_i, phi 0.
+// The viewing direction of a row relative to the plane of incidence: the mirror direction has theta =
+// theta_i and phi = 0.
 struct LobePoint {
-  double theta = 0, phi = 0;  // degrees; theta from -90 in the plane (phi 0), otherwise from 0
+  // Degrees; theta starts at -90 in the plane (phi is 0 there), otherwise at 0.
+  double theta = 0, phi = 0;
   std::size_t row = 0;
 };
 
-// Of the rows in the plane of incidence, or of all that have this light. A turned sample: only the rows whose
-// light comes from azimuth 0 or 180 (within kNearLight), where the plots' light stands.
+// Returns the rows in the plane of incidence, or all rows with this light (theta_i in degrees). If the
+// sample was rotated, only rows with light from azimuth 0 or 180 degrees (within kNearLight) are returned,
+// because the light of the plots has this azimuth.
 std::vector<LobePoint> points_in_plane(const io::SampleTable& table, double theta_i);
 std::vector<LobePoint> points_of_light(const io::SampleTable& table, double theta_i);
 
-// The polar angle of the table's light that is nearest to this one. NaN without rows.
+// Returns the polar angle, in degrees, of the table's light that is nearest to this angle. NaN if the table
+// has no rows.
 double nearest_light(const io::SampleTable& table, double theta_i);
 
 }  // namespace brdf::render

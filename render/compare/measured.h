@@ -1,4 +1,4 @@
-// A sample table in place of a material.
+// Renders with a sample table in place of a material.
 #pragma once
 
 #include "brdf/material.h"
@@ -7,10 +7,10 @@
 
 namespace brdf::render {
 
-// f_r cos_i of the table, interpolated (measured/measured.h) beside a fitted material or beside each
-// channel's mean, whichever makes the samples likelier; known where the samples are near enough. Which
-// channels are red, green and blue their names say (io/colour/channel_colours.h). Throws InputError where the
-// channels are no colours.
+// Returns f_r cos_i of the table, interpolated (measured/measured.h) relative to a fitted material or to
+// the mean of each channel, whichever gives the samples the higher likelihood. The value is known if
+// samples are near enough. The names of the channels determine which are red, green and blue
+// (io/colour/channel_colours.h). Throws InputError if the channels are not colours.
 Measured interpolate(const io::SampleTable& table, const Material* fitted = nullptr);
 
 }  // namespace brdf::render

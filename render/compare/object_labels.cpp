@@ -15,7 +15,7 @@ struct Place {
   float room;            // across
 };
 
-// Where an object is seen: from left to right, and down to.
+// The extent of an object in the picture: its left and right ends, and its lower end.
 struct Extent {
   float left = INFINITY, right = -INFINITY, bottom = -INFINITY;
   bool before_camera = true;
@@ -38,8 +38,8 @@ Extent extent_of(const BytePicture& picture, const PreparedScene& scene, const I
   return extent;
 }
 
-// Below the object and what stands in the same place, the other parts of one thing; nowhere where it reaches
-// behind the camera.
+// Returns the place below the object and below the other objects at the same place, which are parts of the
+// same thing. Returns std::nullopt if the object reaches behind the camera.
 std::optional<Place> place_of(const BytePicture& picture, const PreparedScene& scene, const Item& labelled) {
   const Extent own = extent_of(picture, scene, labelled);
   if (!own.before_camera) return std::nullopt;

@@ -1,3 +1,4 @@
+// Draws the labels of objects.
 #pragma once
 
 #include "render/picture/picture.h"
@@ -5,7 +6,8 @@
 
 namespace brdf::render {
 
-// Writes the label of every object that has one below it, as wide as its neighbours leave room.
+// Writes the label of each object that has a label below the object, as wide as the neighbouring labels
+// permit.
 void draw_object_labels(BytePicture& picture, const PreparedScene& scene);
 
 }  // namespace brdf::render

@@ -1,5 +1,5 @@
-// How many samples of an environment's light each picture of a window brings in: no more than it can wait
-// for.
+// Chooses the number of samples of an environment's light for each picture of a window, to keep the window
+// responsive.
 #pragma once
 
 #include <algorithm>
@@ -10,28 +10,28 @@ namespace brdf::render {
 
 class Pace {
  public:
-  // One that does not adapt always brings a whole run.
+  // `adapts`: false always draws whole runs of kRun samples.
   explicit Pace(bool adapts) : adapts_(adapts), run_(adapts ? kFirst : kRun) {}
 
   int run() const { return run_; }
-  // A picture begins anew: with as many samples as the last ones' time allows.
+  // Starts a new picture, with as many samples as the last measured time permits.
   void begin() {
     if (of_one_ > 0) run_ = std::clamp(int(kPatience / of_one_), 1, kRun);
   }
-  // The last picture's samples took so many milliseconds.
+  // Records the time of the last picture's samples, in milliseconds.
   void took(double ms) {
     if (adapts_ && ms > 0) of_one_ = ms / run_;
   }
-  // Whether what has been drawn so far is better begun anew than gone on with.
+  // Returns whether starting anew with a shorter run is better than continuing the present picture.
   bool too_slow() const { return run_ > 1 && of_one_ * run_ > kTooMuch * kPatience; }
 
  private:
   static constexpr int kFirst = 4;
-  static constexpr double kPatience = 40, kTooMuch = 4;  // milliseconds, times that
+  static constexpr double kPatience = 40, kTooMuch = 4;  // kPatience in milliseconds; kTooMuch is a factor
 
   bool adapts_;
   int run_;
-  double of_one_ = 0;  // milliseconds; 0: not known
+  double of_one_ = 0;  // milliseconds per sample; 0: not yet measured
 };
 
 }  // namespace brdf::render

@@ -21,7 +21,8 @@ std::string picture_of(const Scene& scene) {
   return scene.environment ? scene.environment->picture : "";
 }
 
-// What meshes, textures and the picture's size depend on: a change of anything else needs no new renderer.
+// Returns whether meshes, textures, the environment's picture and the picture's size are the same. Other
+// changes need no new renderer.
 bool same_resources(const Scene& a, const Scene& b) {
   if (a.objects.size() != b.objects.size() || a.folder != b.folder || a.camera.width != b.camera.width ||
       a.camera.height != b.camera.height || picture_of(a) != picture_of(b)) {
@@ -34,7 +35,7 @@ bool same_resources(const Scene& a, const Scene& b) {
   return true;
 }
 
-// Whether B is the same where A is.
+// Returns whether B is the same for both states if A is the same.
 bool same_other(const ViewState& a, const ViewState& b) {
   const auto parts = [](const ViewState& s) {
     return std::tie(s.other, s.selected, s.everywhere, s.material, s.samples);
@@ -55,7 +56,7 @@ Picture Pictures::read(Renderer& renderer) {
   return picture_from(camera.width, camera.height, renderer.read_color());
 }
 
-// Of an environment's samples, for each of the places in a pixel.
+// Samples of an environment's light for each place in a pixel.
 int Pictures::samples_of_a_place() const {
   const int places = finish_.supersample * finish_.supersample;
   return std::max((wanted_ + places - 1) / places, 1);
@@ -76,7 +77,8 @@ Picture Pictures::fine(Renderer& renderer) {
     renderer.draw_samples(samples_of_a_place(), nullptr, std::exchange(first, first + samples_of_a_place()));
     return read(renderer);
   });
-  renderer.update(scene);  // what the window shows stays
+  // Restores the picture that the window shows.
+  renderer.update(scene);
   renderer.draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
   return picture;
 }
@@ -89,11 +91,11 @@ void Pictures::prepare_to_sample(VkCommandBuffer commands) {
     a_->target(Target(k)).transition(commands, Use::sampled);
 }
 
-// Where A is looked at by itself, in a window. What is compared is compared at the pixels' centres.
+// Returns whether A is antialiased: if A alone is shown in a window. Comparisons use the pixels' centres.
 bool Pictures::antialiased(const ViewState& state) const {
   const Camera& camera = prepared_.scene.camera;
   const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
-  constexpr std::uint64_t kRounding = 1 << 20;  // what allocations take beyond their images
+  constexpr std::uint64_t kRounding = 1 << 20;  // memory that allocations take in addition to their images
   return refining_ && finish_.supersample > 1 && state.display == Display::picture &&
          (standing_ || device_->has_memory(sums_bytes(pixels) + kRounding));
 }
@@ -114,7 +116,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   Scene scene = state.scene;
   scene.camera.width = int(size.width);
   scene.camera.height = int(size.height);
-  // Samples hold no ambient light: leave it out on both sides.
+  // Samples contain no ambient light and no environment, which are therefore left out of both pictures.
   if (needs_b(state) && state.other == Other::samples) {
     scene.ambient = glm::vec3(0);
     scene.environment.reset();
@@ -145,7 +147,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     standing_->reset();
   else
     standing_.emplace(*device_, *a_);
-  // Where only a picture of many places in each pixel is looked at, these share the samples out.
+  // If only a picture with several places per pixel is needed, the places share the samples.
   const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
   pace_.begin();
   a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_, 0, pace_.run());
@@ -166,8 +168,8 @@ void Pictures::read_times() {
   pace_.took(samples);
 }
 
-// One run more of A, and of B where it is drawn the same way. What takes reading back is done at powers of
-// two.
+// Draws one more run of A, and of B if B is drawn in the same way. Work that needs reading back is done
+// only at powers of two.
 void Pictures::refine(const ViewState& state) {
   a_->draw(&times_);
   read_times();
@@ -182,7 +184,7 @@ void Pictures::refine(const ViewState& state) {
   difference_ = compare(a_picture(), b_picture_);
 }
 
-// One picture more of A alone, through another place of each pixel.
+// Draws one more picture of A alone, through another place of each pixel.
 void Pictures::refine_standing() {
   images_changed_ |= !stands();
   standing_->draw_next(prepared_, finish_.supersample, &times_, pace_.run());
@@ -222,7 +224,8 @@ void Pictures::update_b(const ViewState& state) {
     draw_other_material(state);
   } else {
     b_.reset();
-    // Of other random numbers than A's; where one waits for the picture, few.
+    // The random numbers differ from A's. In a window, the number of samples is small because the user
+    // waits for the picture.
     ReferenceOptions options{.samples = refining_ ? std::min(wanted_, kRun) : wanted_,
                              .seed = options_.seed + 1};
     PreparedScene scene = prepared_;
@@ -286,7 +289,7 @@ Comparison Pictures::comparison(const ViewState& state, bool labels) {
       .fine_b = &fine_b(),
       .rounding = finish_.rounding,
       .name_a = "A: " + state.scene.objects[state.selected].material_name,
-      // Samples alone stand beside nothing.
+      // Samples shown alone are not compared, and their name has no prefix.
       .name_b = (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
       .difference = difference_.value_or(Difference{}),
       .tone_map = state.scene.tone_map,

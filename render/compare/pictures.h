@@ -1,5 +1,5 @@
-// The pictures A and B of a view state, drawn again only where the state has changed. The window and
-// `brdf render` both show these.
+// The pictures A and B of a view state, drawn again only if the state has changed. The window and `brdf
+// render` both show these pictures.
 #pragma once
 
 #include <functional>
@@ -16,17 +16,19 @@
 
 namespace brdf::render {
 
-// How what is shown becomes bytes.
+// Settings for the conversion of a picture to bytes.
 struct Finish {
   int supersample = 4;  // samples across a pixel
-  bool probed = false;  // the picture of one sample is asked for, too
+  // The picture with one sample per pixel is needed, too.
+  bool probed = false;
   Rounding rounding = Rounding::dithered;
 };
 
 class Pictures {
  public:
-  // `samples`: of an environment's light, per pixel. Drawn at once, or (`refining`) a few with each update of
-  // a state that has not changed; A alone is then drawn through the finish's places of each pixel, too.
+  // `samples`: samples of an environment's light per pixel. They are drawn at once or, if `refining` is
+  // set, a few with each update while the state does not change. In that case A, if it is shown alone, is
+  // also drawn through the sample places of `finish` in each pixel.
   Pictures(Device& device, const RendererOptions& options, int samples, const Finish& finish = {},
            bool refining = false)
       : device_(&device),
@@ -37,20 +39,22 @@ class Pictures {
         pace_(refining),
         times_(device) {}
 
-  // Draws what the state needs at this size. Throws InputError where a file of the state cannot be used.
+  // Draws the pictures that the state needs at this size, in pixels. Throws InputError if a file of the
+  // state cannot be used.
   void update(const ViewState& state, VkExtent2D size);
-  // After each update: true once, when other images than before are to be shown.
+  // Call after each update. Returns true once if images other than the previous ones have to be shown.
   bool images_changed() { return std::exchange(images_changed_, false); }
 
-  // Whether an update of the same state would make the picture better.
+  // Returns whether another update of the same state would improve the picture.
   bool unfinished() const;
-  // Samples of an environment's light that A has, 0 without one, and what they leave open: the root mean
-  // square of the surface's standard errors over its mean, told now and then while A is refined; negative:
-  // not yet.
+  // samples_drawn(): samples of an environment's light in A, 0 without an environment. noise(): the noise
+  // left by these samples, as the root mean square of the surface's standard errors over the surface's
+  // mean. The noise is measured now and then while A is refined; a negative value means that no measurement
+  // exists yet.
   int samples_drawn() const;
   double noise() const { return noise_; }
 
-  // Records the barriers after which everything shown can be sampled.
+  // Records the barriers after which all shown images can be sampled.
   void prepare_to_sample(VkCommandBuffer commands);
   Renderer& a() { return *a_; }
   const Image& a_image() const { return stands() ? standing_->shown() : a_->color(); }
@@ -59,23 +63,25 @@ class Pictures {
   const PreparedScene& prepared() const { return prepared_; }
   int bits() const { return options_.gbuffer_bits; }
   float extent() const;  // of the largest object
-  // Of A's passes in the last frame that drew them.
+  // Times of A's passes, in milliseconds, in the last frame that drew them.
   const std::vector<std::pair<std::string, double>>& times() const { return pass_times_; }
   const std::optional<Difference>& difference() const { return difference_; }
   std::string other_name(const ViewState& state) const;
-  // The linear pictures, one sample a pixel; of B when the state's display shows it.
+  // Linear pictures with one sample per pixel. B is available if the display of the state shows B.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
-  // The same with the finish's samples: what is looked at.
+  // The same pictures with the samples of `finish`, for viewing.
   const Picture& fine_a();
   const Picture& fine_b();
   // The samples that were last shown, or null.
   const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
-  // How the samples' channels became colours, where their names do not say it.
+  // Explains how the channels of the samples were mapped to colours; empty if their names determine the
+  // colours.
   const std::string& samples_note() const { return samples_note_; }
-  // What the window shows without the user interface, with names and numbers on it where `labels`.
+  // Returns the picture of the window without the user interface, with names and numbers if `labels` is
+  // set.
   BytePicture capture(const ViewState& state, bool labels = false);
-  // A, B and their difference side by side.
+  // Returns A, B and their difference side by side.
   BytePicture row(const ViewState& state, bool labels);
 
  private:
@@ -95,7 +101,7 @@ class Pictures {
 
   Device* device_;
   RendererOptions options_;
-  int wanted_;  // samples
+  int wanted_;  // samples per pixel
   bool refining_;
   double noise_ = -1;
   Finish finish_;
@@ -103,8 +109,8 @@ class Pictures {
   Timestamps times_;
   PreparedScene prepared_;
   std::optional<Renderer> a_, b_;
-  std::optional<Standing> standing_;  // A, where it is antialiased
-  Image upload_;                      // B where it comes from the processor
+  std::optional<Standing> standing_;  // A, if A is antialiased
+  Image upload_;                      // B, if B is computed on the CPU
   std::optional<Picture> a_picture_;
   Picture b_picture_;
   std::optional<Picture> fine_a_, fine_b_;
@@ -113,7 +119,7 @@ class Pictures {
   Measured samples_;
   std::optional<io::SampleTable> table_;
   std::string samples_note_;
-  std::optional<Scene> drawn_a_;  // what the pictures show
+  std::optional<Scene> drawn_a_;  // the scene and the state that the pictures show
   std::optional<ViewState> drawn_b_;
   bool images_changed_ = true;
   std::vector<std::pair<std::string, double>> pass_times_;

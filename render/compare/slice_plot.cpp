@@ -15,7 +15,7 @@ struct Values {
   float least = std::numeric_limits<float>::infinity(), most = kSmallest;
 };
 
-// The decades that hold these.
+// Chooses the decades that contain these values.
 void choose_decades(SlicePlot& plot, const Values& dots, float highest) {
   plot.high = int(std::ceil(std::log10(std::max(dots.most, highest))));
   const float low = std::isfinite(dots.least) ? dots.least : highest;

@@ -1,5 +1,5 @@
-// The picture of a view that stands still: drawn through one place of each pixel after the other and added up
-// on the device, so that edges become smooth and an environment's light settles, in place.
+// Accumulates the picture of a view that does not move. Each frame is drawn through another place of the
+// pixels and added up on the device, which smooths edges and reduces the noise of an environment's light.
 #pragma once
 
 #include "render/gpu/renderer.h"
@@ -10,20 +10,22 @@ namespace brdf::render {
 
 class Standing {
  public:
-  // Draws with this renderer, which outlives this.
+  // Draws with this renderer, which must outlive this object.
   Standing(Device& device, Renderer& renderer);
-  // The view has moved.
+  // Starts anew because the view has moved.
   void reset() { mean_.reset(); }
   int pictures() const { return mean_.count(); }
-  // So many pictures make whole rounds through `across` x `across` places and bring at least `samples` of an
-  // environment, `run` each.
+  // Returns the number of pictures that complete whole rounds through `across` x `across` places and
+  // contain at least `samples` samples of an environment, `run` in each picture.
   static int wanted(int across, int samples, int run = kRun);
 
-  // The scene through the next place, with the environment's next run, of as many samples as the runs before.
+  // Draws the scene through the next place, with the environment's next run. `run` must be the same for all
+  // pictures since reset().
   void draw_next(const PreparedScene& scene, int across, Timestamps* times, int run = kRun);
   Image& shown() { return shown_; }
   const Image& shown() const { return shown_; }
-  // The root mean square of the surface's standard errors over its mean; after at least two pictures.
+  // Returns the root mean square of the surface's standard errors over the surface's mean. Requires at
+  // least two pictures.
   double noise();
 
  private:
@@ -33,8 +35,8 @@ class Standing {
   Image shown_;
 };
 
-// The root mean square of the surface's standard errors (RGBA, as Renderer::read_standard_error) over its
-// mean.
+// Returns the root mean square of the surface's standard errors (RGBA, as from
+// Renderer::read_standard_error) over the mean of the surface.
 double noise_of(const std::vector<float>& errors, const Picture& picture);
 
 }  // namespace brdf::render

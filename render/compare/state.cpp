@@ -20,7 +20,8 @@ namespace {
 using io::Json;
 using io::JsonPlace;
 
-// Relative names start from the scene's folder, which a state saved elsewhere does not know.
+// Makes all file names absolute. Relative names start from the scene's folder, which is not known to a
+// state that is saved in another folder.
 Scene with_absolute_names(Scene scene) {
   if (scene.environment && !find_named<Formula>(scene.environment->picture))
     scene.environment->picture =
@@ -42,7 +43,8 @@ std::string lower_case_suffix(const std::filesystem::path& file) {
   return suffix;
 }
 
-// What a file holds where it is JSON. One that calls itself JSON must be.
+// Returns the JSON content of a file, or std::nullopt if the file is not JSON. A file with the suffix .json
+// must be valid JSON.
 std::optional<Json> json_of(const std::filesystem::path& file, const io::Content& content) {
   if (lower_case_suffix(file) != ".json" && !io::is_json(content)) return std::nullopt;
   Json json = io::read_json(content);
@@ -121,7 +123,7 @@ ViewState load_state(const std::filesystem::path& file) {
 
 namespace {
 
-// `state` with what the document holds, by its format.
+// Returns `state` with the content of the document, according to the document's format.
 ViewState with_document(ViewState state, const Json& json, const std::filesystem::path& file) {
   const JsonPlace place(json, file.string());
   const std::string format = place.at("format").text();
@@ -143,14 +145,14 @@ ViewState with_document(ViewState state, const Json& json, const std::filesystem
 
 void open_file(ViewState& state, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
-  // The state keeps the name of samples and models: they are read again when they are drawn.
+  // The state stores only the names of samples and models, which are read again when they are drawn.
   if (!std::filesystem::is_regular_file(file))
     throw InputError(file.string() + ": is no file that can be read again");
   io::Content content = io::read_content(file);
   if (const std::optional<Json> json = json_of(file, content)) {
     state = with_document(state, *json, file);
   } else if (is_model(file)) {
-    load_model(file);  // refused here rather than in the next frame
+    load_model(file);  // reports errors here instead of in the next frame
     state.scene.objects.at(state.selected).mesh = std::filesystem::absolute(file).string();
   } else {
     require_colours(io::read_samples(std::move(content)).channels, file.string());
@@ -197,7 +199,7 @@ std::string left_out_note(const ViewState& state) {
 
 namespace {
 
-// The place in the other table of what has the same name, or else the same role.
+// Returns the index in the other table of the parameter with the same name, otherwise with the same role.
 int counterpart(const ParameterInfo& p, int by_name, int by_role) {
   return by_name < 0 && p.role != Role::other ? by_role : by_name;
 }
@@ -226,7 +228,7 @@ void orbit(Camera& camera, float right, float up) {
   const glm::vec3 axis = glm::normalize(camera.up);
   glm::vec3 offset = camera.position - camera.target;
   offset = glm::mat3(glm::rotate(glm::mat4(1), -right, axis)) * offset;
-  // Stop short of the poles, where up would lie along the view.
+  // Stops short of the poles, where the up vector would lie along the viewing direction.
   const float polar = std::acos(glm::clamp(glm::dot(glm::normalize(offset), axis), -1.0f, 1.0f));
   const float turn = glm::clamp(up, polar - 3.1f, polar - 0.04f);
   const glm::vec3 side = glm::normalize(glm::cross(axis, offset));
@@ -307,7 +309,7 @@ void turn_light(Scene& scene, float right, float up) {
 
 void follow_camera(Scene& scene, const Camera& before) {
   const Camera& camera = scene.camera;
-  // The picture's size is no movement, and would turn the light by roundings.
+  // A change of only the picture's size is not a movement; rounding errors would otherwise turn the light.
   if (camera.position == before.position && camera.target == before.target && camera.up == before.up) return;
   const View now = make_view(camera), then = make_view(before);
   const auto frame = [](const View& v) {

@@ -1,4 +1,4 @@
-// Everything the viewer shows, as a value: what a saved state holds.
+// The complete state of the viewer as a value, which is also the content of a saved state.
 #pragma once
 
 #include <filesystem>
@@ -11,47 +11,51 @@
 namespace brdf {
 namespace render {
 
-// What A is compared with.
+// The kind of picture that A is compared with.
 enum class Other { material, samples, embree };
 
-inline constexpr int kMostCurves = 1000;  // of the lobe plot
+inline constexpr int kMostCurves = 1000;  // in the lobe plot
 
 struct ViewState {
   Scene scene;               // A
-  std::size_t selected = 0;  // object
+  std::size_t selected = 0;  // index of an object
   Other other = Other::embree;
-  std::optional<Material> material;  // B, on the selected object, or
-  bool everywhere = false;           // on every object
+  // B on the selected object, or on all objects if `everywhere` is set.
+  std::optional<Material> material;
+  bool everywhere = false;
   std::string material_name;
-  std::filesystem::path samples;  // B, a sample table
+  std::filesystem::path samples;  // B as a sample table
   Display display = Display::picture;
   float split = 0.5f;  // share of the width that shows A
   bool turntable = false;
   bool show_ui = true, show_plot = false;
-  float plot_theta = 45;                               // degrees
-  int plot_solo = -1;                                  // curve shown alone; -1: all
-  std::vector<std::pair<std::string, Material>> kept;  // further materials in the lobe plot, with their names
-  bool light_follows = false;                          // the lights turn with the camera
+  float plot_theta = 45;  // degrees
+  int plot_solo = -1;     // curve shown alone; -1: all
+  // Further materials in the lobe plot, with their names.
+  std::vector<std::pair<std::string, Material>> kept;
+  bool light_follows = false;  // the lights turn with the camera
   friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
-// As JSON text, file names absolute; and back. Throws InputError.
+// state_text() returns the state as JSON text with absolute file names; load_state() reads such a file.
+// Throws InputError.
 std::string state_text(const ViewState& state);
 ViewState load_state(const std::filesystem::path& file);
 
-// Opens any file by its content: scene or saved state, material, sample table, model. Throws InputError and
-// leaves the state as it was.
+// Opens any file according to its content: scene or saved state, material, sample table, model. Throws
+// InputError and leaves the state unchanged if the file cannot be opened.
 void open_file(ViewState& state, const std::filesystem::path& file);
 
-// The share of the width at which the split cuts through the selected object's highlight: where the half
-// vector of the first light and the viewer is the normal of a unit sphere in its place. Half without a light;
-// within 0.15 to 0.85.
+// Returns the share of the width at which a split passes through the highlight of the selected object. The
+// highlight is the point on a unit sphere at the object's place at which the normal is the half vector of
+// the first light and the viewer. Returns 0.5 without a light; the result lies within 0.15 to 0.85.
 float split_at_highlight(const Scene& scene, std::size_t object);
 
-// What is not shown as it is because of what it is compared with, a sentence; empty: nothing.
+// Returns a sentence on the parts of the scene that are left out because of the comparison; empty if
+// nothing is left out.
 std::string left_out_note(const ViewState& state);
 
-// The term gets another form; parameters of the same name or role keep their values.
+// Gives the term another form; parameters with the same name or role keep their values.
 void switch_form(Term& term, const Reflectance& form);
 
 // Camera movements. Angles in radians; `factor` scales the distance.
@@ -60,13 +64,13 @@ void zoom(Camera& camera, float factor);
 void pan(Camera& camera, glm::vec2 share_of_picture);
 void fit(Camera& camera, const glm::vec4& bounds);
 
-// The sphere round an object, or (`all`) round all that are not flat, as a ground is; round everything where
-// nothing else is there.
+// Returns the sphere round an object or, without an object, round all objects that are not flat. Flat
+// objects, such as a ground, count only if there are no others.
 glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object);
-// Turns what lights the scene about the camera's axes: directional lights and, about the vertical axis only,
-// the environment. Point lights stay where they are. Radians.
+// Turns the lighting of the scene about the camera's axes: directional lights and, about the vertical axis
+// only, the environment. Point lights stay in place. Angles in radians.
 void turn_light(Scene& scene, float right, float up);
-// Turns it as the camera has turned since it was `before`.
+// Turns the lighting by the rotation of the camera since `before`.
 void follow_camera(Scene& scene, const Camera& before);
 
 }  // namespace render

@@ -3,7 +3,7 @@
 namespace brdf::render {
 namespace {
 
-// How many samples of a pixel meet a surface, and one of which all is known.
+// Numbers of samples of a pixel that meet a surface, and that meet a surface with known values.
 struct Counts {
   int surface = 0, known = 0;
 };

@@ -11,8 +11,8 @@
 namespace brdf::render {
 namespace {
 
-// What stb reads from. Where it needs more than there is, it goes on with zeros or with what was in its
-// memory: that is noted.
+// The source from which stb reads. If stb needs more bytes than exist, it continues with zeros or with the
+// former content of its memory; the source records this.
 class Source {
  public:
   explicit Source(const std::string& bytes) : bytes_(bytes) {}
@@ -23,7 +23,8 @@ class Source {
     const std::size_t got = std::min(std::size_t(count), bytes_.size() - at_);
     std::memcpy(to, bytes_.data() + at_, got);
     at_ += got;
-    // Into its own buffer, which is the first that it fills, stb reads ahead as much as there is.
+    // stb reads ahead into its own buffer, which is the first buffer that it fills; such a read may get
+    // fewer bytes than requested.
     if (got == 0 || (to != ahead_ && got < std::size_t(count))) ran_out_ = true;
     return int(got);
   }

@@ -12,13 +12,13 @@ namespace brdf::render {
 class ClassicPass {
  public:
   ClassicPass(Device& device, const GpuScene& gpu, const LookupTexture& lookup = {});
-  // Over the background that is in `color` already.
+  // Draws over the background that is already in `color`.
   void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
               Image& depth);
 
  private:
   VkPipeline pipeline(const Scene& scene);
-  // The lookup texture, with or without the article's slip.
+  // The lookup texture, with or without the article's error.
   VkDescriptorSet table_set(bool as_coded);
 
   Device* device_;

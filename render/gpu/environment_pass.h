@@ -1,4 +1,4 @@
-// Light from all around: runs of random directions for every pixel, added up over frames.
+// Light from an environment: runs of random directions for every pixel, added up over frames.
 #pragma once
 
 #include <map>
@@ -24,31 +24,31 @@ class LightImages {
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
-// Bytes of device memory that a light of this size takes.
+// Returns the bytes of device memory that a light of this size takes.
 std::uint64_t light_bytes(const LightMap& map);
 
 class EnvironmentPass {
  public:
-  // The light and the targets outlive the pass.
+  // The light and the targets must outlive the pass.
   EnvironmentPass(Device& device, const GpuScene& gpu, const LightImages& light, const DeferredPass& deferred,
                   VkExtent2D extent, int gbuffer_bits);
-  // What was added up is forgotten: the scene has changed.
+  // Discards the sum because the scene has changed.
   void reset() { mean_.reset(); }
-  // The same, with runs of so many samples from here on, at most kRun, which begin at this one of the
-  // sequence.
+  // Discards the sum. From here on, runs have `samples_of_a_run` samples, at most kRun, and begin at sample
+  // `first` of the sequence.
   void reset(int samples_of_a_run, int first) { mean_.reset(), count_ = samples_of_a_run, first_ = first; }
   int samples() const { return mean_.count() * count_; }
 
-  // The light's picture behind the objects, over what is in `color`.
+  // Draws the picture of the light behind the objects, over the content of `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
-  // A run: begin, each layer while its surfaces are in the targets, and end, which adds the mean over all
-  // runs so far to `color`.
+  // A run consists of begin_run(), record() for each layer while the layer's surfaces are in the targets,
+  // and end_run(), which adds the mean over all runs so far to `color`.
   void begin_run(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
               std::uint32_t seed);
   void end_run(VkCommandBuffer commands, Image& color);
 
-  // See RunningMean; the pictures are runs.
+  // See RunningMean; each picture is a run.
   std::vector<float> standard_error() { return mean_.standard_error(); }
 
  private:
@@ -67,7 +67,7 @@ class EnvironmentPass {
   std::map<int, Owned<VkPipeline>> pipelines_;
 };
 
-// Bytes of device memory that the sums of a picture of this size take.
+// Returns the bytes of device memory that the sums of a picture with this number of pixels take.
 std::uint64_t sums_bytes(std::uint64_t pixels);
 
 }  // namespace brdf::render

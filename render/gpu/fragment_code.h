@@ -1,5 +1,5 @@
-// The fragment shaders that evaluate a reflectance. The catalogue's are compiled with the program; those of
-// one that is not in it are compiled from its GLSL when it is first drawn.
+// The fragment shaders that evaluate a reflectance. Shaders of the catalogue are compiled with the program.
+// The shader of any other reflectance is compiled from its GLSL when the reflectance is first drawn.
 #pragma once
 
 #include <map>
@@ -11,26 +11,28 @@
 
 namespace brdf::render {
 
-// Throws InputError naming the reflectance where shaders cannot have it.
+// Throws InputError naming the reflectance if shaders cannot evaluate it.
 void require_shader(const Reflectance& reflectance);
 
-// Numbers of reflectances in shaders: the place in the catalogue; the others come after it.
+// Numbers of reflectances in shaders: the index in the catalogue; other reflectances follow after the
+// catalogue.
 class ReflectanceNumbers {
  public:
   void add(const Reflectance& reflectance);
   int of(const Reflectance& reflectance) const;
 
  private:
-  std::vector<Reflectance> others_;  // never removed: pipelines are kept by their numbers
+  // Entries are never removed because pipelines are stored by these numbers.
+  std::vector<Reflectance> others_;
 };
 
-// SPIR-V of GLSL. Throws InputError naming whose it is, with the compiler's words.
+// Compiles GLSL to SPIR-V. Throws InputError with `whose` and the compiler's message.
 enum class Stage { fragment, compute };
 std::vector<std::uint32_t> compiled(const std::string& glsl, Stage stage, std::string_view whose);
 
 class FragmentCode {
  public:
-  // `text`: the source of what was compiled for the catalogue, without brdf.glsl.
+  // `text`: the source of the shader that was compiled for the catalogue, without brdf.glsl.
   FragmentCode(Spirv of_catalogue, const char* text) : of_catalogue_(of_catalogue), text_(text) {}
   Spirv of(const Reflectance& reflectance, int number);
 

@@ -1,5 +1,5 @@
-// What C++ and the shaders agree on: limits, the targets, and the structs of shaders/frame.glsl byte for
-// byte. shaders/emit_shaders.cpp writes the limits and enumerators as layout.glsl.
+// Definitions shared by C++ and the shaders: limits, the targets, and the structs of shaders/frame.glsl
+// byte for byte. shaders/emit_shaders.cpp writes the limits and enumerators as layout.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,21 +9,24 @@
 namespace brdf {
 namespace render {
 
-// The seven that the geometry is drawn into.
+// The seven targets that the geometry is drawn into.
 enum class Target { albedo, normal, specular, position, roughness, tangent, bitangent };
 inline constexpr int kTargetCount = 7;
 
-inline constexpr std::size_t kMostItems = 224;  // 64 KiB of uniform buffer hold these
-// Parameters that the shaders' arguments have room for. In the targets the fourth of a shape lies where a
-// third weight's red would: what has one of the two has no room for the other.
+// As many items as fit into 64 KiB of uniform buffer.
+inline constexpr std::size_t kMostItems = 224;
+// Numbers of parameters that the shaders' arguments have room for. In the targets, the fourth shape
+// parameter takes the place of a third weight's red. A form with a third weight therefore has no room for a
+// fourth shape parameter.
 inline constexpr std::size_t kMostWeights = 3, kMostShape = 4;
 constexpr std::size_t most_shape(std::size_t weights) {
   return weights < kMostWeights ? kMostShape : kMostShape - 1;
 }
-inline constexpr int kFourthShape = 16;  // GpuItem::form.y: there is one
-// 16-bit targets hold the digits of the normal that rounding takes, times this, along tangent and bitangent.
+inline constexpr int kFourthShape = 16;  // bit of GpuItem::form.y: the form has a fourth shape parameter
+// 16-bit targets also store the rounding remainder of the normal, multiplied by this factor, along tangent
+// and bitangent.
 inline constexpr int kRemainderScale = 4096;
-// What GpuFrame::counts.y says of the background: one colour, a sky, a backdrop.
+// Kinds of background in GpuFrame::counts.y: one colour (0), a sky, a backdrop.
 inline constexpr int kSky = 1, kBackdrop = 2;
 
 struct GpuLight {

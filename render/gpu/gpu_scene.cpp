@@ -54,7 +54,7 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   return frame;
 }
 
-// How the shape's parameters are stored in bytes.
+// Sets the ranges with which the shape's parameters are stored as bytes.
 void set_ranges(GpuItem& out, std::span<const ParameterInfo> shape) {
   out.shape_high = glm::vec4(1);
   for (int i = 0; i < int(shape.size()); ++i) {
@@ -67,7 +67,8 @@ void set_ranges(GpuItem& out, std::span<const ParameterInfo> shape) {
   }
 }
 
-// At most kMostWeights weights and kMostShape shape parameters; the pictures of other shadings need no more.
+// Takes at most kMostWeights weights and kMostShape shape parameters; pictures with other shading modes
+// need no more.
 GpuItem gpu_item(const Item& item, const TextureSet& textures, const ReflectanceNumbers& numbers) {
   GpuItem out{};
   out.model = glm::mat4(item.linear);
@@ -155,7 +156,7 @@ void GpuScene::upload_textures(const PreparedScene& scene) {
     for (std::uint32_t slot = 0; slot < set.size(); ++slot) {
       const Image* image = &white_;
       if (set[slot]) {
-        // Albedo maps hold sRGB: the device decodes them.
+        // Albedo maps are in sRGB; the device decodes them.
         images_.push_back(make(*set[slot], TextureSlot(slot) == TextureSlot::albedo
                                                ? VK_FORMAT_R8G8B8A8_SRGB
                                                : VK_FORMAT_R8G8B8A8_UNORM));

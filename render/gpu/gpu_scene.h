@@ -1,5 +1,5 @@
-// The scene on the device: meshes, textures, camera, lights
-// and items, with the descriptor sets that name them.
+// The scene on the device: meshes, textures, camera, lights and items, with the descriptor sets that refer
+// to them.
 #pragma once
 
 #include <map>
@@ -15,21 +15,23 @@ namespace brdf::render {
 class GpuScene {
  public:
   GpuScene(Device& device, const PreparedScene& scene);
-  // Camera, lights, colours and items; meshes and textures stay. The device must be idle.
+  // Updates camera, lights, colours and items; meshes and textures stay. The device must be idle.
   void update(const PreparedScene& scene);
 
   VkDescriptorSetLayout frame_layout() const { return frame_layout_.get(); }
   VkDescriptorSetLayout maps_layout() const { return maps_layout_.get(); }
   VkDescriptorSet frame_set() const { return frame_set_; }
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
-  // Where the lighting finds the shadow map (white until then).
+  // Sets the shadow map that the lighting reads (white until then).
   void set_shadow_map(VkImageView view, VkSampler sampler);
-  // The number that shaders know a reflectance of the scene by.
+  // Returns the number by which shaders know a reflectance of the scene.
   int number_of(const Reflectance& reflectance) const { return numbers_.of(reflectance); }
   bool textured(std::size_t object) const { return textured_[object]; }
-  // Faces seen from behind are left out where they are hidden anyway: closed meshes seen from outside.
+  // Returns back-face culling for closed meshes that are seen from outside, because their back faces are
+  // hidden anyway.
   VkCullModeFlags cull_mode(const PreparedScene& scene, std::size_t object) const;
-  // Binds the object's mesh (with one normal per face where `flat`), pushes the item's index, draws.
+  // Binds the object's mesh (with one normal per face if `flat` is set), pushes the item's index, and
+  // draws.
   void draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
             bool flat = false);
 
@@ -57,7 +59,7 @@ class GpuScene {
   ReflectanceNumbers numbers_;
 };
 
-// The item's index in the shader's table, for an item of a layer.
+// Returns the index in the shader's table of the item of an object in a layer.
 inline int item_index(const PreparedScene& scene, std::size_t layer, std::size_t object) {
   return int(layer * scene.meshes.size() + object);
 }

@@ -37,7 +37,7 @@ class Held final : public ReflectanceModel, public io::StandsFor {
   }
   using ReflectanceModel::eval;
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
-    // What is given may be longer than the table: a shader's slots are.
+    // The given values may be longer than the table, because a shader has a fixed number of slots.
     const auto filled = [](std::span<const double> given, std::size_t count, std::vector<double> all) {
       std::copy_n(given.begin(), std::min(given.size(), count), all.begin());
       return all;
@@ -50,7 +50,7 @@ class Held final : public ReflectanceModel, public io::StandsFor {
     inner_->eval({weights, first, shape, p.channel}, d, out);
   }
   std::string glsl(const GlslOptions& options) const override {
-    // The formula under another name, and functions of its own name that call it.
+    // Renames the functions of the formula, and adds functions with this form's name that call them.
     const std::string name(info_.name), inner = "held_" + name;
     std::string text = inner_->glsl(options);
     std::string arguments = "vec3 wi, vec3 wo", given = "wi, wo";

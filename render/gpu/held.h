@@ -1,5 +1,5 @@
-// Reflectances with more parameters than the shaders' arguments have room for: all but the first ones held at
-// their values.
+// Adapts reflectances with more parameters than the shaders' arguments have room for: all parameters except
+// the first ones are held at their values.
 #pragma once
 
 #include <utility>
@@ -8,11 +8,12 @@
 
 namespace brdf::render {
 
-// The material with every such term replaced: the first kMostWeights weights and kMostShape shape parameters
-// stay, the others are constants of its formula. Others as they are.
+// Returns the material with each such term replaced. The first kMostWeights weights and the first
+// most_shape() shape parameters (gpu_layout.h) remain parameters; the others become constants of the term's
+// formula. Other terms stay unchanged.
 Material with_room(Material material);
 
-// All materials of a state of the viewer (compare/state.h) with such room.
+// Applies with_room() to all materials of a viewer state (compare/state.h).
 template <class ViewState>
 void give_room(ViewState& state) {
   for (auto& object : state.scene.objects) object.material = with_room(std::move(object.material));

@@ -24,7 +24,7 @@ VkRenderingInfo rendering_info(VkExtent2D extent, std::span<const VkRenderingAtt
   return info;
 }
 
-// The index of the one item of this form, -1 where there are several.
+// Returns the index of the only item of this form, or -1 if there are several items or no item.
 int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& form) {
   int found = -1;
   for (const Item& item : scene.layers[layer]) {
@@ -70,7 +70,7 @@ GBuffer::GBuffer(Device& device, VkExtent2D extent, int channel_bits) : bits(cha
 }
 
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent) {
-  // Negative height: y upwards, as everywhere else in the project.
+  // The negative height makes y point upwards, as in the rest of the project.
   const VkViewport viewport{0, float(extent.height), float(extent.width), -float(extent.height), 0, 1};
   const VkRect2D scissor{{0, 0}, extent};
   vkCmdSetViewport(commands, 0, 1, &viewport);

@@ -13,7 +13,7 @@ namespace brdf::render {
 
 inline constexpr VkFormat kColorFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-// The seven targets and their depth, at 8, 16 or 32 bits per channel.
+// The seven targets and their depth, with 8, 16 or 32 bits per channel.
 struct GBuffer {
   GBuffer(Device& device, VkExtent2D extent, int bits);
   int bits;
@@ -22,21 +22,21 @@ struct GBuffer {
 };
 VkFormat gbuffer_format(int bits);
 
-// Commands that every pass needs.
+// Commands that all passes need.
 void set_viewport(VkCommandBuffer commands, VkExtent2D extent);
 VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, VkAttachmentLoadOp load,
                                      const glm::vec4& clear);
 
 void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set);
-// Begins drawing into images of one size that are colour attachments; sets the viewport.
+// Begins drawing into colour attachments of the same size and sets the viewport.
 void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images, VkAttachmentLoadOp load);
-// A triangle that covers the picture.
+// Draws a triangle that covers the picture.
 void draw_screen(VkCommandBuffer commands, VkPipeline pipeline);
-// The reflectances of a layer, each once.
+// Returns the reflectances of a layer, each once.
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
 
-// Begins drawing meshes over what is in `color` (or over zeros), with a fresh depth buffer, and sets the
-// viewport.
+// Begins drawing meshes over the content of `color` (or over zeros), with a fresh depth buffer, and sets
+// the viewport.
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth,
                    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_LOAD);
 
@@ -59,8 +59,8 @@ class DeferredPass {
   DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer);
   void record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
                        std::size_t layer);
-  // Every form of the layer over the part of the picture that
-  // its objects cover. Layers after the first are added.
+  // Lights each form of the layer in the part of the picture that its objects cover. Layers after the first
+  // are added.
   void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                        std::size_t layer, Image& color);
   // For other passes that read the targets.
@@ -83,7 +83,8 @@ class DeferredPass {
   std::map<std::tuple<int, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
 };
 
-// Lights every fragment as it is rasterised: what deferred rendering is compared with. One layer only.
+// Lights each fragment when it is rasterised, as a comparison for deferred rendering. Supports one layer
+// only.
 class ForwardPass {
  public:
   ForwardPass(Device& device, const GpuScene& gpu);
@@ -99,8 +100,8 @@ class ForwardPass {
   std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
 };
 
-// The smallest rectangle of pixels that holds the sphere round every item of this form; the whole picture
-// when one reaches behind the camera.
+// Returns the smallest rectangle of pixels that contains the bounding sphere of each item of this form, or
+// the whole picture if a sphere reaches behind the camera.
 VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
                          VkExtent2D extent);
 

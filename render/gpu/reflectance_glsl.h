@@ -1,5 +1,5 @@
-// GLSL round the reflectances' own functions: what emit_shaders writes for the catalogue when the program is
-// built, and what is compiled at run time for one that is not in it.
+// GLSL around the functions of the reflectances. emit_shaders writes this code for the catalogue when the
+// program is built; for other reflectances it is compiled at run time.
 #pragma once
 
 #include <string>
@@ -9,19 +9,23 @@
 
 namespace brdf::render {
 
-// Those of the catalogue that the shaders have room for, numbered by their places: a specialisation constant
-// picks one, so that the driver keeps one case.
+// Returns the reflectances of the catalogue that the shaders have room for, numbered by their index. A
+// specialisation constant selects one of them, so that the driver keeps a single case.
 std::vector<NumberedReflectance> numbered_catalogue();
-// Why shaders cannot have this reflectance, in words that follow its name; "" where they can.
+// Returns the reason why shaders cannot evaluate this reflectance, worded to follow its name; empty if they
+// can.
 std::string shader_obstacle(const ReflectanceInfo& info);
 
 inline constexpr unsigned kProofGroup = 64;  // configurations per workgroup of the proof's shader
 
-// Kernels, the functions of each, and brdf_eval_cos, which picks one by its number.
+// Returns the kernels, the functions of each reflectance, and brdf_eval_cos, which selects one by its
+// number.
 std::string reflectances_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
-// After those: the sampler of each, and brdf_sample and brdf_pdf, which pick one by its number.
+// Returns the sampler of each reflectance, and brdf_sample and brdf_pdf, which select one by its number.
+// This text must follow that of reflectances_glsl().
 std::string samplers_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
-// The compute shader of proof/shader_proof.h: one reflectance on many configurations.
+// Returns the compute shader of proof/shader_proof.h, which evaluates one reflectance for many
+// configurations.
 std::string proof_glsl(std::span<const NumberedReflectance> list, const GlslOptions& options = {});
 
 }  // namespace brdf::render

@@ -22,7 +22,7 @@ void require_environment(const PreparedScene& scene, const RendererOptions& opti
     throw InputError("an environment's light needs the shading brdf and the deferred path");
 }
 
-// Before anything is allocated: a picture that cannot fit is refused at once.
+// Checks the size before anything is allocated, so that a picture that cannot fit is refused at once.
 Device& checked(Device& device, const PreparedScene& scene, const RendererOptions& options) {
   const Camera& camera = scene.scene.camera;
   const std::string size = std::to_string(camera.width) + " x " + std::to_string(camera.height);

@@ -19,40 +19,41 @@ enum class Path { deferred, forward };
 struct RendererOptions {
   int gbuffer_bits = 16;  // 8, 16 or 32
   Path path = Path::deferred;
-  LookupTexture lookup = {};  // of the shading mode "lookup"
-  std::uint32_t seed = 1;     // of the environment's random directions
+  LookupTexture lookup = {};  // for the shading mode "lookup"
+  std::uint32_t seed = 1;     // for the environment's random directions
 };
 
 class Renderer {
  public:
-  // Throws InputError when the picture is too large for the device or for its memory limit.
+  // Throws InputError if the picture is too large for the device or for its memory limit.
   Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options = {});
-  // Camera, lights and items changed; the picture's size, meshes and textures did not.
-  // A change of the shading mode makes the images that it needs.
+  // Call when camera, lights, items or the environment have changed; the picture's size, meshes and
+  // textures must be the same. A change of the shading mode allocates the images that the mode needs.
   void update(const PreparedScene& scene);
-  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" where times
-  // are wanted.
+  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" in `times`,
+  // which may be null.
   void record(VkCommandBuffer commands, Timestamps* times = nullptr);
   // Records, runs and waits.
   void draw(Timestamps* times = nullptr);
 
-  // Light of an environment is added up: each draw brings a run of samples more per pixel, until update()
-  // forgets them.
+  // Samples per pixel of an environment's light so far. Each draw adds a run of samples until update()
+  // discards them.
   int samples() const { return environment_ ? environment_->samples() : 0; }
-  // From here on with other random numbers; what was added up is forgotten.
+  // Continues with other random numbers and discards the sum.
   void reseed(std::uint32_t seed);
-  // Draws until there are so many, from the sequence's `first`, in runs of at most `run`, which is at most
-  // kRun; once where there is no environment.
+  // Draws until there are `samples` samples, from sample `first` of the sequence, in runs of at most `run`
+  // samples; `run` is at most kRun. Draws once if there is no environment.
   void draw_samples(int samples, Timestamps* times = nullptr, int first = 0, int run = kRun);
-  // The standard error of each pixel's channels, RGBA as read_color; zeros without an environment.
+  // Returns the standard error of each pixel's channels, RGBA as in read_color(); zeros without an
+  // environment.
   std::vector<float> read_standard_error();
 
   Image& color() { return color_; }
   const Image& color() const { return color_; }
-  // Reads the lighting back: RGB, and A = 1 where there is a surface.
+  // Reads the lighting back: RGB, and A = 1 for pixels that show a surface.
   std::vector<float> read_color();
-  // Reads a target of the first layer back, after draw().
-  // Throws InputError where the scene is drawn without targets.
+  // Reads a target of the first layer back, after draw(). Throws InputError if the scene is drawn without
+  // targets.
   std::vector<float> read_target(Target target);
   Image& target(Target target) { return gbuffer_->targets[std::size_t(target)]; }
   const PreparedScene& scene() const { return scene_; }
@@ -78,10 +79,9 @@ class Renderer {
   std::optional<EnvironmentPass> environment_;
 };
 
-// Whether the scene is drawn through the seven targets; otherwise forward.
+// Returns whether the scene is drawn through the seven targets; otherwise it is drawn forward.
 bool uses_gbuffer(const Scene& scene, const RendererOptions& options);
-// Bytes of device memory that pictures of this size take.
-// (without the environment's picture).
+// Returns the bytes of device memory that pictures of this size take (without the environment's picture).
 std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options);
 
 }  // namespace brdf::render

@@ -1,4 +1,4 @@
-// The mean of pictures that are drawn one after the other into one image, and their scatter, kept on the
+// The mean and the variance of pictures that are drawn one after the other into one image, kept on the
 // device.
 #pragma once
 
@@ -8,18 +8,18 @@ namespace brdf::render {
 
 class RunningMean {
  public:
-  // Of what `image` shows whenever it is added; it outlives this.
+  // Each record_add() adds the present content of `image`, which must outlive this object.
   RunningMean(Device& device, Image& image);
   void reset() { count_ = 0; }
   int count() const { return count_; }
 
   void record_add(VkCommandBuffer commands);
-  // Adds the mean's colour to what is in `target`, or to black.
+  // Adds the mean's colour to the content of `target`, or to black.
   enum class Over { what_is_there, black };
   void record_mean(VkCommandBuffer commands, Image& target, Over over);
 
-  // RGBA, row by row; after at least two pictures: the standard error of the mean, told from the scatter
-  // between them.
+  // Returns the standard error of the mean, estimated from the variance between the pictures: RGBA, row by
+  // row. Requires at least two pictures.
   std::vector<float> standard_error();
 
  private:

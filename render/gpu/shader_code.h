@@ -1,5 +1,5 @@
-// SPIR-V of the shaders in render/shaders, compiled at build time, and the sources of those that are compiled
-// again at run time.
+// SPIR-V of the shaders in render/shaders, compiled at build time, and the sources of the shaders that are
+// compiled again at run time.
 #pragma once
 
 #include "render/vulkan/pipeline.h"
@@ -9,7 +9,7 @@ namespace brdf::render::shader_code {
 extern const Spirv mesh_vertex, screen_vertex, gbuffer, lighting, forward, sky, classic_vertex, classic,
     display, proof, copy, shadow_vertex, shadow, environment, backdrop, accumulate, mean;
 
-// Without brdf.glsl and samplers.glsl (see FragmentCode).
+// Sources without brdf.glsl and samplers.glsl (see FragmentCode).
 extern const char* const lighting_text;
 extern const char* const forward_text;
 extern const char* const environment_text;

@@ -1,4 +1,4 @@
-// Draws the shadow map: the scene's depth from the light that casts a shadow.
+// Draws the shadow map: the depth of the scene from the light that casts a shadow.
 #pragma once
 
 #include "render/gpu/gpu_scene.h"
@@ -7,7 +7,7 @@ namespace brdf::render {
 
 class ShadowPass {
  public:
-  // The map belongs to the scene's frame from now on.
+  // The constructor installs the map in the scene's frame set.
   ShadowPass(Device& device, GpuScene& gpu);
   void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu);
 

@@ -8,8 +8,8 @@
 namespace brdf::render {
 namespace {
 
-// A rectangle of light: its centre's direction, the tangents of half its angles across and upwards, the share
-// of those over which its edge fades.
+// A rectangular light: the direction of its centre, the tangents of half its angles across and upwards, and
+// the share of these over which its edge fades.
 struct SoftBox {
   glm::vec3 toward;
   glm::vec2 half;
@@ -17,17 +17,17 @@ struct SoftBox {
   glm::vec3 radiance;
 };
 
-constexpr float kWallLow = 0.12f, kWallHigh = 0.4f;  // radiance of the wall at the floor and overhead
+constexpr float kWallLow = 0.12f, kWallHigh = 0.4f;  // radiance of the wall, straight down and straight up
 const SoftBox kBoxes[] = {
-    {{-0.75f, 0.8f, 0.75f}, {0.5f, 0.5f}, 0.12f, {3.2f, 3.1f, 3.0f}},   // the key, from the upper left front
-    {{1.0f, 0.15f, 0.45f}, {0.2f, 0.75f}, 0.15f, {1.5f, 1.6f, 1.75f}},  // a strip at the right
-    {{0.35f, 0.75f, -0.85f}, {0.75f, 0.22f}, 0.15f, {2.0f, 2.0f, 2.0f}}};  // from behind, above: the rim
+    {{-0.75f, 0.8f, 0.75f}, {0.5f, 0.5f}, 0.12f, {3.2f, 3.1f, 3.0f}},      // key light, upper left front
+    {{1.0f, 0.15f, 0.45f}, {0.2f, 0.75f}, 0.15f, {1.5f, 1.6f, 1.75f}},     // a strip at the right
+    {{0.35f, 0.75f, -0.85f}, {0.75f, 0.22f}, 0.15f, {2.0f, 2.0f, 2.0f}}};  // rim light, behind and above
 
 constexpr glm::vec3 kZenith{0.55f, 0.85f, 1.6f}, kHorizon{1.0f, 1.0f, 1.0f};  // of mean 1: colour alone
 constexpr float kGround = 0.3f;
-const glm::vec3 kSun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));  // where the sky is brightest
+const glm::vec3 kSun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));  // the brightest direction of the sky
 
-// 1 inside, 0 outside, smooth over the edge.
+// Returns 1 inside and 0 outside, with a smooth transition over the edge.
 float inside(float t, float edge) {
   return 1 - glm::smoothstep(1 - edge, 1 + edge, std::abs(t));
 }
@@ -45,7 +45,7 @@ glm::vec3 studio(const glm::vec3& w) {
   return sum;
 }
 
-// Gradation by the cosine to the zenith, and indicatrix by the angle to the sun.
+// gradation() depends on the cosine of the angle from the zenith, indicatrix() on the angle from the sun.
 float gradation(float up) {
   return 1 - std::exp(-0.32f / std::max(up, 1e-3f));
 }

@@ -1,4 +1,4 @@
-// Environments made by formula: radiance by direction, y upwards.
+// Environments defined by formulas: radiance by direction, y upwards.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,14 +8,14 @@
 namespace brdf {
 namespace render {
 
-// studio: three soft boxes on a dim wall, the largest at the upper left of who looks along -z. sky: a clear
-// sky without the sun's disc over a grey ground. uniform: radiance 1 from everywhere.
+// studio: three soft boxes on a dim wall, the largest at the upper left of a viewer who looks along -z.
+// sky: a clear sky without the sun's disc over a grey ground. uniform: radiance 1 from all directions.
 enum class Formula { studio, sky, uniform };
 
-// The radiance that comes from this direction (a unit vector). The sky's distribution is the CIE's type 12,
-// "clear sky, low illuminance turbidity" (ISO 15469:2004; Darula and Kittler 2002, "CIE general sky
-// standard"), 1 at the zenith; its colour is not part of that and goes from blue at the zenith to white at
-// the horizon.
+// Returns the radiance from this direction (a unit vector). The luminance distribution of the sky is CIE
+// type 12, "clear sky, low illuminance turbidity" (ISO 15469:2004; Darula and Kittler 2002, "CIE general
+// sky standard"), normalised to 1 at the zenith. The standard does not define the colour; here it changes
+// from blue at the zenith to white at the horizon.
 glm::vec3 radiance_of(Formula formula, const glm::vec3& direction);
 
 }  // namespace render

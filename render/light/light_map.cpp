@@ -8,7 +8,7 @@
 namespace brdf::render {
 namespace {
 
-// Cosine of the angle from the zenith at this height of the picture.
+// Returns the cosine of the angle from the zenith at this height of the picture.
 double height_cosine(double y, int height) {
   return std::cos(kPi * y / double(height));
 }
@@ -17,7 +17,7 @@ double solid_angle(int y, int width, int height) {
   return 2 * kPi / double(width) * (height_cosine(y, height) - height_cosine(y + 1, height));
 }
 
-// The distribution over cells of these weights, at their ends; the last is 1.
+// Computes the cumulative distribution of these weights at the ends of the cells; the last value is 1.
 void set_distribution(std::span<const double> weights, std::span<float> ends) {
   double total = 0;
   for (const double w : weights) total += w;
@@ -34,7 +34,7 @@ struct Cell {
   double within;  // in [0, 1)
 };
 Cell cell_at(std::span<const float> ends, double u) {
-  // Below 1, so that no cell without probability is found.
+  // The value stays below 1, so that cells without probability are never found.
   const float below = std::min(float(u), 1 - 0x1p-24f);
   const auto found = std::upper_bound(ends.begin(), ends.end(), below);
   const auto index = found - ends.begin();

@@ -1,7 +1,8 @@
-// Light from far away as a latitude-longitude picture, and random directions in proportion to it.
+// Distant light as a latitude-longitude picture, and random directions in proportion to it.
 //
-// y is up. The picture's centre is the direction -z, its right edge is reached by turning to +x, its top row
-// is the zenith. A texel's radiance is the same all over it, so that the density of sample() is exact.
+// y is up. The centre of the picture is the direction -z, its right edge is reached by turning to +x, its
+// top row is the zenith. The radiance is constant within a texel, which makes the density of sample()
+// exact.
 #pragma once
 
 #include <filesystem>
@@ -21,21 +22,24 @@ struct LightSample {
 
 class LightMap {
  public:
-  // Radiances, rows from the top; width and height at least 1.
+  // `radiance`: rows from the top; width and height are at least 1.
   LightMap(int width, int height, const std::vector<glm::vec3>& radiance);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  // Radiance, and the density with which its directions are drawn.
+  // Radiance (x, y, z), and the density with which the texel's directions are drawn (w).
   const glm::vec4& texel(int x, int y) const { return texels_[std::size_t(y * width_ + x)]; }
   const glm::vec4& texel_towards(const glm::vec3& direction) const;
-  // Interpolated between the texels' centres: for what is looked at rather than integrated.
+  // Returns the radiance interpolated between the centres of the texels, for viewing rather than
+  // integration.
   glm::vec3 shown(const glm::vec3& direction) const;
-  // A direction in proportion to the sum of the texels' channels, for two numbers in [0, 1): by the
-  // distribution of rows and that of columns within a row. Everywhere alike where the picture is black.
+  // Returns a direction in proportion to the sum of the texels' channels, from two numbers in [0, 1). The
+  // row is drawn from the distribution of rows, the column from the distribution within the row. If the
+  // picture is black, directions are uniform.
   LightSample sample(double u1, double u2) const;
 
-  // What the shaders search: all texels, and the distributions' values at the ends of the cells, row by row.
+  // Data that the shaders search: all texels, and the values of the distributions at the ends of the cells,
+  // row by row.
   std::span<const glm::vec4> texels() const { return texels_; }
   std::span<const float> columns() const { return columns_; }
   std::span<const float> rows() const { return rows_; }
@@ -49,8 +53,8 @@ class LightMap {
 };
 
 LightMap light_map_of(Formula formula);
-// A .hdr or .exr file. Throws InputError naming the file where it is missing, no such picture, has more than
-// kMostLightTexels or a value that is negative or not finite.
+// Reads a .hdr or .exr file. Throws InputError naming the file if it is missing, is not such a picture, has
+// more than kMostLightTexels texels, or contains a value that is negative or not finite.
 inline constexpr std::int64_t kMostLightTexels = 1 << 25;
 LightMap load_light_map(const std::filesystem::path& file);
 

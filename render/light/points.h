@@ -1,6 +1,7 @@
-// The points of environment light: for each pixel two sequences of its own, one that draws directions of the
-// light and one that draws the reflectance's. Each is the additive recurrence (brdf/low_discrepancy.h) from a
-// start of its own, so that every point is evenly distributed. The same in GLSL: shaders/points.glsl.
+// The sample points of environment light. Each pixel has two sequences: one draws directions of the light,
+// the other draws directions of the reflectance. Each sequence is the additive recurrence
+// (brdf/low_discrepancy.h) from its own start, so that each point is uniformly distributed.
+// shaders/points.glsl has the same in GLSL.
 #pragma once
 
 #include <array>
@@ -10,24 +11,26 @@
 
 namespace brdf::render {
 
-// Points that are drawn at a time; the scatter of a pixel's estimate is told from that of such runs.
+// Number of points drawn at a time. The variance of a pixel's estimate is computed from the variance
+// between such runs.
 inline constexpr int kRun = 16;
 
-inline constexpr std::size_t kPointDimensions = 5;  // two for the light, three for the reflectance
+// Two for the light, three for the reflectance.
+inline constexpr std::size_t kPointDimensions = 5;
 inline constexpr std::array<double, kPointDimensions> kPointSteps = [] {
   const auto light = additive_recurrence_steps<2>();
   const auto own = additive_recurrence_steps<3>();
   return std::array{light[0], light[1], own[0], own[1], own[2]};
 }();
 
-// Wellons's lowbias32, which every bit of the argument reaches.
+// Returns the hash lowbias32 of Wellons, in which each bit of the argument affects the result.
 constexpr std::uint32_t mixed_bits(std::uint32_t x) {
   x = (x ^ (x >> 16)) * 0x7feb352du;
   x = (x ^ (x >> 15)) * 0x846ca68bu;
   return x ^ (x >> 16);
 }
 
-// Where each coordinate's sequence starts in this pixel, in [0, 1).
+// Returns the start of each coordinate's sequence in this pixel, in [0, 1).
 constexpr std::array<double, kPointDimensions> point_starts(std::uint32_t x, std::uint32_t y,
                                                             std::uint32_t seed) {
   std::array<double, kPointDimensions> starts{};

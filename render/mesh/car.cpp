@@ -12,8 +12,8 @@ struct Station {
   float x, bottom, top, half_width;
 };
 
-// A closed body with rounded cross sections (a superellipse)
-// along x: smooth enough for highlights to run along it.
+// Returns a closed body with rounded cross sections (superellipses) along x, smooth enough for highlights
+// to run along it.
 Mesh skin(const std::vector<Station>& stations, int around, float squareness) {
   Mesh mesh;
   const auto rounded = [&](float c) { return std::copysign(std::pow(std::abs(c), 2 / squareness), c); };
@@ -38,7 +38,8 @@ Mesh skin(const std::vector<Station>& stations, int around, float squareness) {
   return mesh;
 }
 
-// Area-weighted vertex normals; the seam of a loft (first and last point of a ring) shares one normal.
+// Computes area-weighted vertex normals. The first and the last point of each ring, at the seam of the
+// loft, share one normal.
 void smooth_normals(Mesh& mesh, int around) {
   for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
     Vertex &a = mesh.vertices[mesh.indices[f]], &b = mesh.vertices[mesh.indices[f + 1]],
@@ -58,7 +59,7 @@ void smooth_normals(Mesh& mesh, int around) {
   }
 }
 
-// Catmull-Rom interpolation of a few stations into many.
+// Returns a Catmull-Rom interpolation of a few stations with many stations.
 std::vector<Station> refined(const std::vector<Station>& coarse, int pieces) {
   const auto curve = [](float a, float b, float c, float d, float t) {
     return b + 0.5f * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
@@ -111,7 +112,7 @@ Mesh cabin() {
                      10, kAround, 3.5f);
 }
 
-// A wheel is the same loft turned round y: its stations run along the axle.
+// A wheel is the same loft about a different axis: its stations run along the axle.
 Mesh wheels() {
   const Mesh wheel = smooth_body({{-0.13f, 0.0f, 0.0f, 0.0f},
                                   {-0.12f, -0.30f, 0.30f, 0.30f},

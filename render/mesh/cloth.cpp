@@ -1,5 +1,6 @@
-// A cloth laid over a ball: masses on springs (Provot 1995), moved by Verlet steps with the springs' lengths
-// put right after each (Jakobsen 2001), then smoothed as a B-spline surface and given two sides.
+// A cloth laid over a ball: masses on springs (Provot 1995), moved by Verlet steps with a correction of the
+// springs' lengths after each step (Jakobsen 2001), then smoothed as a B-spline surface and given two
+// sides.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int kPoints = 61;  // along each side
 constexpr float kClothSide = 4.2f, kBall = 0.75f, kClothFloor = -0.75f, kThickness = 0.008f;
-constexpr float kClear = 0.01f;  // between the cloth's middle and what it lies on
+// Distance from the middle of the cloth to the surface below it.
+constexpr float kClear = 0.01f;
 constexpr int kSteps = 420, kCorrections = 5;
 
 struct Spring {
@@ -23,7 +25,7 @@ int index(int i, int j) {
   return j * kPoints + i;
 }
 
-// Along the threads, across them, and over two threads against bending.
+// Returns springs along the threads, diagonally, and over two threads against bending.
 std::vector<Spring> springs(const std::vector<glm::vec3>& at) {
   std::vector<Spring> all;
   const auto add = [&](int i, int j, int di, int dj, float stiffness) {
@@ -44,7 +46,7 @@ std::vector<Spring> springs(const std::vector<glm::vec3>& at) {
   return all;
 }
 
-// Out of the ball and above the floor; what touches is held back by friction.
+// Moves a point out of the ball and above the floor; friction slows down points in contact.
 void collide(glm::vec3& at, glm::vec3& before) {
   const float distance = glm::length(at);
   bool touches = false;
@@ -62,7 +64,7 @@ void collide(glm::vec3& at, glm::vec3& before) {
 std::vector<glm::vec3> laid() {
   std::vector<glm::vec3> at;
   Random random(7);
-  // Turned and off the centre, and not quite flat: its folds fall as they like.
+  // The cloth is rotated, off the centre and slightly uneven, so that its folds fall irregularly.
   const float c = std::cos(0.35f), s = std::sin(0.35f);
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {
@@ -102,7 +104,7 @@ struct SurfacePoint {
   glm::vec3 place, along_u, along_v;
 };
 
-// The uniform cubic B-spline with these control points; u and v in threads.
+// Returns a point of the uniform cubic B-spline with these control points; u and v count threads.
 SurfacePoint surface(const std::vector<glm::vec3>& control, float u, float v) {
   const int i = std::min(int(u), kPoints - 2), j = std::min(int(v), kPoints - 2);
   const auto weights = [](float t, float(&w)[4], float(&d)[4]) {
@@ -128,7 +130,7 @@ SurfacePoint surface(const std::vector<glm::vec3>& control, float u, float v) {
   return out;
 }
 
-// One side, `lift` from the middle; the lower one faces the other way.
+// Returns one side, at the distance `lift` from the middle; the lower side faces the other way.
 Mesh side(const std::vector<glm::vec3>& control, float lift) {
   constexpr int kFine = 4 * (kPoints - 1);
   Mesh mesh;
@@ -153,7 +155,8 @@ Mesh side(const std::vector<glm::vec3>& control, float lift) {
   return mesh;
 }
 
-// The hem: from the upper side's border to the lower one's, which have the same points in the same order.
+// Returns the hem between the borders of the upper and the lower side, which have the same points in the
+// same order.
 Mesh hem(const Mesh& upper, const Mesh& lower) {
   constexpr std::uint32_t kRow = 4 * (kPoints - 1) + 1;
   std::vector<std::uint32_t> border;  // round the cloth

@@ -19,7 +19,7 @@ glm::vec2 right_of(const glm::vec2& tangent) {
   return {tangent.y, -tangent.x};
 }
 
-// The arc that touches both legs of a corner, `reach` from it.
+// Appends the arc that touches both legs of a corner at the distance `reach` from the corner.
 void append_fillet(Profile& out, const glm::vec2& corner, const glm::vec2& in, const glm::vec2& away,
                    float reach, int pieces) {
   const float turn = std::atan2(in.x * away.y - in.y * away.x, glm::dot(in, away));

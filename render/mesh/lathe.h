@@ -1,5 +1,5 @@
-// Surfaces of revolution from profiles: curves in the plane (radius, height) whose points know their
-// tangents, so that smooth parts are smooth and corners are corners.
+// Surfaces of revolution from profiles. The points of a profile, a curve in the plane (radius, height),
+// store their tangents, which keeps smooth parts smooth and corners sharp.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,29 @@ namespace brdf::render {
 
 struct ProfilePoint {
   glm::vec2 at;       // distance from the axis, height
-  glm::vec2 tangent;  // unit, in the direction of travel; the outside is to its right
+  glm::vec2 tangent;  // unit, in the direction of travel; the outside is on the right
 };
-using Profile = std::vector<ProfilePoint>;  // the same place twice: a corner
+using Profile = std::vector<ProfilePoint>;  // a corner is the same place twice
 
 struct ProfileCorner {
   glm::vec2 at;
-  float fillet = 0;  // radius of the arc that takes the corner's place; 0: sharp
+  // Radius of the arc that replaces the corner; 0: sharp.
+  float fillet = 0;
 };
-// Straight lines through the corners. A fillet that does not fit between its neighbours is made smaller.
+// Returns straight lines through the corners. A fillet that does not fit between its neighbours is made
+// smaller.
 Profile filleted(const std::vector<ProfileCorner>& corners, int pieces = 8);
-// An arc round `center` from one angle to another (radians from the outward direction, counter-clockwise).
+// Returns an arc round `center` from one angle to another (radians from the outward direction,
+// counter-clockwise).
 Profile arc(glm::vec2 center, float radius, float from, float to, int pieces);
-// The natural cubic spline through the points, with continuous curvature; `pieces` between two.
+// Returns the natural cubic spline through the points, with continuous curvature and `pieces` pieces
+// between two points.
 Profile spline(const std::vector<glm::vec2>& points, int pieces);
-// One after another; a corner where their tangents differ.
+// Returns the profiles one after another, with a corner at each joint where the tangents differ.
 Profile joined(const std::vector<Profile>& parts);
 
-// The profile turned about the y axis; travelling upwards on the outside its normals point outwards. u runs
-// round, v along.
+// Returns the profile turned about the y axis. If the profile runs upwards on the outside, the normals
+// point outwards. u runs round the axis, v along the profile.
 Mesh lathe(const Profile& profile, int slices);
 
 }  // namespace brdf::render

@@ -1,4 +1,4 @@
-// Parts of shapes made by code: surfaces over two parameters, and copies of meshes.
+// Parts of procedural shapes: surfaces over two parameters, and copies of meshes.
 #pragma once
 
 #include <functional>
@@ -10,16 +10,16 @@ namespace brdf::render {
 
 using Surface = std::function<glm::vec3(float u, float v)>;
 
-// The surface over all pairs of these parameters, but for the cells that are left out; `outwards` is the sign
-// of d/du x d/dv.
+// Returns the surface over all pairs of these parameters. Cells for which `kept` returns false are omitted.
+// `outwards` is the sign of d/du x d/dv.
 Mesh loft(const Surface& at, const std::vector<float>& us, const std::vector<float>& vs, float outwards,
           const std::function<bool(float u, float v)>& kept = {});
-// The values with each interval cut into so many pieces.
+// Returns the borders with interval k cut into pieces[k] pieces.
 std::vector<float> divided(const std::vector<float>& borders, const std::vector<int>& pieces);
 
-// With its mirror image in z.
+// Returns the mesh together with its mirror image in z.
 Mesh mirrored(const Mesh& half);
-// Scaled, turned about y by so many degrees, moved.
+// Returns the mesh scaled, turned about y by turn_y degrees, and moved to `at`.
 Mesh placed(const Mesh& mesh, glm::vec3 at, glm::vec3 scale = glm::vec3(1), float turn_y = 0);
 
 }  // namespace brdf::render

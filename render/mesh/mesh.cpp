@@ -16,7 +16,7 @@ bool finite(const glm::vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The number after "name:"; throws when it is not an integer in [low, high].
+// Returns the number after "name:". Throws InputError if it is not an integer in [low, high].
 int count_of(const std::string& specification, std::size_t colon, int low, int high) {
   int value = 0;
   const char* end = specification.data() + specification.size();
@@ -74,7 +74,7 @@ Mesh make_sphere(int slices, int stacks) {
 }
 
 Mesh make_sphere_of(int triangles) {
-  // slices = 2 (stacks - 1): nearly square cells, 4 (stacks - 1)^2 triangles.
+  // slices = 2 (stacks - 1) gives nearly square cells and 4 (stacks - 1)^2 triangles.
   const int rows = std::max(1, int(std::lround(std::sqrt(double(triangles) / 4))));
   return make_sphere(std::max(3, 2 * rows), rows + 1);
 }

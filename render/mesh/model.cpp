@@ -26,10 +26,10 @@ Mesh converted(const aiMesh& source, const std::string& name) {
     Vertex vertex{to_glm(source.mVertices[v]), to_glm(source.mNormals[v]), glm::vec4(0, 0, 0, 1),
                   glm::vec2(0)};
     if (source.HasTextureCoords(0)) vertex.uv = glm::vec2(to_glm(source.mTextureCoords[0][v]));
-    // A face without area leaves no normal: any direction will do, clean() drops the face.
+    // A face without area has no normal. Any direction will do, because clean() removes the face.
     if (!(glm::dot(vertex.normal, vertex.normal) > 0.25f)) vertex.normal = {0, 0, 1};
     if (source.HasTangentsAndBitangents()) {
-      // Assimp's own bitangent decides the handedness: mirrored texture coordinates turn it round.
+      // Assimp's own bitangent decides the handedness, which mirrored texture coordinates reverse.
       const glm::vec3 tangent = to_glm(source.mTangents[v]), bitangent = to_glm(source.mBitangents[v]);
       const bool mirrored = glm::dot(glm::cross(vertex.normal, tangent), bitangent) < 0;
       vertex.tangent = glm::vec4(tangent, mirrored ? -1 : 1);
@@ -59,7 +59,7 @@ void collect(const aiScene& scene, const aiNode& node, const glm::mat4& parent, 
   for (unsigned c = 0; c < node.mNumChildren; ++c) collect(scene, *node.mChildren[c], transform, name, out);
 }
 
-// Assimp reads on for ever where a PLY's header has no end.
+// Throws InputError if the header of a PLY file has no end, for which Assimp would read forever.
 void require_whole_header(const io::Content& content) {
   std::istringstream in(content.bytes);
   std::string line;
@@ -70,13 +70,13 @@ void require_whole_header(const io::Content& content) {
   throw InputError(content.name + ": the PLY's header has no line end_header");
 }
 
-// The model's files, each read at once: Assimp takes what the machine fails to read for a file that is not
-// there or ends.
+// Opens the files of a model, each read at once. Assimp would otherwise treat a read error as a missing
+// file or as the end of a file.
 class ModelFiles : public Assimp::DefaultIOSystem {
  public:
   explicit ModelFiles(std::exception_ptr& failure) : failure_(failure) {}
 
-  // Without opening it, which fails for other reasons too.
+  // Does not open the file, because opening can fail for other reasons too.
   bool Exists(const char* file) const override {
     std::error_code ignored;
     return std::filesystem::exists(file, ignored);
@@ -87,9 +87,9 @@ class ModelFiles : public Assimp::DefaultIOSystem {
       auto copy = std::make_unique<std::uint8_t[]>(bytes.size());
       std::copy(bytes.begin(), bytes.end(), copy.get());
       auto stream = std::make_unique<Assimp::MemoryIOStream>(copy.get(), bytes.size(), true);
-      copy.release();  // the stream's own now
+      copy.release();  // the stream owns the bytes now
       return stream.release();
-    } catch (const InputError&) {  // a library of materials that is missing, say
+    } catch (const InputError&) {  // for example a missing material library
     } catch (...) {
       failure_ = std::current_exception();
     }
@@ -109,7 +109,7 @@ Mesh load_model(const std::filesystem::path& file) {
   std::exception_ptr failure;
   Assimp::Importer importer;
   importer.SetIOHandler(new ModelFiles(failure));  // the importer deletes it
-  // Where a file has no normals: smooth, but for edges sharper than this.
+  // For files without normals: smooth normals, except at edges sharper than this angle, in degrees.
   importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 40.0f);
   const aiScene* scene = importer.ReadFile(
       file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |

@@ -1,5 +1,5 @@
-// A car made by code: a body lofted along x with arches cut out of its sides, a cabin whose windows are parts
-// of one surface, wheels off the lathe.
+// A procedural car: a body lofted along x with arches cut out of its sides, a cabin whose windows are parts
+// of one surface, and wheels made by the lathe.
 #include <algorithm>
 #include <cmath>
 
@@ -14,20 +14,21 @@ namespace {
 
 using glm::vec3;
 
-constexpr float kHalfLength = 2.2f, kSill = 0.19f, kWidest = 0.52f;  // the height where the body is widest
+constexpr float kHalfLength = 2.2f, kSill = 0.19f, kWidest = 0.52f;  // the height at which the body is widest
 constexpr float kAxle = 1.34f, kHub = kTyreRadius, kArch = 0.425f;
 constexpr float kInner = 0.5f;  // from the middle to the wall behind a wheel
 
 // --- The body ---------------------------------------------------------------------------------------------
 
-// How far the body has closed towards its ends: 1 along most of it, 0 at them, round like a superellipse.
+// Returns how far the body is open at x: 1 along most of the body, 0 at its ends, rounded like a
+// superellipse.
 float openness(float x) {
   constexpr float kEnd = 0.36f;
   const float into = std::clamp((std::abs(x) - (kHalfLength - kEnd)) / kEnd, 0.0f, 1.0f);
   return std::pow(1 - std::pow(into, 3.0f), 1 / 3.0f);
 }
 
-// The bonnet's, roof line's foot's and boot lid's height, and the half width, from tail to nose.
+// Returns the height of bonnet, roof line's foot and boot lid, and the half width, from tail to nose.
 glm::vec2 deck_and_width(float x) {
   static const NaturalSpline<vec3> lines({{-2.2f, 0.86f, 0.80f},
                                           {-1.6f, 0.93f, 0.87f},
@@ -44,8 +45,8 @@ glm::vec2 deck_and_width(float x) {
   return {found.y, found.z};
 }
 
-// Half a section from the middle of the floor (v = 0) by the widest place (v = 1) to the middle of the deck
-// (v = 2): two quarters of superellipses.
+// Returns half a section from the middle of the floor (v = 0) by the widest place (v = 1) to the middle of
+// the deck (v = 2): two quarters of superellipses.
 vec3 body_at(float x, float v) {
   const glm::vec2 line = deck_and_width(x);
   const float open = openness(x), width = line.y * std::pow(open, 0.8f);
@@ -61,7 +62,7 @@ float arch_height(float x) {
   return from_axle < kArch ? kHub + std::sqrt(kArch * kArch - from_axle * from_axle) : 0;
 }
 
-// v where the section leaves the arch; 0 where there is none.
+// Returns v at the upper end of the arch in this section; 0 if the section has no arch.
 float lower_edge(float x) {
   const float height = arch_height(x);
   if (body_at(x, 0).y >= height) return 0;
@@ -73,7 +74,8 @@ float lower_edge(float x) {
   return low;
 }
 
-// Stations: dense where the body closes and round the arches, and on both sides of an arch's upright ends.
+// Stations are dense at the closing ends of the body and round the arches, with a pair of stations at each
+// upright end of an arch.
 std::vector<float> stations() {
   std::vector<float> out;
   for (int k = 0; k <= 90; ++k) {
@@ -91,7 +93,7 @@ std::vector<float> stations() {
 }
 
 Mesh body() {
-  // v of the mesh runs from the lower edge (0) to the deck (1); the normal is that of the whole section.
+  // v of the mesh runs from the lower edge (0) to the deck (1); the normal is that of the complete section.
   const std::vector<float> xs = stations();
   const std::vector<float> vs = divided({0, 1}, {96});
   Mesh mesh = loft([](float x, float v) { return body_at(x, glm::mix(lower_edge(x), 2.0f, v)); }, xs, vs, 1);
@@ -110,7 +112,8 @@ Mesh body() {
   return mirrored(mesh);
 }
 
-// The dark inside of an arch: its roof, the wall behind the wheel and those before and after it.
+// The dark inside of an arch: its roof, the wall behind the wheel and the walls in front of and behind the
+// wheel.
 Mesh housing(float axle) {
   std::vector<float> xs;
   for (int k = 0; k <= 40; ++k) xs.push_back(axle - (kArch - 1e-4f) * std::cos(float(kPi) * float(k) / 40));
@@ -136,10 +139,10 @@ Mesh housing(float axle) {
 
 // --- The cabin --------------------------------------------------------------------------------------------
 
-// Round its outline u runs in degrees from the middle of the windscreen by the left side; v goes up to the
-// roof's middle.
+// Returns a point of the cabin. u runs round its outline in degrees, from the middle of the windscreen by
+// the left side; v goes up to the middle of the roof.
 vec3 cabin_at(float u, float v) {
-  // Foremost, rearmost, half width, height.
+  // Foremost x, rearmost x, half width, height.
   static const NaturalSpline<glm::vec4> levels({{1.12f, -1.72f, 0.80f, 0.82f},
                                                 {0.86f, -1.46f, 0.75f, 1.02f},
                                                 {0.50f, -1.12f, 0.67f, 1.27f},
@@ -150,7 +153,7 @@ vec3 cabin_at(float u, float v) {
   const float angle = u * float(kPi) / 180, c = std::cos(angle), s = std::sin(angle);
   const float reach = std::pow(std::pow(std::abs(c), 4.5f) + std::pow(std::abs(s), 4.5f), 1 / 4.5f);
   const float middle = (level.x + level.y) / 2, half = (level.x - level.y) / 2;
-  // The windscreen and the rear window are bent a little.
+  // The windscreen and the rear window are slightly curved.
   const float bow = 1 + 0.06f * c * c;
   return {middle + half * c / reach * bow, level.w, level.z * s / reach};
 }
@@ -170,9 +173,10 @@ Mesh cabin(bool glass) {
   return loft(cabin_at, us, vs, -1, [&](float u, float v) { return is_glass(u, v) == glass; });
 }
 
-// --- Wheels, lamps and what is dark -----------------------------------------------------------------------
+// --- Wheels, lamps and dark parts
+// -----------------------------------------------------------------------------
 
-// Its axle along z, its outer side at positive z.
+// Places a wheel at each axle end. The axle of `wheel` runs along z, its outer side is at positive z.
 Mesh at_every_wheel(const Mesh& wheel) {
   const Mesh lying = placed(wheel, vec3(0));
   Mesh all;

@@ -1,4 +1,4 @@
-// The natural cubic spline: continuous curvature, so that highlights run over it without a break.
+// The natural cubic spline. Its continuous curvature lets highlights run along a surface without a break.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 
 namespace brdf::render {
 
-// Through points of any dimension, in the distance along them.
+// Interpolates points of any dimension, parametrised by the chord length between them.
 template <class V>
 class NaturalSpline {
  public:
   explicit NaturalSpline(std::vector<V> points) : points_(std::move(points)), bend_(points_.size(), V(0)) {
-    // `bend_` are the second derivatives, by the tridiagonal system whose elimination `share` and they hold
-    // on the way down.
+    // `bend_` contains the second derivatives, the solution of a tridiagonal system. Until the back
+    // substitution, `share` and `bend_` hold the eliminated coefficients.
     const std::size_t count = points_.size();
     for (std::size_t k = 0; k + 1 < count; ++k) span_.push_back(glm::distance(points_[k], points_[k + 1]));
     std::vector<float> share(count, 0);
@@ -27,7 +27,7 @@ class NaturalSpline {
   }
 
   std::size_t pieces() const { return span_.size(); }
-  // At the share t of piece k.
+  // Returns the point at the share t of piece k.
   V at(std::size_t k, float t) const {
     const float u = 1 - t, square = span_[k] * span_[k] / 6;
     return u * points_[k] + t * points_[k + 1] +
@@ -38,7 +38,7 @@ class NaturalSpline {
     return points_[k + 1] - points_[k] +
            square * ((1 - 3 * u * u) * bend_[k] + (3 * t * t - 1) * bend_[k + 1]);
   }
-  // At the place in 0 .. pieces().
+  // Returns the point at `place`, from 0 to pieces().
   V at(float place) const {
     const auto k = std::min(std::size_t(std::max(place, 0.0f)), pieces() - 1);
     return at(k, place - float(k));

@@ -17,10 +17,10 @@
 namespace brdf::render {
 namespace {
 
-constexpr int kCurveSegments = 8;   // straight pieces of a Bezier curve
+constexpr int kCurveSegments = 8;   // straight pieces per Bezier curve
 constexpr float kLatitude = 0.75f;  // radians that the em height covers on the sphere
-constexpr float kLongestEdge =
-    0.06f;  // radians: longer triangles are halved so that the letters follow the sphere
+// Radians; longer triangles are halved so that the letters follow the sphere.
+constexpr float kLongestEdge = 0.06f;
 
 using Contour = std::vector<glm::dvec2>;
 
@@ -72,7 +72,7 @@ int cubic_to(const FT_Vector* first, const FT_Vector* second, const FT_Vector* t
   return 0;
 }
 
-// Outlines of the whole text in units of the em, and its width.
+// Returns the outlines of the whole text in units of the em, and its width.
 std::pair<std::vector<Contour>, double> text_outlines(std::string_view text,
                                                       const std::filesystem::path& font) {
   const Font opened(font);
@@ -106,7 +106,7 @@ void GLAPIENTRY on_vertex(void* vertex, void* user) {
   out.triangles.push_back({out.corners[0], out.corners[1], out.corners[2]});
   out.corners.clear();
 }
-// Its presence makes GLU emit separate triangles only.
+// The presence of this callback makes GLU emit only separate triangles.
 void GLAPIENTRY on_edge_flag(GLboolean, void*) {}
 void GLAPIENTRY on_combine(GLdouble coordinates[3], void* [4], GLfloat[4], void** out_vertex, void* user) {
   auto& out = *static_cast<Tessellation*>(user);
@@ -137,8 +137,8 @@ Triangles tessellated(const std::vector<Contour>& contours) {
   return std::move(out.triangles);
 }
 
-// Halves the longest edge until every edge is short: neighbours
-// halve a shared edge at the same point, so no gap opens.
+// Halves the longest edge until each edge is short. Neighbours halve a shared edge at the same point, so
+// that no gap opens.
 void add_refined(std::array<glm::dvec2, 3> t, Triangles& out) {
   int longest = 0;
   for (int e = 1; e < 3; ++e) {
@@ -162,7 +162,8 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) 
                      std::to_string(kMostLetters) + " are drawn");
   auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
   if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has nothing to draw");
-  // Longitude from x: the text goes round once at most; the capital's middle lies on the equator.
+  // The longitude is proportional to x, and the text goes round at most once; the middle of the capitals
+  // lies on the equator.
   const double scale = std::min(double(kLatitude), 2 * kPi / width);
   for (Contour& contour : contours) {
     for (glm::dvec2& p : contour) p = (p - glm::dvec2(width / 2, 0.36)) * scale;

@@ -1,4 +1,4 @@
-// Shapes off the lathe: a vase, and the ball that materials are shown on.
+// Shapes made by the lathe: a vase, and the ball that shows materials.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -16,9 +16,10 @@ float radians_of(double degrees) {
   return float(degrees * kPi / 180);
 }
 
-// A ball with a groove round it, its lips rounded, and the core that shows in the groove.
+// A ball with a groove round it and rounded lips, and the core that is visible in the groove.
 Mesh grooved_ball() {
-  constexpr double kLip = 9, kFloor = 7;  // degrees of latitude where the lips and the groove's floor end
+  // Degrees of latitude at which the lips and the floor of the groove end.
+  constexpr double kLip = 9, kFloor = 7;
   constexpr float kCore = 0.88f;
   const auto on = [](double latitude, float radius) {
     return radius * glm::vec2(std::cos(radians_of(latitude)), std::sin(radians_of(latitude)));
@@ -26,7 +27,7 @@ Mesh grooved_ball() {
   const auto sphere = [](double from, double to) {
     return arc({0, 0}, 1, radians_of(from), radians_of(to), 72);
   };
-  // Each lip: from the sphere's tangent round into the groove's wall, and round again onto the floor.
+  // Each lip bends from the sphere's tangent into the wall of the groove, and again onto the floor.
   const auto lip = [&](double sign) {
     std::vector<ProfileCorner> corners{{on(sign * (kLip + 1.5), 1)},
                                        {on(sign * kLip, 1.0005f), 0.022f},
@@ -56,7 +57,7 @@ Mesh stand() {
 }  // namespace
 
 Mesh make_shader_ball(std::string_view part) {
-  // The groove leans to the viewer: it is seen from in front and from the side.
+  // The groove leans towards the viewer, who sees it from the front and from the side.
   const glm::mat4 lean =
       glm::rotate(glm::rotate(glm::mat4(1), radians_of(-24), {0, 0, 1}), radians_of(28), {1, 0, 0});
   Mesh mesh;

@@ -9,7 +9,7 @@
 namespace brdf::render {
 namespace {
 
-// Off the lathe, whose axis is y, onto the axle.
+// Turns a mesh of the lathe, which has the axis y, onto the axle.
 Mesh onto_axle(const Mesh& turned) {
   Mesh out;
   append(out, turned, glm::rotate(glm::mat4(1), float(kPi / 2), {1, 0, 0}));

@@ -1,4 +1,4 @@
-// A car's wheel, off the lathe: its axle along z, its outer side at positive z.
+// A car's wheel made by the lathe: the axle along z, the outer side at positive z.
 #pragma once
 
 #include "render/mesh/mesh.h"

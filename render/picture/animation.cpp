@@ -14,7 +14,7 @@ namespace {
   throw EnvironmentError(std::string("the WebP encoder gave up: ") + why);
 }
 
-// Frees what the library has filled in.
+// Frees the memory that the library has allocated for the picture.
 struct EncoderPicture {
   WebPPicture picture;
   EncoderPicture() {
@@ -44,10 +44,11 @@ Animation::Animation(int width, int height, double frames_per_second, int qualit
   WebPAnimEncoderOptions options;
   if (!WebPAnimEncoderOptionsInit(&options) || !WebPConfigInit(&encoder_->config))
     gave_up("another version of libwebp");
-  options.anim_params.loop_count = 0;  // for ever
+  options.anim_params.loop_count = 0;  // endless
   encoder_->config.lossless = quality >= 100;
   encoder_->config.exact = 1;
-  encoder_->config.quality = float(quality >= 100 ? 50 : quality);  // without loss: effort
+  // For lossless encoding, the quality sets the effort.
+  encoder_->config.quality = float(quality >= 100 ? 50 : quality);
   encoder_->config.method = 3;
   encoder_->made = WebPAnimEncoderNew(width, height, &options);
   if (!encoder_->made) gave_up("out of memory");

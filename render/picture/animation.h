@@ -8,15 +8,15 @@
 
 namespace brdf::render {
 
-// Frames of one size, shown for ever at an even rate. `quality` from 0 to 100: 100 keeps every bit, less is
-// lossy. Throws InputError for a picture that is too large (16,383 pixels on a side), EnvironmentError when
-// the encoder gives up.
+// Encodes frames of the same size, shown in an endless loop at a constant rate. `quality` from 0 to 100:
+// 100 is lossless, less is lossy. Throws InputError if the picture is too large (16,383 pixels on a side),
+// EnvironmentError if the encoder fails.
 class Animation {
  public:
   Animation(int width, int height, double frames_per_second, int quality);
   ~Animation();
   void add(const BytePicture& picture);
-  // The bytes of the file; nothing may be added afterwards.
+  // Returns the bytes of the file; no frame may be added afterwards.
   std::string finish();
 
  private:

@@ -22,10 +22,10 @@ std::vector<char32_t> shown_characters(const std::string& text) {
   }
 }
 
-// Calls visit(glyph slot, pen) for every letter and returns the width.
+// Calls visit(glyph slot, pen) for each letter and returns the width in pixels.
 template <class Visit>
 float for_each_glyph(const std::string& text, int pixels, Visit visit) {
-  // Each thread its own: FreeType's faces are changed by what is drawn with them.
+  // Each thread has its own font, because drawing changes the state of FreeType's faces.
   thread_local const Font font(Font::kPlain);
   FT_Set_Pixel_Sizes(font.face(), 0, FT_UInt(pixels));
   float pen = 0;
@@ -67,7 +67,7 @@ void draw_path(BytePicture& picture, const std::vector<glm::vec2>& points, float
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
-  // The share of each pixel is that of its nearest piece: where pieces meet it is not counted twice.
+  // The share of each pixel is determined by its nearest piece; joints are therefore not counted twice.
   const glm::ivec2 first(glm::floor(low - width - 1.0f)), last(glm::ceil(high + width + 1.0f));
   const glm::ivec2 size = last - first + 1;
   std::vector<float> share(std::size_t(size.x) * std::size_t(size.y), 0);

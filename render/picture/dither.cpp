@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kSide = kDitherTile, kCount = kSide * kSide;
 
-// Points of a tile that repeats, and how crowded each place is by them.
+// Points of a repeating tile, and the density of points round each place.
 class Pattern {
  public:
   Pattern() {
@@ -29,7 +29,7 @@ class Pattern {
       crowd_[std::size_t(k)] += sign * kernel_[std::size_t(y * kSide + x)];
     }
   }
-  // The most crowded of the points, or the least crowded of the other places.
+  // The point with the highest density, and the place without a point with the lowest density.
   int tightest() const { return extreme(true); }
   int emptiest() const { return extreme(false); }
 
@@ -48,7 +48,8 @@ class Pattern {
   std::array<bool, kCount> set_{};
 };
 
-// A tenth of the places, spread evenly: the tightest point moves to the emptiest place until it stays.
+// Returns a tenth of the places as points, spread evenly: the point with the highest density moves to the
+// emptiest place until it no longer moves.
 Pattern first_points(std::uint64_t seed) {
   Pattern pattern;
   Random random(seed);

@@ -1,5 +1,5 @@
-// Thresholds that spread the rounding of a picture to bytes as blue noise: neighbours round differently, and
-// what is left is too fine to be seen as bands.
+// Thresholds that distribute the rounding errors of a picture's bytes as blue noise. Neighbouring pixels
+// round differently, and the remaining pattern is too fine to appear as bands.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,13 @@ namespace brdf::render {
 // Pixels across the square tile that repeats over a picture.
 inline constexpr int kDitherTile = 32;
 
-// A threshold in (0, 1) for every pixel of the tile, each of (k + 1/2)/kDitherTile^2 once, rows from the top.
-// By void and cluster (Ulichney 1993, "The void-and-cluster method for dither array generation"), a Gaussian
-// of 1.5 pixels, from this seed; the same everywhere.
+// Returns a threshold in (0, 1) for each pixel of the tile, rows from the top; each of the values (k +
+// 1/2)/kDitherTile^2 occurs once. The method is void and cluster (Ulichney 1993, "The void-and-cluster
+// method for dither array generation") with a Gaussian of 1.5 pixels. The result depends only on the seed,
+// on all machines.
 std::vector<float> void_and_cluster(unsigned long long seed);
 
-// Of the tile of seed 1 at a pixel.
+// Returns the threshold of the tile of seed 1 at a pixel.
 float dither_threshold(int x, int y);
 
 }  // namespace brdf::render

@@ -11,9 +11,10 @@
 namespace brdf::render {
 namespace {
 
-constexpr double kRelMseFloor = 0.01;  // the usual one: keeps black pixels from dominating
+constexpr double kRelMseFloor = 0.01;  // the usual value: keeps black pixels from dominating
 
-// Upwards from `threshold` of a byte's step on; a half: to the nearest. Black and white stay what they are.
+// Rounds up from the fraction `threshold` of a byte's step; 0.5 rounds to the nearest. Black and white stay
+// unchanged.
 std::array<std::uint8_t, 3> to_bytes(glm::vec3 c, float threshold = 0.5f) {
   std::array<std::uint8_t, 3> out{};
   for (int k = 0; k < 3; ++k)
@@ -33,7 +34,7 @@ Picture picture_from(int width, int height, const std::vector<float>& rgba) {
 
 namespace {
 
-// Stripes, whatever lies below.
+// Returns the colour of the stripes, independent of the picture below.
 constexpr std::array<std::uint8_t, 3> hatched(std::size_t x, std::size_t y) {
   const std::uint8_t grey = io::hatching(x, y);
   return {grey, grey, grey};
@@ -107,7 +108,7 @@ float exposure_from(const Picture& picture) {
 }
 
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
-  // Curves that never reach 1 clip where rounding to bytes does.
+  // Curves that never reach 1 clip where rounding to bytes gives the brightest byte.
   const bool clamps = tone_map == ToneMap::none || tone_map == ToneMap::srgb;
   std::size_t clipped = 0, covered = 0;
   for (const glm::vec4& p : picture.pixels) {

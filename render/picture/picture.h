@@ -1,4 +1,4 @@
-// Pictures in memory: measures between two, tone maps, PNG and EXR files.
+// Pictures in memory: measures between two pictures, tone maps, PNG and EXR files.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace brdf::render {
 
-// Linear RGBA, rows from the top. A is 1 where there is a surface, kNotMeasured where nobody measured how it
-// reflects.
+// Linear RGBA, rows from the top. A is 1 for pixels that show a surface, kNotMeasured for a surface without
+// a measured reflectance.
 inline constexpr float kNotMeasured = 0.75f;
 inline bool is_surface(const glm::vec4& pixel) {
   return pixel.a > 0.5f;
@@ -32,9 +32,10 @@ struct Picture {
     return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
   }
 };
+// Returns a picture from RGBA values, row by row from the top.
 Picture picture_from(int width, int height, const std::vector<float>& rgba);
 
-// Bytes as they go into a PNG.
+// The bytes of a PNG, before compression.
 struct BytePicture {
   int width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 3>> pixels;
@@ -44,52 +45,60 @@ struct BytePicture {
 };
 
 struct Difference {
-  double rel_mse = 0;            // mean over surface pixels and channels of (a - b)^2 / (b^2 + 0.01)
-  double psnr = 0;               // dB, peak 1, both clamped to [0, 1]; infinite where equal
+  double rel_mse = 0;  // mean over surface pixels and channels of (a - b)^2 / (b^2 + 0.01)
+  // dB, peak 1, both clamped to [0, 1]; infinite if both are equal.
+  double psnr = 0;
   double coverage_mismatch = 0;  // share of all pixels that only one of the two covers
-  double not_measured =
-      0;  // share of the surface pixels that is left out of these, because b is not measured
+  // Share of the surface pixels excluded from these measures because b is not measured there.
+  double not_measured = 0;
 };
+// Returns the measures of the difference between two pictures of the same size.
 Difference compare(const Picture& picture, const Picture& reference);
 
-// What the screen shows for a linear colour (scene/display_rule.h).
+// Returns the display value of a linear colour (scene/display_rule.h).
 glm::vec3 tone_mapped(glm::vec3 linear, ToneMap tone_map, float exposure);
-// To the nearest byte, or (dithered) up or down by the thresholds of dither.h.
+// Rounds to the nearest byte or (dithered) up or down by the thresholds of dither.h.
 enum class Rounding { nearest, dithered };
 BytePicture displayed(const Picture& picture, ToneMap tone_map, float exposure,
                       Rounding rounding = Rounding::nearest);
-// The brightest channel of each surface pixel that is lit, in rising order.
+// Returns the brightest channel of each lit surface pixel, in rising order.
 std::vector<double> surface_brightness(const Picture& picture);
-// Stops that put kExposedShare of the lit surface below kExposedTo, in hundredths; 0 where nothing is lit.
+// Returns the exposure, in stops and rounded to hundredths, that puts kExposedShare of the lit surface
+// below kExposedTo; 0 if no pixel is lit.
 constexpr double kExposedShare = 0.95, kExposedTo = 0.7;
 float exposure_from(const Picture& picture);
-// Share of surface pixels with a channel that the display clips: above 1, or shown as the brightest byte.
+// Returns the share of surface pixels with a channel that the display clips: above 1, or shown as the
+// brightest byte.
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
 
-// Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
+// Returns the colour of a relative difference: blue 1e-6 through green and yellow to red 1; black if equal.
 glm::vec3 false_color(float relative_difference);
-// Of a signed one: blue -50 % and below, white 0, red 50 % and above.
+// Returns the colour of a signed difference: blue at -50 % and below, white at 0, red at 50 % and above.
 glm::vec3 signed_color(float relative_difference);
 constexpr float kMostSigned = 0.5f;
 enum class Scale { logarithmic, plus_minus };
-// The channel that differs most, relative to the reference; hatched where that is not measured.
+// Shows the channel with the largest difference, relative to the reference; hatched for pixels without a
+// measured reference.
 BytePicture difference_picture(const Picture& picture, const Picture& reference,
                                Scale scale = Scale::logarithmic);
 
-// The left share of one, the rest of the other, with a thin line between.
+// Returns the left `share` of the first picture and the rest of the second, with a thin line between them.
 BytePicture split(const BytePicture& left, const BytePicture& right, float share = 0.5f);
 
-// The bytes of a PNG file.
+// Returns the bytes of a PNG file.
 std::string png_of(const BytePicture& picture);
 void write_png(const std::filesystem::path& file, const BytePicture& picture);
 
-// Layers named name.R, name.G, name.B (and name.A); the unnamed first layer is R, G, B, A.
+// Layers are named name.R, name.G, name.B (and name.A); the unnamed first layer is R, G, B, A.
 struct Layer {
   std::string name;
   const Picture* picture;
   bool alpha = false;
 };
+// Writes the layers, which have the same size, as 32-bit floats.
 void write_exr(const std::filesystem::path& file, const std::vector<Layer>& layers);
+// Reads a layer of an EXR file. Throws InputError if the file cannot be read or lacks a channel R, G or B
+// of this layer.
 Picture read_exr(const std::filesystem::path& file, const std::string& layer);
 
 }  // namespace brdf::render

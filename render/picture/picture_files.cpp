@@ -22,7 +22,7 @@ std::string channel_name(const std::string& layer, char channel) {
   return layer.empty() ? std::string(1, channel) : layer + "." + channel;
 }
 
-// Rows and pixels are contiguous; the window's corner is the first of them.
+// Rows and pixels are contiguous; the corner of the window is the first pixel.
 Imf::Slice slice(const Picture& picture, int channel, const Imath::Box2i& window) {
   const float* const first = &picture.pixels[0][channel];
   return Imf::Slice::Make(Imf::FLOAT, first, window, sizeof(glm::vec4),

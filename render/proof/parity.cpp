@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNarrow = 0.05;
 
-// What makes the lobe as wide as a slope distribution of width kNarrow.
+// Returns the value that makes the lobe as wide as a slope distribution of width kNarrow; std::nullopt for
+// other parameters.
 std::optional<double> narrow_value(const ParameterInfo& p) {
   if (p.map == Map::roughness) return std::sqrt(kNarrow);
   if (p.role == Role::width || p.role == Role::width_across) return kNarrow;
@@ -20,7 +21,7 @@ std::optional<double> narrow_value(const ParameterInfo& p) {
   return std::nullopt;
 }
 
-// False where the form has no such parameter.
+// Returns false if the form has no such parameter.
 bool narrow(Term& term) {
   const std::span<const ParameterInfo> table = info(term.form).shape;
   bool changed = false;

@@ -34,7 +34,7 @@ void set_directions(Engine& random, ProofConfiguration& c) {
       grazing ? kPi / 2 - below * log_uniform(random, 1e-8, 1e-2) : uniform(random, 0, kPi / 2);
   const double phi_i = uniform(random, 0, 2 * kPi);
   c.wi = rounded(direction(radians(theta_i), radians(phi_i)));
-  if (random() % 2 == 0) {  // near the mirror direction, at every distance
+  if (random() % 2 == 0) {  // near the mirror direction, at all distances
     const double distance = log_uniform(random, 1e-6, 1);
     c.wo = rounded(direction(radians(theta_i + uniform(random, -distance, distance)),
                              radians(phi_i + kPi + uniform(random, -distance, distance))));
@@ -91,7 +91,7 @@ std::vector<ProofConfiguration> extreme_configurations(const Reflectance& form) 
     }
     for (const auto& wi : extreme_directions()) {
       c.wi = wi;
-      c.wo = {-wi[0], -wi[1], -wi[2]};  // wi = wo comes with the pairs below
+      c.wo = {-wi[0], -wi[1], -wi[2]};  // wi = wo is among the pairs below
       configurations.push_back(c);
       for (const auto& wo : extreme_directions()) {
         c.wo = wo;

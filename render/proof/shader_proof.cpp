@@ -15,14 +15,14 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kBatch = ShaderBatch::kMost;  // configurations of one dispatch
+constexpr std::size_t kBatch = ShaderBatch::kMost;  // configurations per dispatch
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Distance in representable numbers; the bits of floats are ordered within a sign.
+// Returns the distance in representable numbers, using the order of the bits of floats within a sign.
 double ulps(float a, float b) {
   const auto ordered = [](float x) {
     const auto bits = std::bit_cast<std::int32_t>(x);
@@ -34,7 +34,7 @@ double ulps(float a, float b) {
 
 }  // namespace
 
-// The compute pipelines of one shader, one form each, and the buffers they share.
+// The compute pipelines of one shader, one for each form, and the buffers that they share.
 class ProofMachine {
  public:
   ProofMachine(Device& device, Spirv of_catalogue) : device_(device), of_catalogue_(of_catalogue) {
@@ -74,7 +74,7 @@ class ProofMachine {
     return Owned<VkPipeline>(device_.get(), pipeline, vkDestroyPipeline);
   }
 
-  // At most kBatch configurations; calls visit(configuration, values).
+  // Takes at most kBatch configurations; calls visit(configuration, values).
   template <class Visit>
   void evaluate(VkPipeline pipeline, std::span<const ProofConfiguration> configurations, Visit&& visit) {
     load(configurations);
@@ -86,7 +86,7 @@ class ProofMachine {
     std::copy(configurations.begin(), configurations.end(),
               reinterpret_cast<ProofConfiguration*>(input_.data()));
   }
-  // Evaluates the first configurations and waits.
+  // Evaluates the first `configurations` configurations and waits.
   void dispatch(VkPipeline pipeline, std::size_t configurations) {
     const auto count = std::uint32_t(configurations);
     device_.run([&](VkCommandBuffer commands) {

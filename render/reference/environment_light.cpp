@@ -5,7 +5,7 @@
 namespace brdf::render {
 namespace {
 
-// Directions of a run with their radiance over the density that they were drawn with.
+// The directions of a run, with their radiance over the density with which they were drawn.
 class Run {
  public:
   Run(const PreparedScene& scene, const Item& item, const SurfaceHit& surface, const glm::vec3& wo)
@@ -26,7 +26,7 @@ class Run {
     add(wi, glm::vec3(texel), texel.a);
   }
 
-  // The sum over what was drawn since the last one.
+  // Returns the sum over the directions drawn since the last call.
   glm::vec3 lit(const Item& item, const SurfaceHit& surface) {
     glm::vec3 sum(0);
     const Directions<float> d = pairs_.view().part(0, count_);

@@ -25,7 +25,7 @@ struct SceneRelease {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
 
-// Every object as world-space triangles; geometry ids are object indices.
+// All objects as world-space triangles; geometry ids are object indices.
 class SceneRays {
  public:
   explicit SceneRays(const PreparedScene& scene) : device_(rtcNewDevice(nullptr)) {
@@ -53,8 +53,8 @@ class SceneRays {
     rtcIntersect1(scene_.get(), &context, &hit);
     return hit;
   }
-  // Whether an object other than this one lies along the direction; its own surfaces are passed, each by
-  // `step`.
+  // Returns whether an object other than `own` lies along the direction. Hits on surfaces of `own` are
+  // passed, each by `step`.
   bool blocked(const glm::vec3& origin, const glm::vec3& direction, std::size_t own, float step) const {
     for (float from = 0;;) {
       const RTCRayHit hit = trace(origin, direction, from);
@@ -118,7 +118,7 @@ glm::vec3 sky(const PreparedScene& prepared, const glm::vec3& ray) {
   return color;
 }
 
-// Which light something keeps from a surface.
+// Decides whether an object blocks a light that casts a shadow.
 class Shadow {
  public:
   Shadow(const PreparedScene& prepared, const SceneRays& rays) : rays_(rays) {
@@ -132,10 +132,10 @@ class Shadow {
 
  private:
   const SceneRays& rays_;
-  std::size_t light_ = kMostLights;  // none
+  std::size_t light_ = kMostLights;  // no light
   float step_;
 };
-// Light from all around, summed over the layers.
+// Returns the light of the environment, summed over the layers.
 EnvironmentEstimate environment_at(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
                                    int x, int y, const ReferenceOptions& options) {
   EnvironmentEstimate sum;
@@ -154,7 +154,7 @@ EnvironmentEstimate environment_at(const PreparedScene& prepared, const RTCRayHi
   return sum;
 }
 
-// The value, and whether all of it is known.
+// Returns the value, and whether all parts of the value are known.
 MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const glm::vec3& ray,
                     const Shadow& shadow, const Measured* measured) {
   const Scene& scene = prepared.scene;
@@ -179,7 +179,7 @@ MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const g
   return sum;
 }
 
-// Calls visit(x, y, ray, hit, rays) for every pixel, rows shared between threads.
+// Calls visit(x, y, ray, hit, rays) for each pixel, with rows shared between threads.
 template <class Visit>
 void for_each_pixel(const PreparedScene& prepared, unsigned threads, Visit visit) {
   const Camera& camera = prepared.scene.camera;

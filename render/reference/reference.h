@@ -1,5 +1,6 @@
-// The reference: the same scene by Embree, one ray through every pixel's centre, direct light without shadows
-// as in the renderer and the environment's by samples, materials by libbrdf's own float evaluation.
+// The reference: renders the same scene with Embree, one ray through the centre of each pixel. Direct light
+// has the same shadows as in the renderer (scene/shadow_view.h), the light of the environment is sampled,
+// and materials are evaluated by libbrdf in float.
 #pragma once
 
 #include <functional>
@@ -10,8 +11,8 @@
 
 namespace brdf::render {
 
-// Value of f_r cos_i per channel for a pair of directions in the surface's frame, and whether it is known;
-// replaces an object's material.
+// Value of f_r cos_i per channel for a pair of directions in the surface's frame, and whether the value is
+// known. Replaces the material of an object.
 struct MeasuredValue {
   glm::vec3 f_cos{0};
   bool known = true;
@@ -21,19 +22,21 @@ using Measured = std::function<MeasuredValue(const glm::vec3& wi, const glm::vec
 
 struct ReferenceOptions {
   unsigned threads = io::all_processors();
-  // Shades every object where set (ambient then has nothing to act on); pixels lit along directions of which
-  // it knows nothing have the alpha kNotMeasured.
+  // If set, shades all objects (ambient light then has no effect). Pixels lit from directions for which the
+  // value is not known have the alpha kNotMeasured.
   const Measured* measured = nullptr;
-  // Of the environment's light, which what is measured leaves out.
+  // Samples of the environment's light, which is left out if `measured` is set.
   int samples = 256;
   std::uint32_t seed = 1;
-  Picture* standard_error = nullptr;  // where wanted: that of each pixel
+  Picture* standard_error = nullptr;  // if set, receives the standard error of each pixel
 };
 
+// Returns the picture of the reference. A is 1 for surfaces, kNotMeasured for surfaces with unknown values,
+// 0 for the background.
 Picture render_reference(const PreparedScene& scene, const ReferenceOptions& options = {});
 
-// What the shading of a pixel is asked for: one entry per pixel and light that reaches its surface's front,
-// in the order of the pixels. Directions in the surface's frame.
+// A shading evaluation: one entry per pixel and light that reaches the front of its surface, in the order
+// of the pixels. Directions are in the surface's frame.
 struct LitPoint {
   int x = 0, y = 0;
   std::size_t object = 0;
@@ -42,16 +45,16 @@ struct LitPoint {
 };
 std::vector<LitPoint> lit_points(const PreparedScene& scene);
 
-// What a ray through the centre of a pixel meets.
+// The surface hit by a ray through the centre of a pixel.
 struct PixelProbe {
   bool hit = false;
   std::size_t object = 0;
   glm::vec3 position{0}, normal{0};
   glm::vec3 wi{0}, wo{0};  // local frame, wi to the first light
-  glm::vec3 value{0};      // f_r of the first light
+  glm::vec3 value{0};      // f_r for the first light
 };
 PixelProbe pixel_probe(const PreparedScene& scene, int x, int y);
-// In words: object, place, angles in degrees, f_r.
+// Returns the probe as text: object, place, angles in degrees, f_r.
 std::vector<std::string> lines(const PixelProbe& probe);
 
 }  // namespace brdf::render

@@ -11,7 +11,7 @@ glm::vec3 diffuse_of(const SurfaceHit& s, int weight) {
   return {s.weights[0][k], s.weights[1][k], s.weights[2][k]};
 }
 
-// The frame about another normal; it keeps its hand.
+// Turns the frame to another normal and keeps the handedness.
 void turn_to(const glm::vec3& n, SurfaceHit& s) {
   const float hand = glm::dot(glm::cross(s.normal, s.tangent), s.bitangent) < 0 ? -1.0f : 1.0f;
   s.tangent = glm::normalize(s.tangent - n * glm::dot(n, s.tangent));
@@ -41,8 +41,8 @@ void apply_maps(const TextureSet& maps, const Item& item, glm::vec2 uv, const gl
   }
 }
 
-// Weights of the corners where the ray from the camera
-// meets the triangle's plane (Moeller and Trumbore 1997).
+// Returns the weights of the corners at the intersection of the camera's ray with the triangle's plane
+// (Moeller and Trumbore 1997).
 std::array<float, 3> barycentric(const PreparedScene& scene, const Item& item,
                                  const std::array<glm::vec3, 3>& corners, const glm::vec3& ray) {
   std::array<glm::dvec3, 3> p;
@@ -72,7 +72,7 @@ SurfaceHit surface_at(const PreparedScene& scene, const Item& item, std::uint32_
   s.diffuse = diffuse_of(s, diffuse);
   const glm::vec3 relative = item.linear * (a.position * w + b.position * u + c.position * v);
   s.position = item.origin + relative;
-  // Counter-clockwise seen from the front, also under a mirroring transform: as the rasteriser decides.
+  // Counter-clockwise seen from the front, also under a mirroring transform, as in the rasteriser.
   const glm::vec3 face =
       glm::cross(item.linear * (b.position - a.position), item.linear * (c.position - a.position));
   s.front = glm::dot(face, ray) < 0;

@@ -14,7 +14,7 @@ View view_through_centres(const Camera& camera) {
   return {camera.position, right * (half * aspect), glm::cross(right, forward) * half, forward};
 }
 
-// In ndc.
+// Returns the shift in ndc.
 glm::vec2 shift_of(const Camera& camera) {
   return {2 * camera.offset.x / float(camera.width), -2 * camera.offset.y / float(camera.height)};
 }

@@ -1,4 +1,5 @@
-// Colours computed once for C++ and (traced) for the shaders: the sky, sRGB, tone maps, false colours.
+// Colours with one definition for C++ and (traced) for the shaders: the sky, sRGB, tone maps, false
+// colours.
 #pragma once
 
 #include <array>
@@ -11,7 +12,8 @@
 
 namespace brdf::render {
 
-// What a scalar brings along beside its arithmetic; shaders/emit_shaders.cpp has GLSL's.
+// Functions that a scalar must provide in addition to its arithmetic; shaders/emit_shaders.cpp has the GLSL
+// versions.
 using io::to_power;
 inline float log_10(float x) {
   return std::log10(x);
@@ -22,14 +24,14 @@ S mixed(const S& a, const S& b, const S& share) {
   return a * (S(1) - share) + b * share;
 }
 
-// One channel of the sky; `up` is the y of the unit vector towards it.
+// Returns one channel of the sky; `up` is the y of the unit vector towards it.
 template <class S>
 S sky_color(const S& horizon, const S& zenith, const S& up) {
   return mixed(horizon, zenith, math::sqrt(at_least(up, S(0))));
 }
 
-// One channel of a backdrop; `height` is the ray's ndc y, -1 at the lower edge of the picture and 1 at the
-// upper.
+// Returns one channel of a backdrop; `height` is the ray's ndc y, -1 at the lower edge of the picture and 1
+// at the upper.
 template <class S>
 S backdrop_color(const S& bottom, const S& top, const S& height) {
   return mixed(bottom, top, at_most(at_least((height + S(1)) * S(0.5), S(0)), S(1)));
@@ -40,9 +42,10 @@ using io::srgb_encoded;
 template <class S>
 using Colour = std::array<S, 3>;
 
-// Keeps the hue exactly and the colour itself up to a peak of 0.76, then compresses towards 1 and mixes with
-// white: the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 = 0.04). A
-// grey is taken away first: what a dielectric reflects of white surroundings. Linear, in [0, 1).
+// Keeps the hue exactly, and the colour itself up to a peak of 0.76; above, compresses towards 1 and mixes
+// with white: the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 =
+// 0.04). A grey is subtracted first, as the share that a dielectric reflects of white surroundings. The
+// result is linear, in [0, 1).
 template <class S>
 Colour<S> neutral(const Colour<S>& c) {
   const S least = at_most(at_most(c[0], c[1]), c[2]);
@@ -52,12 +55,12 @@ Colour<S> neutral(const Colour<S>& c) {
   const S compressed = S(1) - room * room / (peak + room - knee);
   const S white = S(1) - S(1) / (S(0.15) * (peak - compressed) + S(1));
   Colour<S> out;
-  // Below the knee the factor is 1 and the share of white 0.
+  // Below the knee the factor is 1 and the share of white is 0.
   for (std::size_t k = 0; k < 3; ++k) out[k] = mixed((c[k] - grey) * (compressed / peak), compressed, white);
   return out;
 }
 
-// One channel, linear and exposed, as a curve that knows no other channel shows it.
+// Returns one channel, linear and exposed, mapped by a curve that is independent of the other channels.
 template <class S>
 S channel_curve(ToneMap tone_map, const S& linear) {
   const S c = at_least(linear, S(0));
@@ -75,7 +78,7 @@ S channel_curve(ToneMap tone_map, const S& linear) {
   return at_most(c, S(1));
 }
 
-// A linear and exposed colour as it is shown.
+// Returns the display value of a linear and exposed colour.
 template <class S>
 Colour<S> tone_curve(ToneMap tone_map, const Colour<S>& linear) {
   Colour<S> out;
@@ -88,7 +91,7 @@ Colour<S> tone_curve(ToneMap tone_map, const Colour<S>& linear) {
   return out;
 }
 
-// Colour of a relative difference: blue 1e-6 through green and yellow to red 1; black where equal.
+// Returns the colour of a relative difference: blue 1e-6 through green and yellow to red 1; black if equal.
 template <class S>
 Colour<S> false_color_of(const S& relative) {
   constexpr std::array kStops{std::array{0.1, 0.2, 0.8}, std::array{0.1, 0.7, 0.3},
@@ -105,7 +108,8 @@ Colour<S> false_color_of(const S& relative) {
   return color;
 }
 
-// Colour of a signed relative difference: blue at -50 % and below, white at 0, red at 50 % and above.
+// Returns the colour of a signed relative difference: blue at -50 % and below, white at 0, red at 50 % and
+// above.
 template <class S>
 Colour<S> signed_color_of(const S& relative) {
   constexpr const io::ColourScale& kScale = io::kDivergingScale;

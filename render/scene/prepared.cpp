@@ -29,7 +29,8 @@ void set_rules(Item& item, const ReflectanceInfo& form, const TextureSet& textur
   }
 }
 
-// `only`: that colour alone, the others' weights zero; otherwise all of them with the shared shape.
+// `only`: makes an item for this colour alone, with zero weights for the others; otherwise for all colours
+// with the shared shape.
 Item make_item(const Term& term, const io::ChannelColours& colours, std::optional<std::size_t> only,
                const TextureSet& textures) {
   Item item;

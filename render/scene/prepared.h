@@ -1,5 +1,5 @@
-// A scene made ready to draw: meshes and textures loaded, materials flattened into items. The renderer and
-// the Embree reference both start from it.
+// A scene prepared for drawing: meshes and textures are loaded, materials are flattened into items. Both
+// the renderer and the Embree reference start from it.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,24 @@
 
 namespace brdf::render {
 
-using TextureSet = std::array<std::shared_ptr<const Texture>, 4>;  // by TextureSlot
+using TextureSet = std::array<std::shared_ptr<const Texture>, 4>;  // indexed by TextureSlot
 
 // One object with one term of its material. A sum of forms becomes one item per term, drawn in layers that
 // are added; shapes that differ between channels become one item per channel.
 struct Item {
-  std::size_t object = 0;  // index into scene.objects, and into meshes and textures
+  std::size_t object = 0;  // index into scene.objects, meshes and textures
   glm::mat3 linear{1}, normals{1};
   glm::vec3 origin{0};
   float extent = 1;  // no vertex is farther from the origin
-  // None: only hides what is behind it (an object with fewer terms than layers).
+  // std::nullopt: the item only hides objects behind it (an object with fewer terms than there are layers).
   std::optional<Reflectance> form;
-  float cos_turn = 1, sin_turn = 0;             // of tangent_phi
-  std::array<std::vector<float>, 3> weights;    // of red, green, blue; in the order of the form's table
-  std::vector<float> shape;                     // the same
-  std::array<std::size_t, 3> channels{};        // the material's, of red, green, blue
-  std::vector<Rule> weight_rules, shape_rules;  // by which the object's maps drive them
+  float cos_turn = 1, sin_turn = 0;           // of tangent_phi
+  std::array<std::vector<float>, 3> weights;  // of red, green, blue; in the order of the form's table
+  std::vector<float> shape;                   // in the order of the form's table
+  // Indices of the material's channels for red, green, blue.
+  std::array<std::size_t, 3> channels{};
+  // The rules by which the object's maps drive the parameters.
+  std::vector<Rule> weight_rules, shape_rules;
 };
 
 struct PreparedScene {
@@ -35,15 +37,15 @@ struct PreparedScene {
   std::vector<std::shared_ptr<const Mesh>> meshes;  // per object
   std::vector<TextureSet> textures;                 // per object
   std::vector<std::vector<Item>> layers;            // every layer has an item per object
-  std::shared_ptr<const LightMap> environment;      // null: none
+  std::shared_ptr<const LightMap> environment;      // null: no environment
   glm::vec4 bounds{0, 0, 0, 1};                     // sphere round all objects
 };
 
-// Throws InputError on a missing texture, a broken model, a material whose channels are no colours, and where
-// the objects together have more than this many triangles or texels (512 MiB).
+// Prepares a scene. Throws InputError on a missing texture, an invalid model, a material whose channels are
+// not colours, or if the objects together have more than this many triangles or texels (512 MiB).
 inline constexpr std::size_t kMostTriangles = 20'000'000, kMostTexelsOfAll = 1 << 27;
 PreparedScene prepare(Scene scene);
-// After a change of materials or transforms alone (the viewer's sliders): meshes and textures are kept.
+// Call after a change of only materials or transforms (the viewer's sliders); meshes and textures are kept.
 void update_items(PreparedScene& prepared);
 
 }  // namespace brdf::render

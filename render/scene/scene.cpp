@@ -28,15 +28,16 @@ Scene material_scene(const std::vector<std::pair<std::string, Material>>& materi
   }
   scene.camera.height = 512;
   scene.camera.width = std::min(512 * count, 2048);
-  // The whole row fits: its half width against the picture's.
+  // Moves the camera so that the whole row fits: its half width against the picture's.
   const float aspect = float(scene.camera.width) / float(scene.camera.height);
   const float half_view = std::tan(glm::radians(scene.camera.vertical_fov) / 2);
   scene.camera.position.z = std::max(4.0f, (span / 2 + 1.15f) / (half_view * aspect));
-  // From the upper left front; irradiance pi shows a Lambertian surface facing it at its reflectance.
+  // The light comes from the upper left front. With irradiance pi, a Lambertian surface that faces the
+  // light appears with its reflectance.
   scene.lights.push_back({false, {1, -1, -1}, glm::vec3(1), float(kPi)});
   scene.ambient = glm::vec3(0.03f);
-  // Light from above falls on objects before a dark ground, their shadow side stands before a light one: no
-  // object of one brightness can equal it all round.
+  // The background is dark at the top, behind the lit side of the objects, and light at the bottom, behind
+  // their shadow side. No object of uniform brightness can therefore match the background all round.
   scene.background = glm::vec3(0.42f);
   scene.backdrop_top = glm::vec3(0.06f);
   return scene;

@@ -1,5 +1,5 @@
-// What a scene file says, and its reader. Units: metres do not matter, angles in degrees in the file,
-// radiance and irradiance in any one unit.
+// The content of a scene file, and its reader. The unit of length is arbitrary, angles are in degrees in
+// the file, radiance and irradiance are in the same arbitrary unit.
 #pragma once
 
 #include <array>
@@ -20,26 +20,30 @@ struct Camera {
   glm::vec3 position{0, 0, 4}, target{0, 0, 0}, up{0, 1, 0};
   float vertical_fov = 32;  // degrees
   int width = 512, height = 512;
-  glm::vec2 offset{
-      0};  // of the sample in its pixel, from the centre, in pixels to the right and down; in no file
+  // Offset of the sample in its pixel, from the centre, in pixels to the right and down; not part of scene
+  // files.
+  glm::vec2 offset{0};
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 struct Light {
   bool point = false;
-  glm::vec3 vector{1, -1, -1};  // a point light's position, else the direction in which the light travels
+  // Position of a point light, otherwise the direction in which the light travels.
+  glm::vec3 vector{1, -1, -1};
   glm::vec3 color{1};
-  float intensity = 1;  // directional: irradiance on a surface facing it; point: the same at distance 1
+  // Directional: irradiance on a surface that faces the light; point: the same at distance 1.
+  float intensity = 1;
   friend bool operator==(const Light&, const Light&) = default;
 };
 inline constexpr std::size_t kMostLights = 64;
 
-// Light from all around, far away.
+// Distant light from all directions.
 struct Environment {
-  std::string picture;  // a file from the scene's folder, or a Formula's name
-  float rotation = 0;   // degrees about the vertical axis, counter-clockwise from above
-  float intensity = 1;  // factor on its radiance
-  bool shown = true;    // behind the objects, instead of the scene's background
+  std::string picture;  // a file relative to the scene's folder, or the name of a Formula
+  // Degrees about the vertical axis, counter-clockwise seen from above.
+  float rotation = 0;
+  float intensity = 1;  // factor on the radiance
+  bool shown = true;    // behind the objects, in place of the scene's background
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 
@@ -48,9 +52,10 @@ enum class TextureSlot { albedo, normal, roughness, metallic };
 struct Object {
   std::string mesh = "sphere";
   Material material;
-  std::string material_name;  // for labels: what the file calls it, else its stem or the form
-  std::string label;          // drawn below it in pictures
-  std::array<std::optional<std::filesystem::path>, 4> textures;  // by TextureSlot
+  // For labels: the name in the material's file, otherwise the stem of the file or the name of the form.
+  std::string material_name;
+  std::string label;                                             // drawn below the object in pictures
+  std::array<std::optional<std::filesystem::path>, 4> textures;  // indexed by TextureSlot
   glm::vec3 position{0};
   glm::vec3 rotation{0};  // degrees about x, then y, then z
   glm::vec3 scale{1};
@@ -58,50 +63,55 @@ struct Object {
 };
 
 enum class Shading { vertex_color, flat, gouraud, phong, phong_blinn, brdf, lookup };
-// none: the value as it stands; srgb: clamped, then encoded; reinhard: c/(1+c), then encoded as sRGB; thesis:
+// none: the unchanged value; srgb: clamped, then encoded; reinhard: c/(1+c), then encoded as sRGB; thesis:
 // c/(1+c) to the power 1/2.2; neutral: keeps the hue, then encoded as sRGB.
 enum class ToneMap { none, srgb, reinhard, thesis, neutral };
 
 struct Scene {
   Camera camera;
   glm::vec3 ambient{0};
-  glm::vec3 background{0};                // at the horizon where there is a sky
-  std::optional<glm::vec3> sky_zenith;    // a sky: background at the horizon, this above
-  std::optional<glm::vec3> backdrop_top;  // no sky: background at the picture's lower edge, this at the upper
-  glm::vec3 back_color{0.5f};             // of surfaces seen from behind
-  bool shadow = false;                    // the first directional light casts one
+  glm::vec3 background{0};  // at the horizon if there is a sky
+  // With a sky: `background` is the colour at the horizon, this is the colour at the zenith.
+  std::optional<glm::vec3> sky_zenith;
+  // Without a sky: `background` is the colour at the picture's lower edge, this is the colour at the upper
+  // edge.
+  std::optional<glm::vec3> backdrop_top;
+  glm::vec3 back_color{0.5f};  // colour of surfaces seen from behind
+  bool shadow = false;         // the first directional light casts a shadow
   std::vector<Light> lights;
   std::optional<Environment> environment;
   std::vector<Object> objects;
-  std::filesystem::path folder;  // that relative file names start from
+  std::filesystem::path folder;  // base of relative file names
   Shading shading = Shading::brdf;
-  // phong, phong_blinn: colours, lookup: texture coordinates, per vertex instead of per pixel.
+  // Computes per vertex instead of per pixel: colours (phong, phong_blinn) or texture coordinates (lookup).
   bool per_vertex = false;
-  bool as_coded = false;  // with the articles' slips
+  bool as_coded = false;  // with the errors of the articles' code
   ToneMap tone_map = ToneMap::neutral;
   float exposure = 0;  // factor 2^exposure before the tone map
   friend bool operator==(const Scene&, const Scene&) = default;
 };
-// A relative name that is not there is looked for in the installed data (io/files/installed.h). Throws
-// InputError with file, JSON path, value and rule; scene_json.h has the rest of the format.
+// Reads a scene file. If a relative name does not exist, it is searched for in the installed data
+// (io/files/installed.h). Throws InputError with file, JSON path, value and rule; scene_json.h has the rest
+// of the format.
 Scene load_scene(const std::filesystem::path& file);
 
-// Pictures are grey or RGB. Throws InputError naming what has channels of which none can be told to be red.
+// Returns the mapping of channels to colours; pictures are grey or RGB. Throws InputError naming `what` if
+// no channel can be identified as red.
 io::ChannelColours require_colours(const std::vector<std::string>& channels, const std::string& what);
 
-// A row of spheres, one per material, under one light and
-// a little ambient: what `brdf render MATERIAL...` shows.
+// Returns a row of spheres, one per material, under one light and a little ambient light, as shown by `brdf
+// render MATERIAL...`.
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
 
-// The same with a shape of make_mesh() in place of the spheres, as large as they, seen from a little above.
-// Parts that are never of the material shown (a car's windows and tyres, the stand of the shader ball) are
-// further objects after the one that is. Throws InputError on a shape that cannot be read.
+// The same with a shape of make_mesh() in place of the spheres, of the same size, seen from a little above.
+// Parts that never have the material shown (a car's windows and tyres, the base of the shader ball) are
+// further objects after the object with the material. Throws InputError if the shape cannot be read.
 Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::string, Material>>& materials);
 
-// Rotation and scale of an object, and the same for normals.
+// Returns the rotation and scale of an object.
 glm::mat3 linear_part(const Object& object);
 
-// Turns directions of the world into those of the environment's picture.
+// Returns the rotation from directions of the world to directions of the environment's picture.
 glm::mat3 to_picture(const Environment& environment);
 
 }  // namespace render

@@ -19,7 +19,7 @@ glm::vec3 vector(const JsonPlace& place, double low = -1e6, double high = 1e6) {
   return v;
 }
 
-// Reads the key into `out` when it is there.
+// Reads the key into `out` if the key exists.
 void read(const JsonPlace& place, std::string_view key, glm::vec3& out, double low = -1e6,
           double high = 1e6) {
   if (place.has(key)) out = vector(place.at(key), low, high);
@@ -220,7 +220,7 @@ Scene scene_from_json(const JsonPlace& root, const std::filesystem::path& folder
   read(root, "shading", scene.shading);
   read(root, "per_vertex", scene.per_vertex);
   read(root, "as_coded", scene.as_coded);
-  // The articles' modes compute colours to be shown as they are.
+  // The articles' modes compute colours that are displayed unchanged.
   scene.tone_map = scene.shading == Shading::brdf ? ToneMap::neutral : ToneMap::none;
   read(root, "tone_map", scene.tone_map);
   read(root, "exposure", scene.exposure, -20, 20);

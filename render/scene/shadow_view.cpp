@@ -20,7 +20,7 @@ bool is_flat(const Box& box) {
   return std::min({size.x, size.y, size.z}) < 1e-3f * std::max({size.x, size.y, size.z});
 }
 
-// Of the objects in the axes of `rows`; flat ones only where there are no others.
+// Returns the box of the objects in the axes of `rows`; flat objects count only if there are no others.
 Box box_along(const PreparedScene& prepared, const glm::mat3& rows) {
   Box solid, all;
   for (const Item& item : prepared.layers[0]) {
@@ -53,7 +53,7 @@ std::optional<ShadowView> shadow_view(const PreparedScene& prepared) {
   const glm::vec3 other = std::abs(to_light.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 right = glm::normalize(glm::cross(other, to_light)), up = glm::cross(to_light, right);
   const Box box = box_along(prepared, {right, up, to_light});
-  // A border of one per cent: the filter's taps stay inside.
+  // A border of one per cent keeps the filter's taps inside.
   const glm::vec2 half = 0.505f * glm::max(glm::vec2(box.size()), glm::vec2(1e-6f));
   const glm::vec2 middle = (glm::vec2(box.low) + glm::vec2(box.high)) / 2.0f;
   const float reach = prepared.bounds.w, center = glm::dot(to_light, glm::vec3(prepared.bounds));

@@ -1,4 +1,4 @@
-// What materials are shown on.
+// Scenes of shapes that show materials.
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +8,13 @@
 namespace brdf::render {
 namespace {
 
-// A part that is never of the material shown: grey, its lobe of this width.
+// A part that never has the material shown: grey, with a lobe of this width.
 struct Part {
   std::string_view mesh;
   double diffuse, f0, width;
 };
 
-// Turned about y by so many degrees, it shows its best side.
+// A shape that looks best if it is turned about y by `turn` degrees.
 struct Shape {
   std::string_view name, body;
   float turn;
@@ -34,7 +34,7 @@ const std::vector<Shape>& dressed_shapes() {
   return shapes;
 }
 
-// The catalogue's first canonical form of facets with an f0, at these values.
+// Returns the catalogue's first canonical microfacet form with an f0, set to these values.
 Material grey(const Part& part, const std::vector<std::string>& channels) {
   const auto form = find_form_if([](const ReflectanceInfo& table) {
     return table.canonical && table.facets != nullptr && table.weight_index(Role::f0) >= 0;
@@ -56,7 +56,7 @@ Material grey(const Part& part, const std::vector<std::string>& channels) {
   return material;
 }
 
-// The shape with its parts in place of a unit sphere.
+// Returns the shape with its parts, in place of a unit sphere.
 std::vector<Object> dressed(const Shape& shape, const Object& sphere) {
   const glm::vec4 bounds = bounding_sphere(make_mesh(std::string(shape.name), {}));
   Object object = sphere;

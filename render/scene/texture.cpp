@@ -17,7 +17,8 @@ std::uint8_t to_byte(float x) {
   return std::uint8_t(std::lround(glm::clamp(x, 0.0f, 1.0f) * 255));
 }
 
-// Tileable value noise: `octaves` lattices of random numbers, each twice as fine and half as strong.
+// Tileable value noise: `octaves` lattices of random numbers, each twice as fine and half as strong as the
+// one before.
 class Noise {
  public:
   Noise(std::uint64_t seed, int cells, int octaves) {
@@ -30,7 +31,7 @@ class Noise {
       }
     }
   }
-  // In [0, 1] about 0.5; uv in units of the tile.
+  // Returns a value in [0, 1], centred about 0.5; uv in units of the tile.
   float at(glm::vec2 uv) const {
     float sum = 0, weight = 0, amplitude = 1;
     for (const Lattice& lattice : lattices_) {
@@ -58,7 +59,7 @@ class Noise {
   std::vector<Lattice> lattices_;
 };
 
-// Bilinear interpolation of decode(texel).
+// Returns the bilinear interpolation of decode(texel).
 template <class Decode>
 auto interpolated(const Texture& map, glm::vec2 uv, Decode decode) {
   const glm::vec2 size{float(map.width), float(map.height)};
@@ -129,7 +130,7 @@ std::array<Texture, 4> rusty_metal(int size, std::uint64_t seed) {
           glm::mix(glm::vec3(0.20f, 0.06f, 0.02f), glm::vec3(0.45f, 0.18f, 0.06f), fine);
       const glm::vec3 metal_color(0.56f, 0.57f, 0.58f);
       const glm::vec3 albedo = glm::mix(metal_color, rust_color, rust);
-      // Relief of one hundredth of the tile; v runs upwards, rows downwards.
+      // The relief is one hundredth of the tile high; v runs upwards, rows downwards.
       const glm::vec2 slope(height_at(uv + glm::vec2(step, 0)) - height_at(uv - glm::vec2(step, 0)),
                             height_at(uv - glm::vec2(0, step)) - height_at(uv + glm::vec2(0, step)));
       const glm::vec3 normal = glm::normalize(glm::vec3(-slope * (0.005f / step), 1));

@@ -1,19 +1,20 @@
-// How texture maps drive the parameters of any reflectance: the one rule, for C++ and (traced) for the
-// shaders.
+// The rule by which texture maps drive the parameters of any reflectance, with one definition for C++ and
+// (traced) for the shaders.
 //
-// With albedo a, roughness r and metalness m of the maps (where there is no such map, a is the diffuse weight
-// and m is 0), 0.03 being the thesis's reflectance of dielectrics, by role or map of the parameter:
+// The maps give albedo a, roughness r and metalness m; without such a map, a is the diffuse weight and m is
+// 0. The constant 0.03 is the thesis's reflectance of dielectrics. The value depends on the role or the map
+// of the parameter:
 //
 //   diffuse weight, alone              a
-//   diffuse weight beside a specular   0.97 a (1 - m)
-//   specular weight beside an f0       1
+//   diffuse weight with a specular one 0.97 a (1 - m)
+//   specular weight with an f0         1
 //   specular weight without; f0        0.03 + (a - 0.03) m
 //   width, width across                max(r^2, 1e-3)
-//   exponent, exponent across          2/width^2 - 2, at most 1e4: the cosine lobe as wide as that
+//   exponent, exponent across          2/width^2 - 2, at most 1e4: a cosine lobe of the same width
 //   slope                              r^2
 //   mapped to roughness, metallic      r, m
 //
-// A parameter is driven only where its map exists: weights by albedo or metallic, shapes by roughness or
+// A parameter is driven only if its map exists: weights by albedo or metallic, shapes by roughness or
 // metallic.
 #pragma once
 
@@ -21,16 +22,17 @@
 
 namespace brdf::render {
 
-// The rules above, in their order; `own`: the parameter keeps its value.
+// The rules above, in the same order; `own`: the parameter keeps its value.
 enum class Rule { own, albedo, diffuse, one, specular, width, exponent, slope, roughness, metallic };
 inline constexpr int kRuleCount = 10;
 
 inline constexpr double kDielectricReflectance = 0.03;
-// Cosine of a mapped normal with the viewer, at least: one that faced away would leave black specks along the
-// edge of the object.
+// Lower bound of the cosine between a mapped normal and the viewer. A normal that faces away would leave
+// black specks along the edge of the object.
 inline constexpr double kLeastFacing = 0.05;
-// The same of a mesh's own normal: interpolated, it faces away at a silhouette from a viewer who sees the
-// triangle's front. Small, so that a plane seen at 89 degrees keeps its normal.
+// The same bound for the interpolated normal of a mesh, which may face away at a silhouette although the
+// viewer sees the front of the triangle. The bound is small, so that a plane seen at 89 degrees keeps its
+// normal.
 inline constexpr double kLeastSeen = 0.01;
 
 template <class S>
@@ -61,7 +63,7 @@ S driven(Rule rule, const S& own, const S& albedo, const S& roughness, const S& 
   return own;
 }
 
-// The rule for a parameter of this reflectance.
+// Returns the rule for a parameter of this reflectance.
 inline Rule rule_of(const ParameterInfo& parameter, const ReflectanceInfo& of) {
   if (parameter.map == Map::roughness) return Rule::roughness;
   if (parameter.map == Map::metallic) return Rule::metallic;

@@ -1,8 +1,8 @@
-// Build step: writes what the shaders include (brdf.glsl: every form of the catalogue, traced;
-// samplers.glsl: their samplers; layout.glsl: the
-// limits and enumerators that they share with C++; rules.glsl: the texture rule and the display's colours,
-// traced), the proof's compute shader (and its negative control, without `precise`), and the sources that are
-// compiled again at run time, into a folder.
+// Build step that writes shader code into a folder. The includes of the shaders are brdf.glsl (all forms of
+// the catalogue, traced), samplers.glsl (their samplers), layout.glsl (the limits and enumerators shared
+// with C++) and rules.glsl (the texture rule and the display's colours, traced). The other outputs are the
+// proof's compute shader, its negative control without `precise`, and the sources that are compiled again
+// at run time.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -19,7 +19,7 @@
 
 namespace brdf {
 
-// What display_rule.h asks of a scalar: GLSL's own functions.
+// The functions that display_rule.h requires of a scalar, as functions of GLSL.
 Traced to_power(Traced x, Traced exponent) {
   return Traced::from_node(
       Trace::current().add({Trace::Type::float_type, "pow", {x.node(), exponent.node()}}));
@@ -32,7 +32,8 @@ Traced log_10(Traced x) {
 namespace render {
 namespace {
 
-// One `case` per enumerator of a function that returns value(enumerator), a list of values put into `result`.
+// Returns one `case` per enumerator of a function that returns value(enumerator), a list of values that are
+// stored in `result`.
 template <class Enum, class Value>
 std::string switch_over(const std::string& argument, int count, const std::string& result, Value value) {
   std::string text = "  switch (" + argument + ") {\n";
@@ -112,7 +113,8 @@ std::string layout() {
          enumerators<TextureSlot>("map");
 }
 
-// A shader with its includes in place of their lines; brdf.glsl and samplers.glsl are left to be put there.
+// Returns a shader with its includes expanded, except brdf.glsl and samplers.glsl, which are inserted
+// later.
 std::string expanded(const std::vector<std::string>& folders, const std::string& name) {
   std::ifstream in;
   for (const std::string& folder : folders) {

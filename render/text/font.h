@@ -16,7 +16,7 @@ class Font {
   static constexpr const char* kBold = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
   static constexpr const char* kPlain = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
-  // Throws EnvironmentError where the font cannot be read.
+  // Throws EnvironmentError if the font cannot be read.
   explicit Font(const std::filesystem::path& file);
   FT_FaceRec_* face() const { return face_.get(); }
 
@@ -31,7 +31,7 @@ class Font {
   std::unique_ptr<FT_FaceRec_, FaceCloser> face_;
 };
 
-// Code points of UTF-8 text. Throws InputError on a malformed byte.
+// Returns the code points of UTF-8 text. Throws InputError on a malformed byte.
 std::vector<char32_t> code_points(std::string_view text);
 
 }  // namespace brdf::render

@@ -10,7 +10,7 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::size_t kMappedRows = 4000;  // while a slider moves
+constexpr std::size_t kMappedRows = 4000;  // rows in the map of residuals, few enough for a slider
 
 const Material& selected(const Session& session) {
   return session.state().scene.objects[session.state().selected].material;

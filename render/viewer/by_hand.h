@@ -1,5 +1,5 @@
-// What the caller lends the window, so that a hand and the solver work side by side: rendering knows nothing
-// of fits.
+// Functions that the caller passes to the window, so that users can combine manual changes with the solver.
+// Rendering itself does not depend on fits.
 #pragma once
 
 #include <atomic>
@@ -12,26 +12,27 @@
 
 namespace brdf::render {
 
-// Between which values a parameter of a fitted material lies, 95 %.
+// The 95 % confidence interval of a parameter of a fitted material.
 struct Interval {
   std::size_t term = 0;
-  bool is_weight = false;     // else of the shape
-  std::size_t parameter = 0;  // its place in the form's table
-  std::size_t channel = 0;    // of weights; of shapes the set, for all that there are
+  bool is_weight = false;     // false: a shape parameter
+  std::size_t parameter = 0;  // index in the form's table
+  // Channel of a weight. For a shape parameter, the index of the set; a single set applies to all channels.
+  std::size_t channel = 0;
   double low = 0, high = 0;
 };
 
 struct Fitted {
   Material material;
   std::vector<Interval> intervals;
-  std::string words;  // what it is worth, one line
+  std::string words;  // quality of the fit, one line
 };
 
 struct Solver {
-  // Median of |material - measured|/measured over the table's values above 0; not a number where there are
-  // none.
+  // Returns the median of |material - measured|/measured over the table's values above 0; NaN if there are
+  // no such values.
   std::function<double(const Material&, const io::SampleTable&)> error;
-  // Goes on from this material; where `stop` is set, returns the best so far. Throws InputError.
+  // Fits, starting from this material. If `stop` is set, returns the best result so far. Throws InputError.
   std::function<Fitted(const Material&, const io::SampleTable&, const std::atomic<bool>& stop)> fit;
 };
 

@@ -80,7 +80,8 @@ void keep_in_plot(Session& session, const Whereabouts&) {
   state.show_plot = true;
 }
 
-// One directional light from a side of the camera, and nothing else.
+// Sets one directional light from a side of the camera and a little ambient light, and removes all other
+// light.
 template <int right, int up, int front>
 void light_from(Session& session, const Whereabouts&) {
   Scene& scene = session.state().scene;

@@ -1,5 +1,5 @@
-// Everything that a user can ask the window for, with its keys: what the keyboard, the buttons, the help and
-// the tests go by.
+// All commands of the window with their keys. The keyboard, the buttons, the help and the tests use this
+// list.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace brdf::render {
 
-// What is asked for beyond a change of the state.
+// Requests that go beyond a change of the state.
 enum class Request {
   none,
   leave,
@@ -29,28 +29,29 @@ enum class Request {
 };
 
 struct Whereabouts {
-  Camera home;                           // where the camera goes back to
-  const PreparedScene* drawn = nullptr;  // what is framed; null: nothing
+  Camera home;                           // the camera that "home" restores
+  const PreparedScene* drawn = nullptr;  // the scene to frame; null: nothing
 };
 
 struct Command {
   std::string_view name, group;
-  std::string_view keys;  // in words: "ctrl+s", "drag"
+  std::string_view keys;  // as text: "ctrl+s", "drag"
   std::string_view does;
-  int key = 0, mods = 0;  // GLFW's; 0: none
-  int second = 0;         // another key of the same
+  int key = 0, mods = 0;  // values of GLFW; 0: no key
+  int second = 0;         // another key for the same command
   Request request = Request::none;
   void (*edit)(Session&, const Whereabouts&) = nullptr;
-  std::string_view no_undo{};  // why it cannot be undone; empty: it can
+  std::string_view no_undo{};  // why the command cannot be undone; empty: it can
 };
 
 std::span<const Command> commands();
-// Null where no command has this key with these modifiers.
+// Returns the command of a key with these modifiers, or null.
 const Command* command_of(int key, int mods);
-// By its name, which must be one of them.
+// Returns the command with this name, which must exist.
 const Command& command(std::string_view name);
 
-// The list for --help, folded at so many letters; and as JSON for programs.
+// command_help() returns the list for --help, folded at `width` letters; command_json() returns the list as
+// JSON for programs.
 std::string command_help(std::size_t width);
 std::string command_json();
 

@@ -12,7 +12,7 @@
 namespace brdf::render {
 namespace {
 
-constexpr double kLook = 0.05;   // seconds between looks at what goes on by itself
+constexpr double kLook = 0.05;   // seconds between checks of background work
 constexpr float kOrbit = 0.03f;  // radians per frame
 
 float display_scale(const Window& window, float asked) {
@@ -103,7 +103,8 @@ void Controller::frame() {
   ImGui::Render();
   swapchain_.frame([&](VkCommandBuffer commands) { shown_.prepare(commands); },
                    [&](VkCommandBuffer commands) {
-                     // A resize between the pictures and the swapchain: shown in the next frame.
+                     // After a resize between the drawing of the pictures and the swapchain's frame, the
+                     // pictures are shown in the next frame.
                      const VkExtent2D now = swapchain_.extent();
                      if (now.width == size.width && now.height == size.height)
                        shown_.record(commands, state(), pixels_of(layout_.picture));

@@ -1,6 +1,5 @@
-// The window's loop: what the hand does becomes changes of the session, the session becomes pictures.
-// controller.cpp draws, controller_input.cpp hears keys and the mouse, controller_requests.cpp does what is
-// asked for.
+// The window's loop: user input changes the session, and the session is drawn as pictures. controller.cpp
+// draws, controller_input.cpp handles keys and the mouse, controller_requests.cpp executes requests.
 #pragma once
 
 #include <chrono>
@@ -31,46 +30,49 @@ class Controller : private Listener {
   ViewerReport run();
 
  private:
-  static constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three
+  static constexpr int kFramesAfterInput = 3;  // Dear ImGui settles within three frames
 
   void wake() { awake_ = kFramesAfterInput; }
   ViewState& state() { return session_.state(); }
   Camera& camera() { return state().scene.camera; }
 
   void step();
-  // Also between two frames, so that what is saved there is as it will be seen.
+  // Also called between two frames, so that a state saved there equals the state that will be shown.
   void follow();
-  bool edited() const;  // an edit goes on
+  bool edited() const;  // whether an edit is in progress
   bool held() const;    // or something moves by itself
   void frame();
   Whereabouts whereabouts() const { return {home_, shown_.drawn() ? &shown_.drawn()->prepared() : nullptr}; }
   PanelInfo info();
-  // Where the state cannot be drawn (a file has vanished, too little memory), the last good one comes back.
+  // If the state cannot be drawn (a file has vanished, too little memory), the last good state is restored.
   void draw_pictures();
-  // Ends an edit before the next begins. What cannot be drawn is no step of the history: it is tried first.
+  // Ends an edit before the next begins. A state that cannot be drawn must not enter the history; the state
+  // is therefore drawn first.
   void settle();
 
   void request(Request asked);
-  // What a step of the history has changed.
+  // Reports the changes of a step of the history.
   void went(const std::string& what, const std::string& words, const std::string& nothing);
   void obey(const Answers& answers);
   void leave();
   void fitted();
-  // Each file in turn; one that cannot be shown leaves everything as it was, and its message stays.
+  // Opens the files one after another. A file that cannot be shown changes nothing, and its error message
+  // remains.
   void open(const std::vector<std::filesystem::path>& files);
-  // A file's own camera is the new home; a model is looked at as a whole.
+  // Makes the camera of an opened file the new home; a model is framed as a whole.
   void arrive(const ViewState& before);
-  // The picture's size is the one that is shown: `brdf render --state` makes the same picture.
+  // Saves the state with the size of the picture shown, so that `brdf render --state` makes the same
+  // picture.
   bool save_state();
 
-  // Dear ImGui hears of everything first: what is meant for it, it says.
+  // Dear ImGui receives all events first and reports the events that it uses itself.
   void key(int key, int scancode, int action, int mods) override;
   void pressed(int key, int mods);
   // The letter of the key that opened a question is not part of the answer.
   void letter(unsigned code) override;
   void scroll(double x, double y) override;
   void button(int button, int action, int mods) override;
-  // On an object: it is selected.
+  // Selects the object under the mouse, if any.
   void click();
   void cursor(double x, double y) override;
   void drop(const std::vector<std::filesystem::path>& files) override { open(files); }

@@ -16,7 +16,8 @@ void Controller::key(int key, int scancode, int action, int mods) {
 
 void Controller::pressed(int key, int mods) {
   wake();
-  // A question was answered, or closed, but Dear ImGui still wants text: what comes now is not for that.
+  // A question was answered or closed, but Dear ImGui still requests text. Keys that arrive now are not
+  // meant for the question.
   if (late_keys_.waiting() || prompts_.answered()) {
     late_keys_.add({key, mods});
     return;

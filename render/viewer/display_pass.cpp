@@ -13,13 +13,13 @@ constexpr std::array kBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)},
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 
-struct Push {  // of shaders/display.frag
+struct Push {  // as in shaders/display.frag
   glm::ivec2 size, origin, place;
   float gain, split, extent;
   int bits, plus_minus;
 };
 
-// The thresholds of a picture's bytes, a tile of them.
+// Returns a tile of the thresholds for rounding to bytes.
 Image dither_tile(Device& device) {
   std::vector<float> thresholds;
   for (int k = 0; k < kDitherTile * kDitherTile; ++k)

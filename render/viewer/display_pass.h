@@ -11,10 +11,10 @@ namespace brdf::render {
 class DisplayPass {
  public:
   DisplayPass(Device& device, VkRenderPass render_pass);
-  // What is shown from now on. `b` may be the same as `a`;
-  // without targets pass null. The device must be idle.
+  // Sets the images to show from now on. `b` may be the same as `a`; `targets` is null if there are no
+  // targets. The device must be idle.
   void show(const Image& a, const Image& b, Renderer* targets);
-  // `place`: where in the window, in pixels; pictures of another size are drawn larger or smaller.
+  // `place`: the place in the window, in pixels; pictures of another size are scaled.
   void record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place, VkExtent2D pictures,
               float object_extent, int bits);
 
@@ -29,7 +29,7 @@ class DisplayPass {
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   Owned<VkPipelineLayout> layout_;
-  std::map<std::pair<Display, ToneMap>, Owned<VkPipeline>> pipelines_;  // made when they are first shown
+  std::map<std::pair<Display, ToneMap>, Owned<VkPipeline>> pipelines_;  // made when first shown
 };
 
 }  // namespace brdf::render

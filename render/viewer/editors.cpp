@@ -27,8 +27,8 @@ bool combo(const char* label, std::size_t& index, const std::vector<std::string>
 
 namespace {
 
-// The families of the catalogue and the forms of the term's own; what is not in the catalogue is a family of
-// one.
+// Shows the families of the catalogue and the forms of the term's family. A form outside the catalogue is a
+// family of one.
 void form_panel(Session& session, std::size_t place) {
   const Term& term = session.state().scene.objects[session.state().selected].material.terms[place];
   std::vector<std::vector<Reflectance>> groups = families();
@@ -49,17 +49,17 @@ void form_panel(Session& session, std::size_t place) {
     session.switch_form(place, groups[family][form]);
 }
 
-// "diffuse reflectance  kd"; `together`: of both axes, "roughness  alpha".
+// Writes for example "diffuse reflectance  kd"; `together`: the name for both axes, "roughness  alpha".
 void name_line(const ReflectanceInfo& form, const ParameterInfo& p, bool together = false) {
   const std::string words = io::plain_name(form, p, together), name(together ? form.tied_name() : p.name);
-  const std::string plain = words.substr(0, words.find(':'));  // what follows stands in the tooltip
+  const std::string plain = words.substr(0, words.find(':'));  // the rest appears in the tooltip
   ImGui::TextUnformatted(plain.empty() ? name.c_str() : plain.c_str());
   if (plain.empty()) return;
   ImGui::SameLine();
   ImGui::TextDisabled("%s", name.c_str());
 }
 
-// One swatch for a weight of three channels that are colours, as light of sRGB's primaries.
+// Draws one swatch for a weight of three channels that are colours, as light of the sRGB primaries.
 void swatch(Term& term, std::size_t weight, const ParameterInfo& p,
             const std::vector<std::string>& channels) {
   const auto colours = io::channel_colours(channels);
@@ -109,8 +109,8 @@ class TermSliders {
     }
   }
 
-  // Along and across are one slider while they are equal, or a hand that moves one makes an isotropic
-  // material, and the fit that goes on from it, anisotropic without being asked.
+  // Along and across share one slider while they are equal. Otherwise moving one of them would make an
+  // isotropic material anisotropic unintentionally, and a fit that starts from it too.
   bool axes_apart(const ReflectanceInfo& form) const {
     const auto [along, across] = form.axes();
     for (const std::vector<double>& set : term_.shape)
@@ -141,7 +141,7 @@ class TermSliders {
       const std::string label = term_.shape.size() > 1 ? material_.channels[set] : "";
       if (parameter_slider(label + "##" + std::string(p.name), p, term_.shape[set][k], marks) && together)
         join_axes(form);
-      // A slider that is held stays, also where it passes the other's value.
+      // A slider that is held stays visible, also when it passes the value of the other.
       if (apart && ImGui::IsItemActive()) ImGui::GetStateStorage()->SetBool(ImGui::GetID("apart"), true);
       ImGui::PopID();
     }
@@ -194,7 +194,8 @@ void edit_object(Object& object) {
 
 namespace {
 
-// Where it comes from: round the vertical axis, 0 being the side of the usual camera, and above the horizon.
+// Edits the direction of incidence: the angle round the vertical axis, 0 being the side of the usual
+// camera, and the angle above the horizon.
 void edit_direction(Light& light) {
   const glm::vec3 from = -glm::normalize(light.vector);
   float round = glm::degrees(std::atan2(from.x, from.z)), above = glm::degrees(std::asin(from.y));

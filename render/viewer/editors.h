@@ -1,4 +1,4 @@
-// The parts of the panels that edit a material, an object, the lights.
+// The parts of the panels that edit a material, an object and the lights.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace brdf::render {
 
-// A list to choose from; true when another entry was chosen.
+// Draws a list to choose from; returns true if another entry was chosen.
 bool combo(const char* label, std::size_t& index, const std::vector<std::string>& names);
 
 template <class Enum>
@@ -18,8 +18,8 @@ void enum_combo(const char* label, Enum& value) {
   if (combo(label, index, {kNames<Enum>.begin(), kNames<Enum>.end()})) value = Enum(index);
 }
 
-// Family, form, and sliders for the parameters of the form's table, for every term of the selected object's
-// material; with the intervals of its fit.
+// Draws family, form, and sliders for the parameters of the form's table, for each term of the selected
+// object's material, with the intervals of its fit.
 void edit_material(Session& session, const std::vector<Interval>& intervals);
 void edit_object(Object& object);
 void edit_lights(Scene& scene);

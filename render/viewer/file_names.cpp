@@ -20,7 +20,7 @@ bool may_be_opened(const std::filesystem::path& file) {
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
-// Its own file, so that nothing else is at stake.
+// Returns the path of the list, which has its own file so that an error cannot damage other data.
 std::filesystem::path recent_list() {
   if (const char* state = std::getenv("XDG_STATE_HOME"); state && *state)
     return std::filesystem::path(state) / "brdf" / "recent";

@@ -1,4 +1,4 @@
-// A fit that goes on beside the window.
+// A fit that runs in the background while the window stays responsive.
 #pragma once
 
 #include <chrono>
@@ -12,12 +12,12 @@ namespace brdf::render {
 class FitTask {
  public:
   ~FitTask();
-  // One at a time.
+  // Starts a fit. Only one fit can run at a time.
   void start(const Solver& solver, const Material& from, const io::SampleTable& samples);
   bool running() const { return found_.valid(); }
   void stop() { stop_ = true; }
   double seconds() const;
-  // Once, when it has ended. Throws what the fit threw.
+  // Returns the result once, when the fit has ended. Throws the exception of the fit.
   std::optional<Fitted> take();
 
  private:

@@ -1,4 +1,4 @@
-// How long frames take: the last, and the middle of all.
+// Times of frames: the last one, and the median of all.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace brdf::render {
 
 class FrameTimes {
  public:
-  // `all`: every frame's time is kept for the median.
+  // `all`: each frame's time is kept for the median.
   explicit FrameTimes(bool all) : all_(all) {}
 
   void begin() { begun_ = Clock::now(); }
@@ -19,7 +19,7 @@ class FrameTimes {
     if (all_ && ++frames_ > kWarming) kept_.push_back(last_ms_);
   }
   double last_ms() const { return last_ms_; }
-  // 0 where there are none.
+  // Returns 0 if no times were kept.
   double median_ms() const { return kept_.empty() ? 0 : io::median(kept_); }
 
  private:

@@ -45,7 +45,7 @@ void Hand::move(ViewState& state, const Area& picture, double x, double y) {
   const glm::vec2 before = place_;
   place_ = {float(x), float(y)};
   if (holds_ == Holds::nothing) return;
-  // Until it has left the spot, a hand that clicks may tremble.
+  // Until the mouse has moved by kStill pixels, the movement counts as the trembling of a click.
   if (!moved_ && glm::length(place_ - pressed_at_) < kStill) return;
   const glm::vec2 by = place_ - (std::exchange(moved_, true) ? before : pressed_at_);
   Camera& camera = state.scene.camera;

@@ -1,4 +1,4 @@
-// The mouse on the picture: what is held, and what moving it does.
+// The mouse on the picture: the target of a drag, and the effect of moving the mouse.
 #pragma once
 
 #include "render/viewer/layout.h"
@@ -9,13 +9,13 @@ namespace brdf::render {
 class Hand {
  public:
   enum class Holds { nothing, camera, place, light, split_line };
-  // What the release of the button is: a click where nothing was moved.
+  // Result of releasing the button: a click if the mouse was not moved.
   enum class Release { nothing, click };
 
-  // A button of GLFW's at a place of the window, in pixels.
+  // Presses a button (GLFW's number) at the present place of the mouse.
   void press(const ViewState& state, const Area& picture, int button, int mods);
   Release release();
-  // To another place.
+  // Moves the mouse to another place of the window, in pixels.
   void move(ViewState& state, const Area& picture, double x, double y);
 
   Holds holds() const { return holds_; }

@@ -1,4 +1,4 @@
-// What was done to a state, step by step, to go back and forth.
+// The changes of a state, step by step, for undo and redo.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace brdf::render {
 
-// Whether they are the same but for what no hand has done: the picture's size, which is the window's, and how
-// far the turntable has turned.
+// Returns whether the states are the same except for changes that no user made: the picture's size, which
+// follows the window, and the angle of the turntable.
 bool same_edit(const ViewState& a, const ViewState& b);
-// What differs, in a few words: "the material", "the camera and the lights".
+// Returns the difference in a few words: "the material", "the camera and the lights".
 std::string what_differs(const ViewState& a, const ViewState& b);
 
 class History {
  public:
   explicit History(ViewState first) : states_{std::move(first)} {}
 
-  // Makes the state a step of its own where it differs from the last one; what was undone is then forgotten.
+  // Records the state as a step if it differs from the last step, and discards undone steps.
   void record(const ViewState& state);
-  // The state before, or after; none at the ends.
+  // Go to the previous or the next state; null at the ends.
   const ViewState* back();
   const ViewState* forth();
   const ViewState& now() const { return states_[place_]; }

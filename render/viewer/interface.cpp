@@ -27,7 +27,7 @@ void add_font(float scale) {
   if (std::filesystem::exists(Font::kPlain))
     fonts.AddFontFromFileTTF(Font::kPlain, size, nullptr, ranges);
   else
-    ImGui::GetIO().FontGlobalScale = scale;  // the one that is built in
+    ImGui::GetIO().FontGlobalScale = scale;  // the built-in font
 }
 
 void set_style(float scale) {
@@ -35,7 +35,7 @@ void set_style(float scale) {
   style.WindowRounding = style.PopupRounding = 0;
   style.FrameRounding = 3;
   style.WindowBorderSize = 0;
-  style.GrabMinSize = 6;  // leaves the number beside it legible
+  style.GrabMinSize = 6;  // leaves the number on the slider legible
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.13f, 0.13f, 0.15f, 1);
   style.Colors[ImGuiCol_SliderGrab] = ImVec4(0.36f, 0.60f, 0.95f, 0.7f);
   style.Colors[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0);

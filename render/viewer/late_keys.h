@@ -1,5 +1,5 @@
-// Keys that come while a text field closes: Dear ImGui wants text for some frames more, and they are not for
-// it.
+// Holds back keys that arrive while a text field closes. Dear ImGui requests text for some more frames,
+// although these keys are not meant for the text field.
 #pragma once
 
 #include <utility>
@@ -8,16 +8,16 @@
 namespace brdf::render {
 
 struct LateKey {
-  int key, mods;  // GLFW's
+  int key, mods;  // values of GLFW
 };
 
 class LateKeys {
  public:
-  // A field closes: keys wait for so many frames.
+  // Call when a field closes; keys wait for `frames` frames.
   void wait(int frames) { frames_ = frames; }
   bool waiting() const { return frames_ > 0; }
   void add(const LateKey& key) { keys_.push_back(key); }
-  // A frame was drawn; the keys that are the window's now.
+  // Call after a frame was drawn. Returns the keys that the window may process now.
   std::vector<LateKey> after_frame() {
     if (frames_ == 0 || --frames_ > 0) return {};
     return std::exchange(keys_, {});

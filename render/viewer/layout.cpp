@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kPanel = 320, kPlot = 330, kLine = 26;  // pixels at scale 1
 constexpr float kMostShare = 0.45f;                     // of the window, for the panel
-constexpr float kLeastPicture = 400;                    // beside both columns, at scale 1
+constexpr float kLeastPicture = 400;                    // next to both columns, at scale 1
 
 }  // namespace
 

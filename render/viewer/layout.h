@@ -1,4 +1,4 @@
-// Where the window's parts lie: panels along its edges, the picture in the rest.
+// The layout of the window: panels along its edges, the picture in the rest.
 #pragma once
 
 #include <vulkan/vulkan.h>
@@ -11,13 +11,13 @@ struct Area {
 
 struct Layout {
   float scale = 1;
-  Area panel, plot, head, status, picture;  // of no size where they are not there; in pixels
-  bool plot_in_panel = false;               // too narrow a window for a column of its own
+  Area panel, plot, head, status, picture;  // in pixels; of size 0 if the part is absent
+  bool plot_in_panel = false;               // the window is too narrow for a separate column
 };
 
-// `panels`: whether they are shown; `plot`: whether the lobes are.
+// `panels`: whether the panels are shown; `plot`: whether the lobes are shown.
 Layout layout_of(VkExtent2D window, float scale, bool panels, bool plot);
-// In whole pixels, at least one.
+// Returns the area in whole pixels, at least one in each direction.
 VkRect2D pixels_of(const Area& area);
 
 }  // namespace brdf::render

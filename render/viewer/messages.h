@@ -1,4 +1,4 @@
-// What the window says: the last thing that was done, or what went wrong.
+// The message of the window: the last action or the last error.
 #pragma once
 
 #include <exception>
@@ -11,15 +11,16 @@ namespace brdf::render {
 
 class Messages {
  public:
-  // `wake`: called with every message, so that it is drawn.
+  // `wake`: called with each message, so that the message is drawn.
   explicit Messages(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   void say(const std::string& message);
-  // On the terminal, too.
+  // Shows the error and prints it on the terminal, too.
   void complain(const std::exception& error);
-  // An error that was said before stands there again.
+  // Shows an earlier error again.
   void keep(const std::string& error);
-  // Runs what may fail for want of a good file or a good machine; complains where it does.
+  // Runs an action that may fail because of invalid files or the machine. Shows the error and returns false
+  // if the action throws InputError or EnvironmentError.
   template <class Action>
   bool attempt(Action action) {
     try {

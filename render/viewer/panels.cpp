@@ -18,7 +18,7 @@ bool begin_docked(const char* name, const Area& area) {
   return ImGui::Begin(name, nullptr, kDocked);
 }
 
-// Buttons of commands, as many in a line as there is room for.
+// Buttons of commands, as many per line as fit.
 class Buttons {
  public:
   Buttons(Session& session, const Whereabouts& where, std::vector<Request>& requests)

@@ -1,4 +1,4 @@
-// The window's panels: what they show, and what is asked for on them.
+// The window's panels: their content and the requests made on them.
 #pragma once
 
 #include <optional>
@@ -14,43 +14,43 @@
 namespace brdf::render {
 
 struct PanelInfo {
-  const Pictures* pictures = nullptr;              // what is shown
-  const io::SampleTable* samples = nullptr;        // as a picture shows them
+  const Pictures* pictures = nullptr;              // the pictures that are shown
+  const io::SampleTable* samples = nullptr;        // in the colours of a picture
   const std::vector<double>* residuals = nullptr;  // mean ln(A/measured), measured/residual_map.h
   double frame_ms = 0;
   bool moving = false;          // fewer pixels are drawn
-  std::string device, message;  // message: the last thing that went wrong or was done
+  std::string device, message;  // message: the last error or action
   bool is_error = false;
   std::optional<PixelProbe> probe;
   glm::vec2 probe_at{0};
   const std::vector<Interval>* intervals = nullptr;
-  double fitting = -1;  // seconds so far; negative: no fit goes on
+  double fitting = -1;  // seconds so far; negative: no fit is running
   bool can_fit = false;
   std::optional<double> error;         // of A at the samples, the median
-  std::optional<double> error_before;  // where a slider is held: before it was
+  std::optional<double> error_before;  // if a slider is held: the error before
 };
 
 class Panels {
  public:
-  // Between ImGui::NewFrame and ImGui::Render; the requests of the buttons that were pressed.
+  // Call between ImGui::NewFrame and ImGui::Render. Returns the requests of the buttons that were pressed.
   std::vector<Request> draw(Session& session, const Layout& layout, const PanelInfo& info,
                             const Whereabouts& where);
   void show_help() { help_ = true; }
-  // Closes what lies on top; false where there is nothing.
+  // Closes the topmost overlay; returns false if there is no overlay.
   bool dismiss();
 
  private:
   bool help_ = false;
 };
 
-// The plot of the lobes, and what the samples say; the slice and the map of residuals stand open where there
-// is room.
+// Draws the plot of the lobes, and the sections on the samples. The slice and the map of residuals are open
+// at first if `room` is set.
 void plot_panel(Session& session, const PanelInfo& info, bool room);
-// Beside samples: f_r over the viewer's angle at the measured light nearest to the plot's, and where A is too
-// dark or too bright at them.
+// The sections on samples: f_r over the viewing angle at the measured light nearest to the plot's light,
+// and the map of samples for which A is too dark or too bright.
 void slice_section(Session& session, const PanelInfo& info);
 void residual_section(const std::vector<double>& cells);
-// Names, numbers and messages round the picture.
+// Draws names, numbers and messages round the picture.
 void picture_lines(const Session& session, const Layout& layout, const PanelInfo& info);
 
 }  // namespace brdf::render

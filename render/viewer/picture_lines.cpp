@@ -1,4 +1,4 @@
-// Names, numbers and messages round the picture.
+// Draws names, numbers and messages round the picture.
 #include <imgui.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ float text_width(const std::string& words) {
   return ImGui::CalcTextSize(words.c_str()).x;
 }
 
-// Cut where it does not fit.
+// Returns the words, cut if they do not fit.
 std::string fitting(const std::string& words, float width) {
   if (text_width(words) <= width) return words;
   std::string cut = words;
@@ -36,7 +36,7 @@ class Lines {
         pad_(6 * layout.scale),
         height_(ImGui::GetFontSize()) {}
 
-  // A docked line: words at the left, numbers at the right.
+  // Draws a docked line: words at the left, numbers at the right.
   void line(const Area& area, const std::string& left, const std::string& right, ImU32 color) {
     list_->AddRectFilled(ImVec2(area.x, area.y), ImVec2(area.x + area.width, area.y + area.height), kGround);
     const float y = area.y + (area.height - height_) / 2, room = area.width - 3 * pad_;
@@ -44,7 +44,8 @@ class Lines {
     put(area.x + area.width - pad_ - text_width(end), y, end, kWhite);
     put(area.x + pad_, y, fitting(left, room - text_width(end)), color);
   }
-  // On the picture, with a veil behind it; the place is the words' left or right end.
+  // Draws words on the picture, over a translucent ground; (x, y) is the left or the right end of the
+  // words.
   void tag(float x, float y, const std::string& words, bool right_end = false) {
     const float width = text_width(words), left = right_end ? x - width : x;
     list_->AddRectFilled(ImVec2(left - pad_ / 2, y - 2), ImVec2(left + width + pad_ / 2, y + height_ + 2),
@@ -106,7 +107,7 @@ void picture_lines(const Session& session, const Layout& layout, const PanelInfo
   Lines lines(layout);
   const ImU32 color = info.is_error ? kRed : kWhite;
   probe_tooltip(info);
-  if (!session.state().show_ui) {  // nothing but what went wrong
+  if (!session.state().show_ui) {  // only errors are shown
     if (!info.is_error) return;
     const Area& p = layout.picture;
     return lines.line({p.x, p.height - 26 * layout.scale, p.width, 26 * layout.scale}, info.message, "",

@@ -1,4 +1,4 @@
-// Lines and dots of a plot, drawn into the window.
+// Draws lines and dots of a plot into the window.
 #pragma once
 
 #include <imgui.h>
@@ -11,7 +11,7 @@ inline ImU32 in_window(const ByteColor& color) {
   return IM_COL32(color[0], color[1], color[2], 255);
 }
 
-// `place`: of a point of the plot, in the window; `dot`: a dot's radius in pixels.
+// `place`: maps a point of the plot to the window; `dot`: the radius of a dot in pixels.
 template <class Plot, class Place>
 void draw_plot(const Plot& plot, float dot, const Place& place) {
   ImDrawList* list = ImGui::GetWindowDrawList();

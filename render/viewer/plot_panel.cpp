@@ -1,4 +1,4 @@
-// The plot of the lobes, and what the samples say.
+// Draws the plot of the lobes and the sections on samples.
 #include <imgui.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ void Prompts::ask(Asked what, const std::string& text) {
   text_.assign(text.begin(), text.end());
   text_.resize(kLongestName, '\0');
   new_text_.reset();
-  listed_for_ = "\n";  // no name has it
+  listed_for_ = "\n";  // no name contains it
 }
 
 void Prompts::ask_for_file() {
@@ -67,14 +67,14 @@ bool Prompts::text_line() {
   if (fresh_) ImGui::SetKeyboardFocusHere();
   ImGui::InputText("##file", text_.data(), text_.size(), ImGuiInputTextFlags_CallbackAlways, put_text,
                    &new_text_);
-  if (new_text_ && !ImGui::IsItemActive()) {  // nobody types: the callback is not called
+  if (new_text_ && !ImGui::IsItemActive()) {  // the field is inactive: the callback is not called
     text_.assign(new_text_->begin(), new_text_->end());
     text_.resize(kLongestName, '\0');
     new_text_.reset();
   }
   focused_ = ImGui::IsItemActive();
-  if (std::exchange(complete_,
-                    false)) {  // what was typed before is in the text now; Enter waits for the rest
+  // The text now contains the letters typed before; Enter waits for the completion.
+  if (std::exchange(complete_, false)) {
     set_text(completed(text_.data()));
     return false;
   }

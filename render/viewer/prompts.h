@@ -1,4 +1,4 @@
-// The questions that the window asks: which file to open, under which name to save, whether to leave.
+// The questions that the window asks: the file to open, the name to save under, whether to leave.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 namespace brdf::render {
 
 struct Answers {
-  std::string open, save_material;  // files' names; empty: none
+  std::string open, save_material;  // names of files; empty: no answer
   bool save_and_leave = false, leave = false;
 };
 
@@ -17,17 +17,19 @@ class Prompts {
   void ask_for_file();
   void ask_for_material(const std::string& name);
   void ask_to_leave();
-  // Whether a question is asked, or will be with the next frame: keys are for it alone.
+  // Returns whether a question is asked now or will be asked in the next frame; all keys then belong to the
+  // question.
   bool asking() const { return asked_ != Asked::nothing; }
-  // Whether letters can be taken: before that they have to wait.
+  // Returns whether the question accepts letters yet; earlier letters have to wait.
   bool takes_letters() const { return focused_; }
-  // Whether an answer waits for the next frame: keys that come now are not for the question any more.
+  // Returns whether an answer waits for the next frame; keys that arrive now no longer belong to the
+  // question.
   bool answered() const { return entered_ && !complete_; }
-  // Enter, Tab and letters while a question is asked; GLFW's.
+  // Handles Enter, Tab and letters (GLFW's numbers) while a question is asked.
   void key(int key);
   void dismiss() { asked_ = Asked::nothing; }
 
-  // Between ImGui::NewFrame and ImGui::Render.
+  // Call between ImGui::NewFrame and ImGui::Render.
   Answers draw(float scale);
 
  private:
@@ -44,7 +46,7 @@ class Prompts {
   bool fresh_ = false, focused_ = false, complete_ = false, entered_ = false, replace_ = false;
   int letter_ = 0;
   std::vector<char> text_;
-  std::optional<std::string> new_text_;  // takes the place of what is typed
+  std::optional<std::string> new_text_;  // replaces the typed text
   std::string listed_for_;
   std::vector<std::string> names_, recent_;
 };

@@ -9,7 +9,7 @@
 namespace brdf::render {
 namespace {
 
-// What would be lost, without how it is looked at.
+// Returns the parts of the state that leaving would lose, without the settings of the view.
 ViewState work_of(const ViewState& state) {
   ViewState work;
   work.scene = state.scene;
@@ -63,7 +63,8 @@ void Session::open(const std::filesystem::path& file, const std::function<void()
     state_ = before;
     throw;
   }
-  // Samples stand beside what is open: they replace nothing, and the material stays changed where it was.
+  // Samples are opened in addition to the present state and replace nothing. A material that was changed
+  // stays marked as changed.
   if (state_.samples == before.samples)
     arrived(file);
   else

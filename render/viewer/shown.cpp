@@ -7,10 +7,10 @@
 namespace brdf::render {
 namespace {
 
-constexpr std::chrono::milliseconds kRest{150};  // without a movement, until all pixels are drawn
-constexpr std::uint32_t kCoarse = 2;             // pixels of the window across one that is drawn
+constexpr std::chrono::milliseconds kRest{150};  // without movement, until all pixels are drawn
+constexpr std::uint32_t kCoarse = 2;             // pixels of the window across one drawn pixel
 
-// A measured B takes long to make ready, and would have to be made ready twice.
+// Preparing a measured B takes long and would be needed for both sizes; such a picture is never coarse.
 bool can_be_coarse(const ViewState& state) {
   return state.other != Other::samples || state.display == Display::picture ||
          state.display == Display::gbuffer;

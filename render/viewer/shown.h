@@ -1,4 +1,4 @@
-// The pictures that the window shows: of fewer pixels while something moves, of all when it rests.
+// The pictures that the window shows: with fewer pixels during movements, with all pixels at rest.
 #pragma once
 
 #include <chrono>
@@ -14,21 +14,21 @@ class Shown {
  public:
   Shown(Device& device, VkRenderPass render_pass, int gbuffer_bits, int samples);
 
-  // Draws what the state needs at this size; `held`: somebody moves something. Throws InputError as
-  // Pictures::update.
+  // Draws the pictures of the state at this size, in pixels. `held`: the user or an animation is changing
+  // the state. Throws InputError as Pictures::update does.
   void update(const ViewState& state, VkExtent2D size, bool held);
-  // Something was moved by a step of its own: more may come.
+  // Call after a single movement, such as a turn of the wheel: further movements may follow.
   void touch();
-  // Whether the last update drew fewer pixels.
+  // Returns whether the last update drew fewer pixels.
   bool moving() const { return drawn_ == &coarse_; }
   bool unfinished() const { return !moving() && drawn_ && fine_.unfinished(); }
   const Pictures* drawn() const { return drawn_; }
 
   void prepare(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place);
-  // At full size.
+  // Returns the picture at full size.
   BytePicture capture(const ViewState& state);
-  // Under a place of the window.
+  // Probes the surface under a place of the window.
   PixelProbe probe(const Area& picture, const glm::vec2& place) const;
 
  private:

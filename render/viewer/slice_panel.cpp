@@ -1,4 +1,4 @@
-// Beside samples: the slice through the plane of incidence, and the map of residuals.
+// The panels on samples: the slice through the plane of incidence, and the map of residuals.
 #include <imgui.h>
 
 #include <algorithm>
@@ -14,10 +14,11 @@
 namespace brdf::render {
 namespace {
 
-constexpr float kHigh = 0.42f, kLowest = 0.5f;  // of a slice's width; of a map's, at least
+// kHigh: the height of a slice over its width; kLowest: the least height of a map over its width
+constexpr float kHigh = 0.42f, kLowest = 0.5f;
 constexpr ImU32 kEmpty = IM_COL32(45, 45, 50, 255);
 
-// A place for a drawing, its corner at the lower left.
+// An area for a drawing, with its corner at the lower left.
 struct Field {
   ImVec2 corner;
   float width, height;
@@ -30,7 +31,7 @@ struct Field {
   ImVec2 place(const glm::vec2& p) const { return {corner.x + width * p.x, corner.y - height * p.y}; }
 };
 
-// Words at both ends of a line.
+// Writes words at both ends of a line.
 void ends(const std::string& left, const std::string& right) {
   ImGui::TextDisabled("%s", left.c_str());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(right.c_str()).x);

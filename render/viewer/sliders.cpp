@@ -10,9 +10,10 @@
 namespace brdf::render {
 namespace {
 
-constexpr double kBeyond = 1.5;  // times a value above the usual: where its slider ends
+// If a value lies above the usual maximum, its slider ends at this multiple of the value.
+constexpr double kBeyond = 1.5;
 
-// The upper end stays while the slider is held.
+// Returns the upper end of the slider, which stays constant while the slider is held.
 double upper_end(const ParameterInfo& p, double value, const SliderMarks& marks, float held) {
   if (held > 0) return double(held);
   double end = p.usual_max;
@@ -21,17 +22,19 @@ double upper_end(const ParameterInfo& p, double value, const SliderMarks& marks,
   return std::min(end, p.max);
 }
 
-// Of a value along the slider, 0 to 1.
+// Returns the position of a value along the slider, from 0 to 1.
 float along(double value, double low, double high, bool logarithmic) {
   const double t = logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low)
                                : (value - low) / (high - low);
   return float(std::clamp(t, 0.0, 1.0));
 }
 
-// Below the last item, a slider of this width, where its knob's middle would stand.
+// Draws the interval at the lower edge of the last item, a slider of this width; the ends lie at the places
+// that the middle of the knob would have.
 void draw_interval(const std::pair<double, double>& known, double low, double high, bool logarithmic,
                    float width) {
-  constexpr float kFrame = 2;  // Dear ImGui's, between a slider's end and its knob
+  // Dear ImGui's distance between the end of a slider and its knob.
+  constexpr float kFrame = 2;
   const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
   const float knob = ImGui::GetStyle().GrabMinSize;
   const float first = a.x + kFrame + knob / 2, way = width - 2 * kFrame - knob;
@@ -51,7 +54,7 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
   const double low = p.min, high = upper_end(p, value, marks, storage.GetFloat(place, 0));
   const bool logarithmic = p.log_scale && low > 0;
   double shown = value;
-  const float width = ImGui::CalcItemWidth();  // before the slider takes it
+  const float width = ImGui::CalcItemWidth();  // before the slider consumes it
   const bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, "%.4g",
                                          logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
   storage.SetFloat(place, ImGui::IsItemActive() ? float(high) : 0);

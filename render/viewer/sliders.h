@@ -1,4 +1,4 @@
-// One number of a parameter's table, by hand.
+// A slider for one number of a parameter's table.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 namespace brdf::render {
 
 struct SliderMarks {
-  std::optional<double> in_file;                   // the value that the file has
-  std::optional<std::pair<double, double>> known;  // the interval of the fit
+  std::optional<double> in_file;                   // the value in the file
+  std::optional<std::pair<double, double>> known;  // the confidence interval of the fit
 };
 
-// From the table's minimum to what is usual, and past the value where that is larger. Ctrl-click types a
-// number, within the table's range; right-click offers the default and the file's value. True when the value
-// was changed.
+// Draws a slider from the table's minimum to the usual maximum, and beyond the value if the value is
+// larger. Ctrl-click permits typing a number within the table's range; right-click offers the default and
+// the file's value. Returns true if the value was changed.
 bool parameter_slider(const std::string& label, const ParameterInfo& parameter, double& value,
                       const SliderMarks& marks);
 

@@ -12,28 +12,31 @@ namespace brdf::render {
 
 struct ViewerOptions {
   ViewState state;
-  std::filesystem::path file;  // where it came from; empty: nowhere
+  std::filesystem::path file;  // source of the state; empty if it is not from a file
   int width = 1280, height = 720;
   int gbuffer_bits = 16;
-  int samples = 1024;  // of an environment's light, brought in while the view stands still
+  // Samples of an environment's light per pixel, added while the view does not move.
+  int samples = 1024;
   std::uint64_t memory_limit = 0;
-  std::filesystem::path state_file = "brdf-view.json";  // what saving writes and loading reads
+  std::filesystem::path state_file = "brdf-view.json";  // the file for saving and loading the state
   std::filesystem::path screenshot = "brdf-view.png";
-  int frames = 0;  // quit after so many; 0: when the user does
+  // Quits after this number of frames; 0: when the user quits.
+  int frames = 0;
   bool validation = false;
-  float scale = 0;     // of text and panels; 0: the display's
-  bool orbit = false;  // the camera turns with every frame
-  Solver solver;       // none: nothing is fitted
+  float scale = 0;     // of text and panels; 0: the scale of the display
+  bool orbit = false;  // the camera turns with each frame
+  Solver solver;       // empty: fits are not available
 };
 
 struct ViewerReport {
   unsigned validation_messages = 0;
-  double median_frame_ms = 0;  // from events to presented, of all frames but the first five
+  // From events to presentation, over all frames except the first five.
+  double median_frame_ms = 0;
   int frames = 0;
 };
 
-// Returns when the window closes. Throws EnvironmentError when there
-// is no display or no driver, InputError when the state cannot be drawn.
+// Shows the window and returns when it closes. Throws EnvironmentError if there is no display or no driver,
+// InputError if the state cannot be drawn.
 ViewerReport view(const ViewerOptions& options);
 
 }  // namespace brdf::render

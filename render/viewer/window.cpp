@@ -8,7 +8,7 @@
 
 #include "io/files/error.h"
 
-// Declared by GLFW only when it includes Vulkan itself.
+// GLFW declares this function only if it includes Vulkan itself.
 extern "C" VkResult glfwCreateWindowSurface(VkInstance, GLFWwindow*, const VkAllocationCallbacks*,
                                             VkSurfaceKHR*);
 
@@ -225,8 +225,8 @@ void Swapchain::record(VkCommandBuffer commands, const Frame& frame,
 
 void Swapchain::frame(const std::function<void(VkCommandBuffer)>& before,
                       const std::function<void(VkCommandBuffer)>& inside) {
-  // This driver reports neither OUT_OF_DATE nor SUBOPTIMAL:
-  // sizes are compared, others' reports are heeded too.
+  // Some drivers report neither OUT_OF_DATE nor SUBOPTIMAL. The sizes are therefore compared; the reports
+  // of other drivers are used too.
   const VkExtent2D size = window_->framebuffer_size();
   if (size.width == 0 || size.height == 0) return;  // minimised
   if (size.width != extent_.width || size.height != extent_.height) create();

@@ -14,7 +14,7 @@ struct GLFWwindow;
 
 namespace brdf::render {
 
-// Who hears what happens to a window; numbers are GLFW's.
+// Receives the events of a window; numbers are those of GLFW.
 class Listener {
  public:
   virtual void key(int key, int scancode, int action, int mods) = 0;
@@ -26,7 +26,7 @@ class Listener {
   virtual void entered(int entered) = 0;
   virtual void focused(int focused) = 0;
   virtual void refresh() = 0;
-  virtual void close() = 0;  // was asked for; the window stays open
+  virtual void close() = 0;  // closing was requested; the window stays open
 
  protected:
   ~Listener() = default;
@@ -34,13 +34,13 @@ class Listener {
 
 class Window {
  public:
-  // Throws EnvironmentError when there is no display.
+  // Throws EnvironmentError if there is no display.
   Window(int width, int height, const std::string& title);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // The listener must stay.
+  // Sets the listener, which must outlive the window.
   void listen(Listener& listener);
 
   GLFWwindow* get() const { return window_; }
@@ -51,7 +51,7 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
-// Images to draw into, behind one classic render pass (Dear ImGui's backend of this version needs one).
+// Images to draw into, with one classic render pass (required by this version of Dear ImGui's backend).
 // Formats are UNORM: shaders encode.
 class Swapchain {
  public:
@@ -63,8 +63,8 @@ class Swapchain {
   VkRenderPass render_pass() const { return render_pass_.get(); }
   VkExtent2D extent() const { return extent_; }
   std::uint32_t image_count() const { return std::uint32_t(frames_.size()); }
-  // Records into a fresh command buffer, submits and presents; waits for the device. `before` runs outside
-  // the render pass, `inside` within it. Remakes the swapchain first when the window's size has changed.
+  // Records into a fresh command buffer, submits, presents, and waits for the device. `before` runs outside
+  // the render pass, `inside` within it. Remakes the swapchain first if the window's size has changed.
   void frame(const std::function<void(VkCommandBuffer)>& before,
              const std::function<void(VkCommandBuffer)>& inside);
 

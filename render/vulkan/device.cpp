@@ -40,7 +40,7 @@ bool has_needed_features(VkPhysicalDevice physical) {
   return features13.dynamicRendering && features13.synchronization2 && features13.maintenance4;
 }
 
-// The first family with graphics; -1 when there is none.
+// Returns the first queue family with graphics, or -1 if there is none.
 int graphics_family(VkPhysicalDevice physical) {
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);

@@ -1,5 +1,5 @@
-// The Vulkan instance and device: headless by default, with
-// a surface when the viewer names its instance extensions.
+// The Vulkan instance and device: headless by default, with a surface if the viewer passes its instance
+// extensions.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct DeviceOptions {
 
 class Device {
  public:
-  // Takes the first device with Vulkan 1.3, dynamic rendering and synchronization2
-  // (VK_DRIVER_FILES chooses the driver). Throws EnvironmentError when there is
-  // none, or when validation is wanted and the layer is not installed.
+  // Takes the first device with Vulkan 1.3, dynamic rendering, synchronization2, maintenance4 and at least
+  // seven colour attachments (VK_DRIVER_FILES chooses the driver). Throws EnvironmentError if there is no
+  // such device, or if validation is requested and the layer is not installed.
   explicit Device(const DeviceOptions& options = {});
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -36,18 +36,18 @@ class Device {
   const std::string& name() const { return name_; }
   double timestamp_period_ns() const { return timestamp_period_; }
   std::uint32_t max_image_size() const { return max_image_size_; }
-  // Messages of the validation layers so far; always 0 without validation.
+  // Returns the number of messages of the validation layers so far; always 0 without validation.
   unsigned validation_messages() const { return validation_messages_; }
 
   // Records commands, submits them and waits until they have run.
   void run(const std::function<void(VkCommandBuffer)>& record) const;
 
-  // Throws InputError when `bytes` more would exceed the
-  // memory limit; every allocation of ours goes through here.
+  // Throws InputError if `bytes` more would exceed the memory limit. All allocations of this program use
+  // this function.
   VkDeviceMemory allocate(const VkMemoryAllocateInfo& info);
   void release(VkDeviceMemory memory, std::uint64_t bytes);
   std::uint64_t memory_used() const { return memory_used_; }
-  // The limit alone: for a look ahead before anything is allocated.
+  // Check only the limit, in advance, before anything is allocated.
   bool has_memory(std::uint64_t bytes) const;
   void require_memory(std::uint64_t bytes, const std::string& what) const;
   std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags) const;
@@ -61,7 +61,7 @@ class Device {
     void operator()(VkInstance instance) const { vkDestroyInstance(instance, nullptr); }
     void operator()(VkDevice device) const { vkDestroyDevice(device, nullptr); }
   };
-  // Each is destroyed before what it was made from, also where the constructor throws.
+  // Members are destroyed before the objects from which they were created, also if the constructor throws.
   std::unique_ptr<VkInstance_T, Destroy> instance_;
   OwnedByInstance<VkDebugUtilsMessengerEXT> messenger_;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;

@@ -7,10 +7,10 @@
 
 namespace brdf::render {
 
-// Throws EnvironmentError naming the call when result is an error code.
+// Throws EnvironmentError naming the call if the result is an error code.
 void check(VkResult result, const char* call);
 
-// A child of a device (or an instance), destroyed by the vkDestroy... function it was made with.
+// A child of a device (or an instance), destroyed by the vkDestroy... function that matches its creation.
 template <class T, class Parent = VkDevice>
 class Owned {
  public:
@@ -44,7 +44,7 @@ class Owned {
 template <class T>
 using OwnedByInstance = Owned<T, VkInstance>;
 
-// owned(device, vkCreateSampler, vkDestroySampler, info)
+// Creates and owns an object: owned(device, vkCreateSampler, vkDestroySampler, info, "vkCreateSampler").
 template <class T, class Info>
 Owned<T> owned(VkDevice device,
                VkResult(VKAPI_PTR* create)(VkDevice, const Info*, const VkAllocationCallbacks*, T*),

@@ -9,7 +9,7 @@ namespace brdf::render {
 namespace {
 
 constexpr VkVertexInputBindingDescription kVertexBinding{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX};
-// The tangent stands last, so that shaders without one take the first three.
+// The tangent is last, so that shaders without a tangent use the first three attributes.
 constexpr std::array kVertexAttributes{
     VkVertexInputAttributeDescription{0, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
     VkVertexInputAttributeDescription{1, 0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
@@ -70,7 +70,7 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   viewport.viewportCount = viewport.scissorCount = 1;
   VkPipelineRasterizationStateCreateInfo raster{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
   raster.polygonMode = VK_POLYGON_MODE_FILL;
-  raster.cullMode = VK_CULL_MODE_NONE;  // what is seen from behind gets the back-face colour
+  raster.cullMode = VK_CULL_MODE_NONE;  // surfaces seen from behind get the back-face colour
   raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
   raster.lineWidth = 1;
   raster.rasterizerDiscardEnable = d.vertices_only;

@@ -12,7 +12,7 @@ namespace brdf::render {
 using Spirv = std::span<const std::uint32_t>;
 
 enum class VertexInput { none, mesh, mesh_without_tangent, mesh_position };
-// add: to the colour, with an alpha of its own; add_color: the alpha stays.
+// add: adds to the colour, with the new alpha; add_color: adds to the colour and keeps the alpha.
 enum class Blend { replace, add, add_color };
 
 struct PipelineDescription {
@@ -20,9 +20,11 @@ struct PipelineDescription {
   std::vector<std::uint32_t> constants;  // specialisation constants 0, 1, ... of both shaders
   VertexInput input = VertexInput::none;
   std::vector<VkFormat> colors;
-  bool depth = false;          // D32, reversed: nearer is greater
-  bool culls = false;          // vkCmdSetCullMode decides before each draw; otherwise nothing is culled
-  bool vertices_only = false;  // nothing is rasterised: the cost of the vertex work alone
+  bool depth = false;  // D32, reversed: nearer is greater
+  // vkCmdSetCullMode decides before each draw; otherwise nothing is culled.
+  bool culls = false;
+  // Nothing is rasterised, to measure the cost of only the vertex work.
+  bool vertices_only = false;
   Blend blend = Blend::replace;
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkRenderPass render_pass = VK_NULL_HANDLE;  // null: dynamic rendering into `colors`
@@ -37,7 +39,7 @@ struct Binding {
 };
 inline constexpr VkShaderStageFlags kDrawingStages =
     VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
-// Bindings 0, 1, ... visible to these stages.
+// Creates a layout with bindings 0, 1, ... visible to these stages.
 Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings,
                                              VkShaderStageFlags stages = kDrawingStages);
 Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
@@ -46,7 +48,7 @@ Owned<VkPipelineLayout> make_pipeline_layout(const Device& device,
                                              VkShaderStageFlags stages = kDrawingStages);
 Owned<VkSampler> make_sampler(const Device& device, VkFilter filter, VkSamplerAddressMode address);
 
-// A pool that holds exactly `sets` sets of these bindings; `freeable`: they may be freed one by one.
+// Creates a pool for exactly `sets` sets of these bindings; `freeable`: the sets may be freed individually.
 Owned<VkDescriptorPool> make_descriptor_pool(const Device& device, std::span<const Binding> bindings,
                                              std::uint32_t sets, bool freeable = false);
 VkDescriptorSet allocate_set(const Device& device, VkDescriptorPool pool, VkDescriptorSetLayout layout);

@@ -1,4 +1,4 @@
-// Buffers and images, each with its own allocation, and the commands that fill, move and read them.
+// Buffers and images, each with its own allocation, and the commands that fill, transfer and read them.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ class Memory {
   VkDeviceSize size_ = 0;
 };
 
-// Host-visible, permanently mapped: geometry, parameters and
-// read-back of a renderer whose device is usually the CPU.
+// A host-visible, permanently mapped buffer for geometry, parameters and read-back; the device of this
+// renderer is usually the CPU.
 class Buffer {
  public:
   Buffer() = default;
@@ -38,7 +38,8 @@ class Buffer {
   explicit operator bool() const { return bool(buffer_); }
 
  private:
-  Memory memory_;  // declared first: the buffer is destroyed before its memory
+  // Declared first: the buffer is destroyed before its memory.
+  Memory memory_;
   Owned<VkBuffer> buffer_;
   VkDeviceSize size_ = 0;
   std::byte* mapped_ = nullptr;
@@ -51,7 +52,7 @@ Buffer make_buffer(Device& device, std::span<const T> values, VkBufferUsageFlags
   return buffer;
 }
 
-// What a command does with an image: layout, stages and access in one word.
+// The use of an image by a command, which determines layout, stages and access.
 enum class Use {
   undefined,
   color_attachment,
@@ -62,7 +63,7 @@ enum class Use {
   present
 };
 
-// A two-dimensional image with one mip level and a view of all of it.
+// A two-dimensional image with one mip level and a view of the whole image.
 class Image {
  public:
   Image() = default;
@@ -72,7 +73,8 @@ class Image {
   VkFormat format() const { return format_; }
   VkExtent2D extent() const { return extent_; }
   explicit operator bool() const { return bool(image_); }
-  // Records the barrier between the last recorded use and the next; contents are kept unless discard is set.
+  // Records the barrier between the last recorded use and the next; contents are kept unless discard is
+  // set.
   void transition(VkCommandBuffer commands, Use next, bool discard = false);
 
  private:
@@ -84,14 +86,15 @@ class Image {
   Use use_ = Use::undefined;
 };
 
-// The barrier itself, for images that are not ours (a swapchain's).
+// Records only the barrier, for images owned by others (a swapchain's).
 void transition(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, Use before, Use next,
                 bool discard);
 
-// Makes what a stage wrote readable through mapped memory, once the commands have run.
+// Makes the output of a stage readable through mapped memory after the commands have run.
 void make_visible_to_host(VkCommandBuffer commands, VkPipelineStageFlags2 stage, VkAccessFlags2 access);
 
 int texel_size(VkFormat format);  // bytes
+// Copies texels, row by row from the top, into the image, which can then be sampled.
 void upload(Device& device, Image& image, std::span<const std::byte> texels);
 // Reads a four-channel image (16F, 32F or 8-bit) back as floats, row by row from the top.
 std::vector<float> read_rgba(Device& device, Image& image);

@@ -19,7 +19,7 @@ void Timestamps::begin(VkCommandBuffer commands) {
 }
 
 void Timestamps::mark(VkCommandBuffer commands, const char* name) {
-  if (used_ == 0 || used_ == most_) return;  // not begun, or full: later passes go unmeasured
+  if (used_ == 0 || used_ == most_) return;  // not begun, or full: later passes are not measured
   names_.push_back(name);
   write(commands);
 }

@@ -1,4 +1,4 @@
-// Times of the passes of a frame, by timestamp queries.
+// Times of the passes of a frame, measured by timestamp queries.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ class Timestamps {
   explicit Timestamps(const Device& device, std::uint32_t most = 32);
   // Call first in a frame's commands.
   void begin(VkCommandBuffer commands);
-  // What ran since the last mark (or begin) is called `name`.
+  // Names the work since the last mark (or begin) `name`.
   void mark(VkCommandBuffer commands, const char* name);
-  // After the commands have run: milliseconds in order; equal names are added up.
+  // Returns milliseconds in order, after the commands have run; times with equal names are added up.
   std::vector<std::pair<std::string, double>> read() const;
 
  private:

@@ -23,10 +23,10 @@ namespace brdf::shader {
 namespace {
 
 constexpr std::uint64_t kMemory = 1ull << 30;
-constexpr int kSeconds = 4;  // of the processor; a reflectance takes 0.1
+constexpr int kSeconds = 4;  // of processor time; a reflectance takes 0.1 s
 constexpr std::size_t kLargestAnswer = 1u << 26;
 
-// What a fresh process may take on top of what it was born with.
+// Limits the resources that a new process may use in addition to the memory that it started with.
 void limit_resources() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -42,7 +42,7 @@ void limit_resources() {
   if (nowhere >= 0) dup2(nowhere, STDERR_FILENO), dup2(nowhere, STDOUT_FILENO);
 }
 
-// Of the processor, from now on.
+// Limits the processor time from now on.
 void limit_time() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
@@ -76,8 +76,8 @@ std::string answer_of(const Translated& t) {
 constexpr int kOutOfMemory = 3;  // exit codes of the process
 constexpr int kThrew = 4;
 
-// Runs until it ends the process. Whatever cannot be had ends it with the code that says so: the compiler
-// handles no exceptions.
+// Runs `work`, then ends the process. Out of memory and other exceptions end the process with an exit code
+// of their own, because the compiler does not handle exceptions.
 template <class Work>
 [[noreturn]] void run_in_process(Work&& work) {
   limit_resources();
@@ -92,8 +92,8 @@ template <class Work>
   _exit(0);
 }
 
-// Reads until the deadline: all that comes before the end, or `most` bytes. False where the time passes
-// first.
+// Reads until the end of the stream or until `answer` has `most` bytes. Returns false if the deadline
+// passes first.
 bool read_until(int from, std::string& answer, std::size_t most) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2 * kSeconds);
   char part[1 << 16];
@@ -113,10 +113,10 @@ bool read_until(int from, std::string& answer, std::size_t most) {
   return true;
 }
 
-// How a process ended that did not answer.
+// How a process without an answer ended.
 struct Ending {
   enum class Kind { crashed, slow, large } kind = Kind::crashed;
-  std::string how = {};  // of a crash
+  std::string how = {};  // details of a crash
 };
 
 Ending ending_of(int status, bool in_time) {
@@ -139,7 +139,7 @@ Ending ending_of(int status, bool in_time) {
   throw InputError(source.name + ": the shader compiler crashes on this text (" + ending.how + ")" + advice);
 }
 
-// What the process wrote; nothing where it did not write all of it.
+// Decodes the output of the process; std::nullopt if the output is incomplete.
 std::optional<Compiled> compiled_of(const std::string& answer) {
   Taken taken(answer);
   const std::string messages = taken.text(), note = taken.text();
@@ -160,8 +160,8 @@ std::optional<Compiled> compiled_of(const std::string& answer) {
   return out;
 }
 
-// The text is tried with less and less information on places as long as that crashes the compiler. `attempt`
-// gives the answer, or how the process ended.
+// Compiles with less and less information on source places as long as the compiler crashes. `attempt`
+// provides the answer and returns how the process ended.
 template <class AttemptWith>
 Compiled compile_somehow(const Source& source, AttemptWith&& attempt) {
   Ending first;
@@ -204,10 +204,10 @@ std::string question_of(const Source& source, Places places) {
   return out;
 }
 
-// Until there is nothing more to compile.
+// Compiles texts until the pipe is closed.
 void serve(int from, int to) {
   std::string question;
-  const auto waits = [&] {  // however long
+  const auto waits = [&] {  // without a time limit
     pollfd waiting{from, POLLIN, 0};
     while (poll(&waiting, 1, -1) < 0 && errno == EINTR) {
     }
@@ -255,11 +255,11 @@ void Compiler::start() {
   throw EnvironmentError("cannot start the shader compiler: " + std::string(std::strerror(errno)));
 }
 
-// How the process ended, if it had by itself.
+// Stops the process and returns its status, which is kept if the process had already ended by itself.
 int Compiler::stop() {
   if (process_ == 0) return 0;
   close(to_), close(from_);
-  kill(process_, SIGKILL);  // one that has ended keeps its status
+  kill(process_, SIGKILL);  // a process that has ended keeps its status
   int status = 0;
   while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
@@ -270,7 +270,7 @@ int Compiler::stop() {
 Compiled Compiler::compile(const Source& source) {
   return compile_somehow(source, [&](Places places, std::string& answer) {
     if (process_ == 0) start();
-    // A process that has ended meanwhile must not end this one.
+    // A write to a process that has ended must not end this process.
     const auto ignored = signal(SIGPIPE, SIG_IGN);
     write_sized(to_, question_of(source, places));
     signal(SIGPIPE, ignored);

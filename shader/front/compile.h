@@ -1,5 +1,5 @@
-// From a shader's text to SPIR-V, by glslang, in a process of its own: whatever a text does to the compiler,
-// it ends there.
+// Compiles a shader's text to SPIR-V with glslang, in a separate process, so that a crash of the compiler
+// does not affect this process.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,24 @@ namespace brdf::shader {
 
 struct Compiled {
   std::vector<std::uint32_t> spirv;
-  std::vector<std::string> notes;        // what was done to the text so that it compiles, in sentences
+  std::vector<std::string> notes;        // changes made to the text so that it compiles, as sentences
   std::vector<LeftOut> left_out;         // functions that do not compile
-  std::vector<std::string> missing;      // included names that no file has, in quotes
-  std::vector<std::string> asked;        // macros that the text asks for and that nothing defines
+  std::vector<std::string> missing;      // names of includes without a file, in quotes
+  std::vector<std::string> asked;        // macros that the text tests but nothing defines
   std::vector<std::string> unmentioned;  // macros of the command line that no file mentions
-  std::string whole;                     // the text with its includes, macros replaced, comments gone
+  std::string whole;                     // the text with its includes, macros replaced, comments removed
 };
 
-// Throws InputError with the compiler's first message, "FILE:LINE: ...", or where it needs more than its
-// share of memory (1 GiB) or time (4 s of the processor), or crashes, whatever it is told of places;
-// EnvironmentError where no process can be started. `by` is what runs in that process.
+// A function that compiles a text inside the separate process.
 using Translate = Translated (*)(const Source&, Places);
+// Compiles one text. `by` is the function that runs in the separate process. Throws InputError with the
+// compiler's first message, "FILE:LINE: ...". Also throws InputError if the compiler needs more than its
+// limit of memory (1 GiB) or processor time (4 s), or if it crashes even without information on source
+// lines. Throws EnvironmentError if no process can be started.
 Compiled compile(const Source& source, Translate by = translate);
 
-// The same of many texts, in one process for all of them: what a process costs is paid once. A text that ends
-// it has a new one follow.
+// Compiles many texts in one process, so that the process is started only once. If a text ends the process,
+// the next text starts a new one. Throws the same errors as the function compile().
 class Compiler {
  public:
   Compiler() = default;

@@ -6,7 +6,7 @@
 namespace brdf::shader {
 namespace {
 
-// Beyond a preprocessor line that begins at `at`, with the lines that continue it.
+// The position after the preprocessor line that begins at `at`, including its continuation lines.
 std::size_t after_directive(const std::string& text, std::size_t at) {
   for (;;) {
     const std::size_t stop = text.find('\n', at);
@@ -16,12 +16,12 @@ std::size_t after_directive(const std::string& text, std::size_t at) {
   }
 }
 
-// The name in "TYPE NAME(ARGUMENTS) : SEMANTIC"; empty where that is no head of a function.
+// The name in "TYPE NAME(ARGUMENTS) : SEMANTIC"; empty if the text is not the head of a function.
 std::string name_in(std::string_view head) {
   const std::size_t open = head.find('(');
   const std::size_t close = head.rfind(')');
   if (open == head.npos || close == head.npos || close < open) return "";
-  // HLSL's attributes stand before: [numthreads(8, 8, 1)] void f().
+  // HLSL attributes come first: [numthreads(8, 8, 1)] void f().
   if (const std::size_t bracket = head.rfind(']', close); bracket != head.npos && bracket > open)
     return name_in(head.substr(bracket + 1));
   std::size_t end = open;
@@ -33,7 +33,7 @@ std::string name_in(std::string_view head) {
   return typed && head.find('=') == head.npos ? std::string(head.substr(begin, end - begin)) : "";
 }
 
-// Of "uniform float a[4] = ..." a, of "uniform Block { ... } b" b.
+// The declared name: a for "uniform float a[4] = ...", b for "uniform Block { ... } b".
 std::string last_name(std::string_view declaration) {
   if (const std::size_t brace = declaration.rfind('}'); brace != declaration.npos)
     declaration = declaration.substr(brace + 1);
@@ -49,8 +49,9 @@ std::string last_name(std::string_view declaration) {
 std::vector<Definition> definitions_of(const std::string& text, bool declarations) {
   std::vector<Definition> out;
   int depth = 0;
-  std::size_t head = 0;  // where what comes before a brace or a semicolon begins
-  std::string function;  // its name, within its braces
+  // The beginning of the text before the next brace or semicolon.
+  std::size_t head = 0;
+  std::string function;  // its name, while inside its braces
   const auto add = [&](const std::string& name, std::size_t end, bool is_declaration) {
     while (head < end && !is_word(text[head]) && text[head] != '[') ++head;
     if (!name.empty()) out.push_back({name, head, end, 0, 0, is_declaration});

@@ -17,9 +17,9 @@
 namespace brdf::shader {
 namespace {
 
-constexpr int kMostSeconds = 2;  // of the processor, for a text that compiles in part
+constexpr int kMostSeconds = 2;  // of processor time, for a text that compiles only in part
 
-// One text on its way through the compiler.
+// The compilation of one text.
 class Parse {
  public:
   Parse(Files& files, const Source& source, const Attempt& attempt)
@@ -72,7 +72,8 @@ class Parse {
   glslang::TShader shader_;
 };
 
-// After the preprocessor; where that fails, all that was read, one file after the other.
+// The text after the preprocessor; if the preprocessor fails, all files that were read, one after the
+// other.
 std::string preprocessed(Files& files, const Source& source, const Attempt& attempt) {
   std::string out;
   Parse parse(files, source, attempt);
@@ -125,8 +126,8 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   return out;
 }
 
-// Why this definition, of that file, does not compile: its own words where they are another language's, else
-// what was left out before and that it lacks, else the compiler's message.
+// The reason why this definition of the file does not compile: words of another language in it, or else a
+// missing part that was left out before, or else the compiler's message.
 std::string why(const std::vector<LeftOut>& before, const IncludedFile& file, const Definition& definition,
                 const std::string& text, const std::string& message) {
   if (const auto foreign = foreign_language(text, message))
@@ -144,8 +145,9 @@ std::string why(const std::vector<LeftOut>& before, const IncludedFile& file, co
   return message;
 }
 
-// Why no text of these files compiles, where they are in another language; empty: they are in none that is
-// known here. Where a part may compile, `newer` versions of a known one are none.
+// The reason why no text of these files compiles, if they are in another language; empty if no other
+// language is recognised. `newer`: also report newer versions of a known language, which is wrong while a
+// part may still compile.
 std::string of_another_language(const Files& files, const std::string& message, bool newer) {
   for (const auto& [path, file] : files.all())
     if (const auto foreign = foreign_language(
@@ -160,8 +162,8 @@ bool holds_functions(const Files& files) {
                      [](const auto& f) { return !definitions_of(f.second.bare).empty(); });
 }
 
-// Without the functions and declarations that the compiler stumbles over, one after the other; what needs
-// them goes as well. `out`: what came of the whole.
+// Translates without the functions and declarations that the compiler rejects, leaving out one after the
+// other; parts that need them are rejected next. `out`: the result for the whole text.
 Translated translate_in_part(Files files, const Source& source, const Attempt& attempt, Places places,
                              Translated out, std::clock_t begin) {
   std::vector<LeftOut> left_out;
@@ -209,7 +211,7 @@ Translated translate(const Source& source, Places places) {
     if (!failed.back().spirv.empty() && !metal) return failed.back();
     failed.back().spirv.clear();
   }
-  // Others follow from the first one's error.
+  // Later errors follow from the first error.
   if (const std::string foreign = of_another_language(files, failed[0].messages, false); !foreign.empty()) {
     failed[0].messages = foreign;
     return failed[0];

@@ -1,4 +1,4 @@
-// The compiler itself, in this process.
+// Runs the compiler itself, in the current process.
 #pragma once
 
 #include <cstdint>
@@ -9,36 +9,37 @@
 
 namespace brdf::shader {
 
-// A function or declaration that does not compile, which others may do without.
+// A function or declaration that does not compile and that other functions may not need.
 struct LeftOut {
   std::string name, why;  // "FILE:LINE: ..."
-  std::string text = {};  // of it, without comments
+  std::string text = {};  // its text, without comments
   bool is_declaration = false;
 };
 
 struct Translated {
-  std::vector<std::uint32_t> spirv;  // empty: `messages` say why
+  std::vector<std::uint32_t> spirv;  // empty: `messages` gives the reason
   std::string note, messages;
-  std::string file;                           // of the first message: as Files names it
+  std::string file;                           // of the first message, with the path that Files uses
   std::uint32_t line = 0;                     // of the first message; 0: unknown
-  std::vector<LeftOut> left_out = {};         // what the rest was compiled without
-  std::vector<std::string> missing = {};      // included names that no file has, in quotes
-  std::vector<std::string> asked = {};        // macros that the text asks for and that nothing defines
+  std::vector<LeftOut> left_out = {};         // parts that were left out so that the rest compiles
+  std::vector<std::string> missing = {};      // names of includes without a file, in quotes
+  std::vector<std::string> asked = {};        // macros that the text tests but nothing defines
   std::vector<std::string> unmentioned = {};  // macros of the command line that no file mentions
-  std::string whole = {};                     // the text with its includes, macros replaced, comments gone
+  std::string whole = {};                     // the text with its includes, macros replaced, comments removed
 };
 
-// What the module is to say of where its instructions come from. More of it is more of the compiler that may
-// fail.
+// The information on source places that the module contains. More information uses more parts of the
+// compiler that may fail.
 enum class Places { scopes, lines, none };
 
-// Once per process, before translate(): the compiler's own tables.
+// Initialises the compiler's own tables. Call it before translate(); only the first call in a process has
+// an effect.
 void prepare_translation();
-// The whole text, else the text without those functions, of its own or of included files, that do not
-// compile.
+// Translates the whole text. If this fails, translates the text without the functions and declarations, of
+// the file itself or of included files, that do not compile.
 Translated translate(const Source& source, Places places = Places::scopes);
 
-// "'a', 'b' are no files of the shader's own folder".
+// Returns "'a', 'b' are no files of the shader's own folder".
 std::string no_files(const std::vector<std::string>& names, const Source& source);
 
 }  // namespace brdf::shader

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kDeepestInclude = 16, kMostIncludes = 200;
 
-// Macros that the text of one file asks for and defines.
+// Collects the macros that the text of one file tests and defines.
 void read_macros(std::string_view bare, std::set<std::string>& asked, std::set<std::string>& defined) {
   const std::vector<Token> tokens = tokens_of(bare, true);
   const auto is_identifier = [&](std::size_t k) {
@@ -35,7 +35,7 @@ void read_macros(std::string_view bare, std::set<std::string>& asked, std::set<s
     } else if (directive.is("if") || directive.is("elif")) {
       std::uint32_t line = directive.line;
       for (std::size_t j = k + 2; j < tokens.size() && tokens[j].line == line; ++j) {
-        if (tokens[j].is("\\")) ++line;  // it goes on there
+        if (tokens[j].is("\\")) ++line;  // continues on the next line
         if (is_identifier(j) && !tokens[j].is("defined")) asked.emplace(tokens[j].text);
       }
     }
@@ -76,8 +76,9 @@ std::optional<fs::path> Files::inside(const fs::path& path) const {
   return std::nullopt;
 }
 
-// As written, from the file that includes it or from one of the folders, in their order; else without the
-// first parts of its path: libraries count from a folder further up.
+// Looks the name up as written, relative to the including file and then to the folders in their order. If
+// that fails, the first parts of the path are dropped one by one, because libraries write paths relative to
+// a folder further up.
 std::optional<fs::path> Files::look_up(const fs::path& name, const fs::path& from) const {
   if (from.is_absolute())
     if (const auto file = inside(from.parent_path() / name)) return file;
@@ -98,7 +99,7 @@ const IncludedFile* Files::include(const fs::path& name, const fs::path& from, s
   if (!file) return nullptr;
   path = file->string();
   if (const IncludedFile* known = find(path)) return known;
-  // Beside the shader it is named as the shader is, elsewhere by its path.
+  // A file next to the shader is shown with a path like the shader's, other files with their full path.
   fs::path shown = *file;
   if (!folders_.empty() && !source_.folder.empty()) {
     const fs::path relative = file->lexically_relative(folders_[0]);
@@ -106,7 +107,7 @@ const IncludedFile* Files::include(const fs::path& name, const fs::path& from, s
       shown = fs::path(source_.name).parent_path() / relative;
   }
   std::string text = text_of_bytes(shown.string(), io::read_content(*file, kLargestShader).bytes);
-  text += '\n';  // the line that includes it goes on in a line of its own
+  text += '\n';  // the text after the #include begins on a line of its own
   std::string bare = stripped(text).text;
   return &(files_[path] = {shown.string(), std::move(text), std::move(bare)});
 }
@@ -122,7 +123,7 @@ Includer::IncludeResult* Includer::include(const std::string& name, const std::s
     std::string path;
     if (const IncludedFile* file = files_.include(name, from, path))
       return new IncludeResult(path, file->text.data(), file->text.size(), nullptr);
-  } catch (const std::exception& e) {  // must not pass through the compiler
+  } catch (const std::exception& e) {  // exceptions must not pass through the compiler
     if (refused_.empty()) refused_ = e.what();
     return nullptr;
   }

@@ -1,4 +1,4 @@
-// The files that a shader's text consists of: its own, and those that it includes.
+// Manages the files that a shader's text consists of: its own file and the files that it includes.
 #pragma once
 
 #include <glslang/Public/ShaderLang.h>
@@ -14,24 +14,26 @@
 namespace brdf::shader {
 
 struct IncludedFile {
-  std::string shown;       // its name for messages
-  std::string text, bare;  // as of a Source; what is left out of the one is left out of the other
+  std::string shown;       // its name in messages
+  std::string text, bare;  // as in Source; a definition that is left out is removed from both
 };
 
-// All that was read so far. Included files are read once, so that what is left out of one stays out of it.
+// All files that were read so far. Each included file is read once, so that a definition that was left out
+// stays left out.
 class Files {
  public:
-  // The source must outlive this. Folders that are not there hold nothing.
+  // The source must outlive this object. Folders that do not exist are ignored.
   explicit Files(const Source& source);
 
-  // "" is the shader's own file; others go by their paths. Null: no such file was read.
+  // Returns the file with this path ("" is the shader's own file); null if no such file was read.
   const IncludedFile* find(const std::string& path) const;
   const IncludedFile& own() const { return files_.at(""); }
   const std::map<std::string, IncludedFile>& all() const { return files_; }
   void leave_out(const std::string& path, const Definition& definition);
 
-  // The file that an #include of `name` in the file `from` means: below the shader's own folder or one of -I,
-  // links resolved. Nothing where there is none.
+  // Returns the file for an #include of `name` in the file `from`, and sets `path`. The file must be below
+  // the shader's own folder or below a folder of -I after links are resolved. Returns null if there is no
+  // such file. Throws InputError if the file cannot be read.
   const IncludedFile* include(const std::filesystem::path& name, const std::filesystem::path& from,
                               std::string& path);
 
@@ -41,12 +43,12 @@ class Files {
                                                const std::filesystem::path& from) const;
 
   const Source& source_;
-  std::vector<std::filesystem::path> folders_;  // the shader's own first
+  std::vector<std::filesystem::path> folders_;  // the shader's own folder first
   std::map<std::string, IncludedFile> files_;
 };
 
-// What the compiler asks while it reads a text once. A file that is not there is empty: the function may need
-// nothing of it.
+// Serves the compiler's include requests while it reads a text once. A missing file is treated as empty,
+// because the function may not need its content.
 class Includer final : public glslang::TShader::Includer {
  public:
   explicit Includer(Files& files) : files_(files) {}
@@ -58,9 +60,9 @@ class Includer final : public glslang::TShader::Includer {
     return include(name, from, depth);
   }
   void releaseInclude(IncludeResult* result) override { delete result; }
-  // Why the text is not read further; empty: it was.
+  // Returns the reason why reading stopped; empty if the text was read completely.
   const std::string& refused() const { return refused_; }
-  // Names that no file has, in quotes.
+  // Returns the included names without a file, in quotes.
   const std::vector<std::string>& missing() const { return missing_; }
 
  private:
@@ -72,10 +74,10 @@ class Includer final : public glslang::TShader::Includer {
   std::size_t count_ = 0;
 };
 
-// Macros that #if, #ifdef or #ifndef of these files ask for and that nothing defines, in alphabetical order,
-// without those of the compiler itself.
+// Returns the macros that #if, #ifdef or #ifndef of these files test but nothing defines, in alphabetical
+// order, without the macros of the compiler itself.
 std::vector<std::string> asked_macros(const Files& files, const Source& source);
-// Macros of the command line whose names stand in none of them.
+// Returns the macros of the command line that are not mentioned in any of these files.
 std::vector<std::string> unmentioned_macros(const Files& files, const Source& source);
 
 }  // namespace brdf::shader

@@ -13,7 +13,7 @@ bool is_name(std::string_view word) {
   return !word.empty() && is_word(word[0]) && !(word[0] >= '0' && word[0] <= '9');
 }
 
-// The tokens from one on, with nothing beyond the last.
+// The tokens from position `at` on; positions beyond the last token give an empty text.
 class At {
  public:
   At(const std::vector<Token>& tokens, std::size_t at) : tokens_(tokens), at_(at) {}
@@ -89,7 +89,7 @@ bool is_cpp(const At& t) {
          t.are("__global__");
 }
 
-// As many tokens as show the construct, as they are written.
+// The tokens of the construct, as written in the text.
 std::string shown_tokens(const std::vector<Token>& tokens, std::size_t at, std::size_t count) {
   const std::size_t last = std::min(at + count, tokens.size()) - 1;
   const char* const begin = tokens[at].text.data();
@@ -146,7 +146,7 @@ std::optional<Foreign> foreign_language(std::string_view bare, std::string_view 
       if (is_wgsl({tokens, k}) || one_of(tokens[k].text, {"f32", "vec3f"})) return true;
     return false;
   }();
-  std::optional<Foreign> late;  // what says less than all others
+  std::optional<Foreign> late;  // the weakest evidence, used if there is no other
   const auto found = [&](std::size_t at, const char* language, std::size_t count) {
     return Foreign{language, shown_tokens(tokens, at, count), tokens[at].line};
   };

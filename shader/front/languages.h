@@ -1,4 +1,4 @@
-// Which language a text is in: the two that are read, and those that look like them.
+// Detects the language of a text: the two supported languages, and languages that resemble them.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,35 @@ namespace brdf::shader {
 
 enum class Language { glsl, hlsl };
 
-// A word, a number or one other character, outside preprocessor lines.
+// A word, a number or one other character.
 struct Token {
-  std::string_view text;  // of what it was read from
+  std::string_view text;  // part of the text that was read
   std::uint32_t line = 1;
-  bool first = false;  // in its line
+  bool first = false;  // first token of its line
   bool is(std::string_view word) const { return text == word; }
 };
-// `bare` is stripped; it must outlive the tokens. `directives`: those of preprocessor lines, too.
+// Splits a text into tokens. `bare` is a stripped text and must outlive the tokens. `directives`: also
+// return the tokens of preprocessor lines.
 std::vector<Token> tokens_of(std::string_view bare, bool directives = false);
 
-// By the words of one language alone, else by the file's suffix (small letters): engines call both kinds .fx,
-// .shader or .txt.
+// Detects the language from words that only one of the two languages has, otherwise from the file's suffix
+// (lower case). Engines use .fx, .shader or .txt for both languages.
 Language language_of(std::string_view bare, std::string_view suffix);
 
-// What of another language stands in a text that neither GLSL's nor HLSL's compiler takes.
+// A construct of another language in a text that neither the GLSL nor the HLSL compiler accepts.
 struct Foreign {
   std::string language, construct;  // "Slang", "import scene;"
   std::uint32_t line = 0;
-  bool newer = false;  // HLSL's newer version: what compiles as the older one means the same
+  // A newer version of HLSL. Text that also compiles as the older version has the same meaning.
+  bool newer = false;
 };
-// To be asked of a text that does not compile, with the compiler's message: any of these words may be a name
-// in GLSL or HLSL.
-// `suffix`: of the file, in small letters, which decides where nothing else does.
+// Detects another language; std::nullopt if the language is not recognised. Call this only for a text that
+// does not compile, because any of these words may be a name in GLSL or HLSL. `message`: the compiler's
+// message. `suffix`: of the file, in lower case; it decides if nothing else does.
 std::optional<Foreign> foreign_language(std::string_view bare, std::string_view message,
                                         std::string_view suffix = "");
-// The sentence that refuses it, without its place: "is Slang (`import scene;`), which is not read: ...".
+// Returns the sentence that rejects the text, without its place: "is Slang (`import scene;`), which is not
+// read: ...".
 std::string refusal_of(const Foreign& foreign);
 
 }  // namespace brdf::shader

@@ -10,7 +10,7 @@
 namespace brdf::shader {
 namespace {
 
-// Whether the text itself defines that type.
+// Whether the text itself defines the type.
 bool defines_type(std::string_view bare, std::string_view type) {
   const std::vector<Token> tokens = tokens_of(bare, true);
   bool in_typedef = false;
@@ -23,7 +23,8 @@ bool defines_type(std::string_view bare, std::string_view type) {
   return false;
 }
 
-// A type in the head of the function on that line that neither the language nor a file has.
+// A type in the head of the function on this line that neither the language nor a file defines; empty if
+// all types are defined.
 std::string unknown_type(const Files& files, const IncludedFile& file, std::uint32_t line) {
   static const std::regex known(
       "void|bool|int|float|double|half|real|fixed|uint|dword|min(10|12|16)\\w+|[biud]?vec[234]|d?mat[234]("
@@ -33,7 +34,7 @@ std::string unknown_type(const Files& files, const IncludedFile& file, std::uint
   static const std::regex qualifier(
       "const|in|out|inout|highp|mediump|lowp|precise|uniform|static|inline|row_major|"
       "column_major|nointerpolation|linear|flat|smooth|centroid");
-  constexpr std::size_t kLongest = 100;  // of a type's name
+  constexpr std::size_t kLongest = 100;  // longest accepted name of a type
   for (const Definition& d : definitions_of(file.bare)) {
     if (line < d.first_line || line > d.last_line) continue;
     const std::string head = file.bare.substr(d.begin, file.bare.find('{', d.begin) - d.begin);
@@ -58,21 +59,21 @@ std::string unknown_type(const Files& files, const IncludedFile& file, std::uint
   return "";
 }
 
-// What the front end says of a name that it does not know, in GLSL and HLSL.
+// The compiler's wording for unknown names, in GLSL and HLSL.
 constexpr const char* kUnknown[] = {"undeclared identifier", "no matching overloaded", "unknown variable"};
 
 bool says(const std::string& message, std::string_view words) {
   return message.find(words) != message.npos;
 }
 
-// What the message quotes first; empty: nothing.
+// The first quoted text of the message; empty if the message quotes nothing.
 std::string quoted_in(const std::string& message) {
   const std::size_t begin = message.find('\''),
                     end = begin == message.npos ? begin : message.find('\'', begin + 1);
   return end == message.npos ? "" : message.substr(begin + 1, end - begin - 1);
 }
 
-// The parameter of a `//:` line whose name the message quotes; null without.
+// The parameter of a `//:` line with the name that the message quotes first; null if no line has this name.
 const Declared* declared_alone(const Source& source, const std::string& message) {
   const std::string name = quoted_in(message);
   const auto p = std::find_if(source.parameters.begin(), source.parameters.end(),
@@ -80,7 +81,8 @@ const Declared* declared_alone(const Source& source, const std::string& message)
   return p == source.parameters.end() ? nullptr : &*p;
 }
 
-// Takes "12:" from the beginning of the message; false: it does not begin so.
+// Removes "12:" from the beginning of the message. Returns false if the message does not begin with a line
+// number.
 bool take_line(std::string& message, std::uint32_t& line) {
   const std::size_t colon = message.find(':');
   if (colon == message.npos || colon == 0 || message.find_first_not_of("0123456789") != colon) return false;
@@ -89,7 +91,7 @@ bool take_line(std::string& message, std::uint32_t& line) {
   return true;
 }
 
-// Takes "FILE:12:" from the beginning of the message, FILE being one of those that are known by that name.
+// Removes "FILE:12:" from the beginning of the message, with the name of any known file in place of FILE.
 bool take_place(std::string& message, const Files& files, const Source& source, Translated& out) {
   const auto after = [&](const std::string& name) {
     if (name.empty() || !message.starts_with(name + ":")) return false;
@@ -107,7 +109,8 @@ bool take_place(std::string& message, const Files& files, const Source& source, 
   return after(source.name) || after("0");
 }
 
-// "Recursion detected:\n    f(f1; calling g(f1;" with the line of that call.
+// Recognises a line "Recursion detected:" followed by a line "f(f1; calling g(f1;" in the log, and finds
+// the line of the call.
 bool take_recursion(Translated& out, const Files& files, const std::string& log) {
   const std::size_t at = log.find("Recursion detected:"), line = log.find('\n', at);
   if (at == log.npos || line == log.npos) return false;
@@ -139,7 +142,7 @@ bool take_recursion(Translated& out, const Files& files, const std::string& log)
   return false;
 }
 
-// What an error's reader can do about it; empty: the message says it.
+// Advice on how to correct the error; empty if the message is sufficient.
 std::string advice(const Translated& out, const Source& source) {
   if (const Declared* p = declared_alone(source, out.messages);
       p && std::any_of(std::begin(kUnknown), std::end(kUnknown),

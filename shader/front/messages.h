@@ -1,4 +1,4 @@
-// The compiler's messages, in sentences that say which file, which line and what to do.
+// Turns the compiler's messages into sentences that name the file, the line and a remedy.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace brdf::shader {
 
-// The first error of the log: others follow from it. Sets the message and its place.
+// Takes the first error of the log, because later errors follow from it. Sets the message and its place.
 void take_messages(Translated& out, const Files& files, const Source& source, const std::string& log,
                    const std::vector<std::string>& missing);
 

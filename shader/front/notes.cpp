@@ -21,7 +21,7 @@ std::optional<Role> role_of(std::string_view word) {
   return find_named<Role>(std::string(word));
 }
 
-// NoteWords after a parameter's name: numbers, then "log" and "role ROLE".
+// The words after a parameter's name: numbers, then "log" and "role ROLE".
 struct NoteWords {
   std::vector<double> numbers;
   bool log_scale = false;
@@ -54,7 +54,7 @@ void check(const Declared& p, const std::string& where) {
     throw InputError(where + p.name + ": a log scale needs values above 0");
 }
 
-// "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
+// Reads "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
 KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line,
                               const std::string& where) {
   if (words.empty()) throw InputError(where + "violates what? The name of a check, as energy or reciprocity");
@@ -71,8 +71,8 @@ KnownViolation read_violation(std::span<const std::string_view> words, std::uint
 
 }  // namespace
 
-// "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b", the last two also as
-// "param NAME bool 0|1" and "param NAME color r g b", and BRDF Explorer's "float NAME MIN MAX DEFAULT".
+// Reads "param NAME MIN MAX DEFAULT [log] [role R]", "bool NAME 0|1", "color NAME r g b" (the last two also
+// as "param NAME bool 0|1" and "param NAME color r g b"), and BRDF Explorer's "float NAME MIN MAX DEFAULT".
 Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
                        const std::string& where) {
   if (words.empty()) throw InputError(where + "the parameter's name is missing");
@@ -105,7 +105,7 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
   return p;
 }
 
-// A line that begins with //: says something to this program.
+// Reads a line that begins with //: and is meant for this program.
 void read_note(Source& source, std::string_view line, std::uint32_t number) {
   const std::string where = source.name + ":" + std::to_string(number) + ": ";
   std::vector<std::string_view> words;

@@ -1,4 +1,4 @@
-// Strings and lists of strings as bytes, for a pipe between two processes of this program.
+// Packs strings and lists of strings into bytes, for a pipe between two processes of this program.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace brdf::shader {
 
-// A number and as many bytes.
+// Appends the number of bytes and the bytes.
 inline void put(std::string& out, const std::string& bytes) {
   const std::uint64_t size = bytes.size();
   out.append(reinterpret_cast<const char*>(&size), sizeof size);
   out += bytes;
 }
-// Their number, and each of them.
+// Appends the number of strings and each string.
 inline void put(std::string& out, const std::vector<std::string>& list) {
   put(out, std::to_string(list.size()));
   for (const std::string& text : list) put(out, text);
 }
 
-// What put() wrote; false once something is not there.
+// Unpacks the output of put(). whole() returns false once data is missing.
 class Taken {
  public:
   explicit Taken(const std::string& bytes) : bytes_(bytes) {}

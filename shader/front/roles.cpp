@@ -15,7 +15,7 @@ struct Names {
   std::array<std::string_view, 28> words;
 };
 
-// Without underscores, in small letters.
+// In lower case, without underscores.
 constexpr Names kNamesOf[] = {
     {Axis::light,
      "l",
@@ -91,7 +91,7 @@ std::string plain(std::string_view name) {
   return out;
 }
 
-// Prefixes that say where a variable comes from: vNormal, uLightDir, in_normal, a_tangent.
+// The axis with this name, in lower case and without underscores; std::nullopt if the name is unknown.
 std::optional<Axis> axis_of(const std::string& word) {
   for (const Names& names : kNamesOf)
     if (!word.empty() && std::find(names.words.begin(), names.words.end(), word) != names.words.end())
@@ -110,7 +110,7 @@ std::optional<Axis> letter_axis(std::string_view letters) {
   return axis_of(std::string(letters));
 }
 
-// ndotl, nol, dotnl, nl; a cosine alone is that to the normal.
+// Recognises ndotl, nol, dotnl and nl. The cosine of one direction is its cosine to the normal.
 std::optional<std::pair<Axis, Axis>> product_of(const std::string& word) {
   const auto pair = [](std::string_view a, std::string_view b) -> std::optional<std::pair<Axis, Axis>> {
     const auto x = letter_axis(a), y = letter_axis(b);
@@ -167,8 +167,8 @@ std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
     if (before.find("view") != before.npos) return Meaning{Meaning::Kind::vector, Axis::view};
   }
   if (const auto axis = axis_of(word)) return Meaning{Meaning::Kind::vector, *axis};
-  // Where a variable comes from, before its name (vNormal, uLightDir, in_normal, geometryViewDir), or its
-  // space behind it (normalWS).
+  // The name may have a prefix for the origin of the variable (vNormal, uLightDir, in_normal,
+  // geometryViewDir) or a suffix for its space (normalWS).
   for (const std::string_view begin : {"in", "v", "u", "a", "f", "s", "g", "frag", "world", "geometry",
                                        "shading", "surface", "local", "pixel"})
     if (word.size() > begin.size() + 2 && word.starts_with(begin))

@@ -1,4 +1,4 @@
-// What the arguments of other people's functions are called.
+// Recognises the roles of arguments from the names that are common in shaders.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@ namespace brdf::shader {
 // Vectors of the local frame.
 enum class Axis { light, view, normal, half, tangent, bitangent };
 
-// What an argument stands for, told by its name: a vector, the product of two, light of intensity 1; nothing:
-// a parameter.
+// The meaning of an argument according to its name: a vector, the product of two vectors, or the colour of
+// a light with intensity 1.
 struct Meaning {
   enum class Kind { vector, product, white } kind = Kind::vector;
   Axis a = Axis::normal, b = Axis::normal;
 };
 
-// `name`: of the argument, members of structs as "light.direction". `vector`: it has three components.
+// Returns the meaning of an argument; std::nullopt for a parameter. `name`: of the argument; members of
+// structs as "light.direction". `vector`: the argument has three components.
 std::optional<Meaning> meaning_of(std::string_view name, bool vector);
 
 }  // namespace brdf::shader

@@ -13,10 +13,10 @@
 namespace brdf::shader {
 namespace {
 
-constexpr int kDeepest = 100;                // brackets within brackets
-constexpr std::size_t kLongestChain = 2000;  // operators without a semicolon or a bracket between
+constexpr int kDeepest = 100;                // nested brackets
+constexpr std::size_t kLongestChain = 2000;  // operators without a semicolon, comma or brace in between
 
-// What would exhaust a compiler's stack.
+// Rejects text that would exhaust a compiler's stack.
 void check_depth(const std::string& name, const std::string& text) {
   int depth = 0;
   std::size_t chain = 0, at = 0;
@@ -33,8 +33,8 @@ void check_depth(const std::string& name, const std::string& text) {
   }
 }
 
-// BRDF Explorer's file becomes GLSL: its parameters are globals, in the lines where they stood; other lines
-// are empty. What its `//:` lines say besides comes last, and wins.
+// Converts a BRDF Explorer file to GLSL. Its parameters become globals on their original lines; other lines
+// outside the shader become empty. Declarations in `//:` lines come last and take precedence.
 void read_explorer(Source& source) {
   source.explorer = true;
   const std::vector<Declared> noted = std::exchange(source.parameters, {});
@@ -117,7 +117,7 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
     line = line.substr(0, line.find('\n'));
     if (line.starts_with("//:")) read_note(source, line.substr(3), number);
   }
-  // Before its block a .brdf file is free text, in which a quote or a comment may stay open.
+  // Before its first block a .brdf file contains free text, in which a quote or a comment may be left open.
   if (begins_a_block(kind == ".brdf" ? source.text : bare.text)) {
     read_explorer(source);
     bare = stripped(source.text);

@@ -1,4 +1,5 @@
-// A shader's file: its text, and what its comments and blocks say of parameters and of the function.
+// Reads a shader's file: its text, and the declarations in its comments and blocks about parameters and the
+// function.
 #pragma once
 
 #include <array>
@@ -13,69 +14,72 @@
 
 namespace brdf::shader {
 
-// What the function returns; cosines are those to the light and to the viewer.
+// The quantity that the function returns; cos_i is the cosine to the light, cos_o the cosine to the viewer.
 enum class Returns { f, f_cos_i, f_cos_o };
 
-// What is said of a parameter; what is not said stays open.
+// A parameter's declaration. Members without a value are not declared.
 struct Declared {
   std::string name;
   std::optional<double> min = {}, max = {};
-  std::vector<double> initial = {};  // one, or three of a colour
+  std::vector<double> initial = {};  // one number, or three for a colour
   bool log_scale = false;
   Role role = Role::other;
   std::uint32_t line = 0;  // 0: the command line
   bool boolean = false;    // 0 or 1
 };
 
-// What the author knows that the function violates, for one of the checks of `brdf validate`.
+// A violation that the author declares, for one of the checks of `brdf validate`.
 struct KnownViolation {
   std::string check, statement;
-  double theta = 0;  // degrees: where it shows at the latest
+  double theta = 0;  // degrees: the violation occurs at this angle at the latest
   std::uint32_t line = 0;
 };
 
 struct EntryLine {
   std::string name;
-  std::optional<std::vector<std::string>> arguments = {};  // the names that their roles are read from
+  std::optional<std::vector<std::string>> arguments = {};  // names that determine the arguments' roles
 };
 
 struct Source {
   std::string name;              // of the file, for messages
-  std::filesystem::path folder;  // includes stay within
-  std::string text;              // lines as in the file
-  std::string bare =
-      {};  // the same without comments and what stands in quotes: all that is guessed is guessed from this
-  std::string whole = {};  // with its includes, macros replaced: once it was compiled
+  std::filesystem::path folder;  // includes must be inside
+  std::string text;              // the same lines as in the file
+  // The text without comments and the contents of quotes. All guesses are based on this text.
+  std::string bare = {};
+  std::string whole = {};  // with its includes, macros replaced; set after compilation
   Language language = Language::glsl;
   std::vector<Declared> parameters = {};
-  std::vector<std::string> globals =
-      {};  // parameters that the text declares as globals: those of a .brdf file
+  // Parameters that the text declares as globals, in a .brdf file.
+  std::vector<std::string> globals = {};
   std::vector<KnownViolation> violations = {};
   std::optional<EntryLine> entry = {};
   std::optional<Returns> returns = {};
-  std::vector<std::string> defines = {};          // NAME=VALUE, as the command line has them
-  std::vector<std::string> include_folders = {};  // of the command line, after the file's own
+  std::vector<std::string> defines = {};          // NAME=VALUE, from the command line
+  std::vector<std::string> include_folders = {};  // from the command line, searched after the file's folder
   bool explorer = false;                          // a .brdf file
-  bool compute = false;                           // of a compute shader
+  bool compute = false;                           // a compute shader
 };
 
 constexpr std::size_t kLargestShader = 1u << 18;
 
-// Throws InputError where the file cannot be read, is too large or nested too deeply, or a `//:` line or a
-// block is not understood.
+// Reads a shader's file. Throws InputError if the file cannot be read, is too large or nested too deeply,
+// or if a `//:` line or a block cannot be parsed.
 Source read_source(const std::filesystem::path& path);
-// The same of a text under that name; HLSL is told by its words (float3, cbuffer), else by the name's end
-// (.hlsl, .hlsli, .fx, .usf); a text with ::begin is a .brdf file. Of a script that holds shaders in
-// backticks, and of Unity's ShaderLab, both told by their suffixes, the shaders alone are read.
+// Reads a shader from a text, with `name` as its file name. HLSL is detected from its words (float3,
+// cbuffer), otherwise from the suffix of the name (.hlsl, .hlsli, .fx, .fxh, .usf, .ush, .cginc). A text
+// with ::begin is a .brdf file. In a script with shaders in backticks, and in Unity's ShaderLab, both
+// detected from their suffixes, only the shaders are read. Throws InputError like read_source().
 Source parse_source(std::string name, std::string text, std::filesystem::path folder = {});
 
-// "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with ":log" after it; as the command line has it.
+// Parses "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with an optional ":log", from the command line. Throws
+// InputError if the text is not valid.
 Declared parse_parameter(const std::string& text);
-// "NAME" or "NAME(L, V, N)".
+// Parses "NAME" or "NAME(L, V, N)". Throws InputError if the text is not valid.
 EntryLine parse_entry(const std::string& text);
+// Parses "f", "f*cos_i" or "f*cos_o". Throws InputError if the text is not valid.
 Returns parse_returns(const std::string& text);
 
-// The line, trimmed; empty beyond the last.
+// Returns the line with this number, trimmed; empty beyond the last line.
 std::string line_of_text(std::string_view text, std::uint32_t line);
 
 }  // namespace brdf::shader

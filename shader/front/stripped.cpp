@@ -19,7 +19,7 @@ void blank(std::string& text, std::size_t begin, std::size_t end) {
     if (text[k] != '\n') text[k] = ' ';
 }
 
-// Blanks in place of all characters outside the parts, which are in order; lines stay.
+// Replaces all characters outside the parts by blanks; line breaks are kept. The parts are in order.
 void keep_parts(std::string& text, const std::vector<Part>& parts) {
   std::size_t at = 0;
   for (const auto& [begin, end] : parts) {
@@ -29,7 +29,8 @@ void keep_parts(std::string& text, const std::vector<Part>& parts) {
   blank(text, at, text.size());
 }
 
-// The end of a comment that begins at `at` with two slashes; with a backslash before it a line goes on.
+// The end of a comment that begins at `at` with two slashes. If `continues`, a backslash at the end of a
+// line continues the comment.
 std::size_t end_of_line_comment(std::string_view text, std::size_t at, bool continues) {
   for (;;) {
     const std::size_t stop = std::min(text.find('\n', at), text.size());
@@ -43,7 +44,7 @@ std::size_t end_of_block_comment(std::string_view text, std::size_t at) {
   return stop == text.npos ? text.size() : stop + 2;
 }
 
-// The place of the closing quote, or of the line's end where there is none.
+// The position of the closing quote, or of the end of the line if there is no closing quote.
 std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
   for (std::size_t k = at + 1; k < text.size(); ++k) {
@@ -53,7 +54,7 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-// A script's template literals: what it says elsewhere is no shader.
+// Finds the template literals of a script; its other text is not part of a shader.
 class Script {
  public:
   Script(const std::string& name, std::string& text) : name_(name), text_(text) {}
@@ -66,7 +67,8 @@ class Script {
  private:
   static constexpr int kDeepest = 100;
 
-  // Whether a slash here begins a regular expression: it does where no value stands before it.
+  // Whether a slash at this position begins a regular expression, which is the case if no value precedes
+  // it.
   bool is_expression(std::size_t at) const {
     while (at > 0 && (text_[at - 1] == ' ' || text_[at - 1] == '\t' || text_[at - 1] == '\n')) --at;
     return at == 0 || std::string_view("(,=:[!&|?{};+-*%<>~^").find(text_[at - 1]) != std::string_view::npos;
@@ -83,11 +85,11 @@ class Script {
       else if (text_[k] == '/' && !in_class)
         return k + 1;
     }
-    return at + 1;  // a division after all
+    return at + 1;  // it was a division
   }
 
-  // From `at` on; within a literal up to the brace that closes what is put in there. Returns the place after
-  // it.
+  // Skips code from `at` on; inside a literal, up to the brace that closes the inserted expression. Returns
+  // the position after it.
   std::size_t code(std::size_t at, int depth) {
     if (depth > kDeepest)
       throw InputError(name_ + ":" + std::to_string(io::line_of(text_, at)) +
@@ -118,7 +120,7 @@ class Script {
     std::size_t at = open + 1;
     while (at < text_.size() && text_[at] != '`') {
       if (text_[at] == '\\' && at + 1 < text_.size()) {
-        // What the script escapes stands in the shader without the backslash.
+        // A character that the script escapes appears in the shader without the backslash.
         const char next = text_[at + 1];
         if (depth == 0 && (next == '\\' || next == '`' || next == '$')) text_[at] = ' ';
         at += 2;
@@ -140,7 +142,7 @@ class Script {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kPrograms{
     {{"HLSLPROGRAM", "ENDHLSL"}, {"HLSLINCLUDE", "ENDHLSL"}, {"CGPROGRAM", "ENDCG"}, {"CGINCLUDE", "ENDCG"}}};
 
-// Where the word stands alone, from `at` on.
+// The position of the separate word, at or after `at`.
 std::size_t find_word(std::string_view text, std::string_view word, std::size_t at) {
   for (at = text.find(word, at); at != text.npos; at = text.find(word, at + 1))
     if ((at == 0 || !is_word(text[at - 1])) &&

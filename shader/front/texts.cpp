@@ -25,7 +25,7 @@ const std::set<std::string>& builtins() {
   return names;
 }
 
-// What only Vulkan's dialect lets a layout say; blanks in its place.
+// Replaces layout qualifiers that only Vulkan's dialect permits by blanks.
 std::string without_vulkan(const std::string& text) {
   static const std::regex layout(R"(\blayout\s*\([^()]*\))"),
       own(R"(\b(set|constant_id|input_attachment_index)\s*=\s*\w+\s*,?)");
@@ -38,7 +38,7 @@ std::string without_vulkan(const std::string& text) {
                      ' ');
     if (const std::size_t place = inside.find("push_constant"); place != inside.npos)
       inside.replace(place, 13, "std140       ");
-    // A comma that is left alone, and brackets with nothing between.
+    // Removes a comma at the end, and a layout without any qualifier.
     const std::size_t open = inside.find('('), last = inside.find_last_not_of(" \t\n)");
     if (last != inside.npos && inside[last] == ',') inside[last] = ' ';
     if (inside.find_first_not_of(" \t\n", open + 1) == inside.size() - 1)
@@ -118,7 +118,7 @@ std::vector<Attempt> attempts(const Files& files, const Source& source, const st
 std::string with_entry(const std::string& text, Language language) {
   if (language == Language::hlsl)
     return text + "\nfloat4 brdf_main() : SV_Target { return float4(0.0, 0.0, 0.0, 0.0); }\n";
-  // The body is not empty, so that what globals begin with can be put there.
+  // The body is not empty, so that the initialisers of globals can be moved into it.
   return without_vulkan(text) + "\n#undef main\nvoid main() { float brdf_nothing = 0.0; }\n";
 }
 

@@ -1,4 +1,4 @@
-// What a compiler is given besides the file.
+// The text that a compiler gets in addition to the file.
 #pragma once
 
 #include <string>
@@ -9,32 +9,34 @@
 
 namespace brdf::shader {
 
-// One way of making the text compile.
+// One way to make the text compile.
 struct Attempt {
-  int version;           // of GLSL
-  std::string preamble;  // before the text
-  std::string note;      // a sentence of what it assumes; may be empty
-  bool again = false;    // without the new names of functions that shadow built-in ones
+  int version;           // GLSL version
+  std::string preamble;  // inserted before the text
+  std::string note;      // a sentence on its assumptions; may be empty
+  // Without new names for functions that shadow built-in functions.
+  bool again = false;
 };
 
-// Functions of the files that have the name of a built-in one; `file` is empty for the shader's own.
+// A function of the files with the name of a built-in function; `file` is empty for the shader's own file.
 struct Shadow {
   std::string name, file;
   std::uint32_t line;
 };
+// Returns these functions, each name once.
 std::vector<Shadow> shadowed_builtins(const Files& files);
 
-// What stands before the text in every attempt: the command line's macros among it.
+// Returns the text that precedes the shader in every attempt, including the command line's macros.
 std::string common_preamble(const Source& source);
 
-// In the order in which they are tried: the file's own first.
+// Returns the versions in the order in which they are tried, the file's own version first.
 std::vector<int> versions_of(const Source& source);
 
-// In the order in which they are tried. `whole`: the text after the preprocessor, which has read all the
-// files.
+// Returns the attempts in the order in which they are tried. `whole`: the text after the preprocessor,
+// which must have read all files.
 std::vector<Attempt> attempts(const Files& files, const Source& source, const std::string& whole);
 
-// The text with an entry that a driver could call, at its end.
+// Returns the text with an entry point at its end that a driver could call.
 std::string with_entry(const std::string& text, Language language);
 
 }  // namespace brdf::shader

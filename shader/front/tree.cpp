@@ -11,7 +11,7 @@
 namespace brdf::shader {
 namespace {
 
-// The node of the whole text; null: it has none.
+// The node of the whole text; null if the tree is empty.
 glslang::TIntermAggregate* root_of(glslang::TIntermediate& tree) {
   return tree.getTreeRoot() ? tree.getTreeRoot()->getAsAggregate() : nullptr;
 }

@@ -11,7 +11,7 @@ namespace {
 enum class Of { both, glsl, hlsl };
 
 struct Known {
-  const char *name, *rest;  // "#define NAME" and what follows
+  const char *name, *rest;  // "#define NAME" and the text that follows
   Of of = Of::both;
 };
 
@@ -54,14 +54,14 @@ constexpr Known kKnown[] = {
     {"DotClamped", "(a, b) saturate(dot(a, b))", Of::hlsl},
 };
 
-// What a page of Shadertoy gives every shader.
+// Variables that a Shadertoy page provides to every shader.
 constexpr Known kOfThePage[] = {{"iTime", "float", Of::glsl},
                                 {"iResolution", "vec3", Of::glsl},
                                 {"iMouse", "vec4", Of::glsl},
                                 {"iFrame", "int", Of::glsl},
                                 {"iTimeDelta", "float", Of::glsl}};
 
-// Spellings of older GLSL, and names that a fragment shader has without declaring them.
+// Spellings of older GLSL, and names that a fragment shader may use without a declaration.
 constexpr Known kOldWords[] = {
     {"varying", " in", Of::glsl},
     {"attribute", " in", Of::glsl},
@@ -71,8 +71,8 @@ constexpr Known kOldWords[] = {
     {"textureCubeLod", " textureLod", Of::glsl},
     {"gl_FragColor", " brdf_fragment_colour\nvec4 brdf_fragment_colour;", Of::glsl}};
 
-// The text's words, and those of them that it defines: constants, variables and functions, which stand behind
-// a type or before a value.
+// The words of the text, and the words that it defines: constants, variables and functions. A defined word
+// follows a type or precedes an assigned value.
 struct Words {
   std::set<std::string_view> used = {}, defined = {};
 };
@@ -83,7 +83,7 @@ Words words_of(const std::string& text) {
   const auto is = [&](std::size_t k, std::string_view word) {
     return k < tokens.size() && tokens[k].is(word);
   };
-  const auto types = [&](std::size_t k) {  // may stand before a name that it declares
+  const auto types = [&](std::size_t k) {  // may be the type in front of a declared name
     return is_word(tokens[k].text[0]) && !tokens[k].is("return") && !tokens[k].is("case") &&
            !tokens[k].is("else");
   };

@@ -1,5 +1,5 @@
-// What snippets take from the files around them: constants and one-line functions that everybody writes
-// alike.
+// Definitions that snippets expect from the surrounding files: constants and one-line functions that are
+// written alike everywhere.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ namespace brdf::shader {
 
 struct Usual {
   std::string preamble;            // their definitions
-  std::vector<std::string> names;  // in the order of the list, without words that older GLSL had of its own
+  std::vector<std::string> names;  // in the order of the list, without the words of older GLSL
 };
 
-// Those that the text uses and does not define itself, in its language. `whole`: after the preprocessor, with
-// all that it includes, so that whatever an included file defines, as a macro or as a constant, is not
+// Returns the definitions that the text uses but does not contain, in its language. `whole`: the text after
+// the preprocessor, with all includes, so that a macro or a constant that an included file defines is not
 // defined again.
 Usual usual_of(const std::string& whole, Language language);
 

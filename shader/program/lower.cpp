@@ -20,7 +20,8 @@ bool is_end(std::uint32_t code) {
          code == spv::OpUnreachable;
 }
 
-// The kernels that exported shaders hold (brdf/trace.h), with their operation in scalars that are no float.
+// The kernels that exported shaders contain (brdf/trace.h), with the operations that replace them in
+// scalars other than float.
 struct Kernel {
   const char* name;
   Op op;
@@ -95,7 +96,7 @@ bool Lowering::has_phis(const Frame& frame, Id label) const {
   return !code.empty() && code.front().code == spv::OpPhi;
 }
 
-// What the phis of `to` are when it is reached from `from`: all read before any is written.
+// Sets the phis of `to` for the edge from `from`. All sources are read before any phi is written.
 void Lowering::set_phis(Frame& frame, Id from, Id to) {
   std::vector<std::pair<Slot, std::pair<bool, Slot>>> copies;
   for (const spirv::Instruction& i : frame.blocks.at(to)->code) {
@@ -139,7 +140,7 @@ void Lowering::branch(Frame& frame, const spirv::Block& from, Slot condition, Id
   }
 }
 
-// A switch as a row of comparisons.
+// Lowers a switch to a chain of comparisons.
 void Lowering::choose(Frame& frame, const spirv::Block& from, const spirv::Instruction& i) {
   if (i.words.size() < 2) refuse("a switch is incomplete");
   const Slot selector = scalar(frame, i.words[0]);
@@ -164,7 +165,7 @@ void Lowering::choose(Frame& frame, const spirv::Block& from, const spirv::Instr
 }
 
 void Lowering::leave(Frame& frame, Slots value, bool last) {
-  if (last && frame.returns.empty()) {  // the only way out: what follows the call follows here
+  if (last && frame.returns.empty()) {  // the only exit: the code after the call follows here
     frame.result = std::move(value);
     frame.returned = true;
     return;
@@ -262,7 +263,7 @@ Slots Lowering::call(const spirv::Function& function,
     for (const auto& [stretch, which] : frame.returns)
       program_.stretches[stretch].next[which] = std::uint32_t(program_.stretches.size() - 1);
     if (frame.result.empty() && module_.type(function.type).kind != spirv::Kind::nothing) {
-      frame.result = undefined_value(function.type, Unset::no_return);  // it never returns
+      frame.result = undefined_value(function.type, Unset::no_return);  // the function never returns
     }
   }
   line_ = line;
@@ -270,7 +271,7 @@ Slots Lowering::call(const spirv::Function& function,
   return frame.result;
 }
 
-// The sum of the parts that are the reflectance.
+// The sum of the parts of the reflectance.
 Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
                           const std::map<int, Pointer>& written) {
   std::vector<ResultPart> parts = options_.results;
@@ -309,7 +310,7 @@ Program Lowering::run(const spirv::Function& entry) {
         module_.type(pointer.element).kind != spirv::Kind::opaque)
       global_variable(id);
   }
-  // Globals get their initial values where the driver's entry begins.
+  // Globals get their initial values at the beginning of the driver's entry.
   const auto main = module_.functions.find(module_.entry);
   if (main != module_.functions.end()) call(main->second, {});
   for (const auto& [id, global] : module_.globals)
@@ -343,7 +344,7 @@ Program Lowering::run(const spirv::Function& entry) {
   const Slots returned = call(entry, arguments);
   line_ = entry.line;
   for (const Slot slot : result_of(entry, returned, written)) program_.results.push_back(slot);
-  // In slots of their own, so that they are there whatever way was taken.
+  // The results get slots of their own, so that they are set on every path.
   for (Slot& slot : program_.results) slot = emit(Op::copy, slot);
   end_stretch(End::stop);
   return std::move(program_);
@@ -354,7 +355,7 @@ Program lower(const spirv::Module& module, const spirv::Function& entry, const L
     Program program = Lowering(module, options).run(entry);
     remove_unused(program);
     return program;
-  } catch (const std::out_of_range&) {  // an operand that is not there: no compiler writes that
+  } catch (const std::out_of_range&) {  // an operand is missing, which no compiler produces
     throw InputError("SPIR-V: an instruction is incomplete");
   }
 }

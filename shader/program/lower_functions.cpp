@@ -1,4 +1,5 @@
-// GLSL's own functions (GLSL.std.450), the geometric ones as the formulas that define them.
+// GLSL's built-in functions (GLSL.std.450). The geometric functions are expanded to the formulas that
+// define them.
 #include <glslang/SPIRV/GLSL.std.450.h>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ Slots Lowering::scaled(const Slots& a, Slot by) {
   return out;
 }
 
-// What the slot holds, where that is a constant and a whole number from 1 to 16; else 0.
+// The content of the slot if it is a constant whole number from 1 to 16; otherwise 0.
 std::uint32_t Lowering::whole_exponent(Slot slot) const {
   const auto constant = std::find_if(program_.constants.begin(), program_.constants.end(),
                                      [&](const Program::Constant& c) { return c.slot == slot; });
@@ -97,7 +98,7 @@ Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
       if (operands[operand].size() != operands[0].size()) refuse("a value has two types");
       return operands[operand][k];
     };
-    // Each half of a clamp is an operation of its own; the upper one keeps the lower limit (Step::c).
+    // A clamp becomes two operations; the upper one also refers to the slot of the lower limit (Step::c).
     if (operands.size() == 3 && which != GLSLstd450FMix && which != GLSLstd450SmoothStep &&
         which != GLSLstd450Fma) {
       const auto [least, most] = found->second == Op::clamp  ? std::pair(Op::max, Op::min)

@@ -1,4 +1,4 @@
-// Arithmetic, comparisons, conversions: component by component.
+// Arithmetic, comparisons and conversions, component by component.
 #include <glslang/SPIRV/spirv.hpp>
 
 #include <map>
@@ -62,7 +62,7 @@ const std::map<std::uint32_t, Op>& plain_operations() {
   return map;
 }
 
-// Comparisons that are others with the operands exchanged.
+// Comparisons that are replaced by others with the operands exchanged.
 const std::map<std::uint32_t, Op>& exchanged_operations() {
   static const std::map<std::uint32_t, Op> map{{spv::OpFOrdGreaterThan, Op::less},
                                                {spv::OpFUnordGreaterThan, Op::less_or},
@@ -88,8 +88,8 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
     case spv::OpLoopMerge:
     case spv::OpImageTexelPointer:
       return;
-    case spv::
-        OpPhi: {  // its slots are written where the branch is; of a way that is never taken there may be none
+    // The slots of a phi are written at the branches. If an edge is never taken, they may not exist yet.
+    case spv::OpPhi: {
       Slots& slots = frame.values.try_emplace(i.result, i.type, Slots{}).first->second.second;
       if (slots.empty())
         for (const bool integer : std::vector<bool>(kinds(i.type)))

@@ -1,4 +1,4 @@
-// Constants, variables, pointers and composites: what costs nothing in a flattened program.
+// Constants, variables, pointers and composites, which cost no operations in a flattened program.
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -13,7 +13,8 @@ namespace {
 
 using spirv::Kind;
 
-// The shortest decimal that gives the float: what the source said, in every other scalar.
+// Returns, in double, the shortest decimal number that rounds to this float. This is the number that the
+// source contains; all scalars other than float use it.
 double as_written(std::uint32_t bits) {
   const float value = std::bit_cast<float>(bits);
   char digits[32];
@@ -57,7 +58,7 @@ Lowering::Variable& Lowering::new_variable(Id type) {
   return v;
 }
 
-// Gives the variable a value from outside, one input for each number, vector or member of a struct.
+// Declares the variable as an input, with one Input for each number, vector or member of a struct.
 void Lowering::make_input(Variable& variable, Id type, const std::string& name, int argument,
                           std::size_t offset) {
   const spirv::Type& t = module_.type(type);
@@ -148,7 +149,8 @@ Slots Lowering::constant(Id id) {
     case spv::OpConstantComposite:
     case spv::OpSpecConstantComposite:
       for (const Id part : i.words) {
-        if (part >= id) refuse("a constant holds itself");  // parts are declared before, with smaller numbers
+        // Parts are declared earlier, with smaller numbers.
+        if (part >= id) refuse("a constant holds itself");
         const Slots inner = constant(part);
         out.insert(out.end(), inner.begin(), inner.end());
       }
@@ -220,7 +222,7 @@ Lowering::Pointer Lowering::chain(Frame& frame, const spirv::Instruction& i) {
     }
     if (t.kind != Kind::vector && t.kind != Kind::matrix && t.kind != Kind::array)
       refuse("indexes what has no elements");
-    // Outside the array the interpreter takes the last element; no language promises that.
+    // Outside the array the interpreter takes the last element; no language guarantees that.
     const Slot index = emit(Op::index, scalar(frame, i.words[k]), integer_constant(t.count - 1));
     const Slot by = emit(Op::imul, index, integer_constant(std::uint32_t(module_.scalars(t.element))));
     p.index = p.index ? emit(Op::iadd, *p.index, by) : by;
@@ -303,8 +305,9 @@ Slots Lowering::undefined_value(Id type, Unset why) {
   return out;
 }
 
-// Gives each scalar the slot that stands for no value, so that a run never reads what an earlier run left
-// there. Of longer arrays the slots themselves count as unwritten (shader/undefined.h).
+// Assigns the slot for undefined values to each scalar, so that a run never reads a value that an earlier
+// run left. For arrays with more than 1024 scalars, the slots themselves count as unwritten
+// (shader/undefined.h).
 void Lowering::clear(Variable& v, Unset why) {
   constexpr std::size_t kMost = 1024;
   for (std::size_t k = 0; k < v.integer.size() && v.integer.size() <= kMost; ++k)
@@ -316,7 +319,7 @@ void Lowering::set_zero(Variable& v) {
     remember(v, k, v.integer[k] ? integer_constant(0) : number_constant(0), false);
 }
 
-// Instructions that only rename scalars.
+// Handles instructions that only rename scalars.
 std::optional<Slots> Lowering::composite(Frame& frame, const spirv::Instruction& i) {
   const std::span<const std::uint32_t> words(i.words);
   const auto of = [&](std::size_t k) {

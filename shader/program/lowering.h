@@ -1,4 +1,4 @@
-// The work of lower(): one pass over the code from the entry on, with calls inlined.
+// Implements lower(): one pass over the code from the entry function, with calls inlined.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ using Slot = std::uint32_t;
 using Slots = std::vector<Slot>;
 using spirv::Id;
 
-// What a source line says of itself when it is refused.
+// Returns "line 12: ", the prefix of error messages; empty if the line is unknown.
 std::string at_line(std::uint32_t line);
 
 class Lowering {
@@ -24,16 +24,16 @@ class Lowering {
   Program run(const spirv::Function& entry);
 
  private:
-  // Scalars in memory: number k of the value is slot numbers + k or integers + k, by its kind.
+  // Scalars in memory. Number k of the value is slot numbers + k or integers + k, depending on its kind.
   struct Variable {
     Slot numbers = 0, integers = 0;
-    std::vector<bool> integer = {};          // of each scalar
+    std::vector<bool> integer = {};          // for each scalar
     std::map<std::size_t, Slot> known = {};  // in this stretch: slots that hold the value of a scalar
-    std::set<std::size_t> unwritten = {};    // of those: not yet in the variable's own slots
+    std::set<std::size_t> unwritten = {};    // subset of `known` that is not yet in the variable's own slots
   };
   struct Pointer {
     Variable* to = nullptr;
-    Id type = 0;  // of what it points at
+    Id type = 0;  // of the object that it points to
     std::size_t offset = 0;
     std::optional<Slot> index = {};  // an integer that is added to the offset
   };
@@ -42,7 +42,7 @@ class Lowering {
     const spirv::Function* function = nullptr;
     std::map<Id, std::pair<Id, Slots>> values = {};  // type and slots
     std::map<Id, Pointer> pointers = {};
-    std::map<Id, std::uint32_t> stretch_of = {};  // of a label
+    std::map<Id, std::uint32_t> stretch_of = {};  // stretch of each label
     std::map<Id, const spirv::Block*> blocks = {};
     struct Jump {
       std::uint32_t stretch;
@@ -50,12 +50,13 @@ class Lowering {
       Id label;
     };
     std::vector<Jump> jumps = {};
-    std::vector<std::pair<std::uint32_t, int>> returns = {};  // jumps to what follows the call
-    Slots result = {};  // where returns leave the value, if there are several
+    std::vector<std::pair<std::uint32_t, int>> returns = {};  // jumps to the code after the call
+    // The slots to which the returns copy the value, if there are several returns.
+    Slots result = {};
     bool returned = false;
   };
 
-  // lower.cpp: control
+  // lower.cpp: control flow
   Slots call(const spirv::Function& function,
              const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
   Slots result_of(const spirv::Function& entry, const Slots& returned, const std::map<int, Pointer>& written);
@@ -93,7 +94,7 @@ class Lowering {
   Slots undefined_value(Id type, Unset why);
   void write_back(Variable& variable);
   void remember(Variable& variable, std::size_t k, Slot slot, bool written);
-  // The first scalar of a part of a composite, and the part's type.
+  // Returns the index of the first scalar of a part of a composite, and the part's type.
   std::pair<std::size_t, Id> part(Id type, std::span<const std::uint32_t> path);
   std::optional<Slots> composite(Frame& frame, const spirv::Instruction& i);
 
@@ -103,7 +104,7 @@ class Lowering {
   Slots matrix(Frame& frame, const spirv::Instruction& i);
   Slots convert(Frame& frame, const spirv::Instruction& i);
   Slots select(Frame& frame, const spirv::Instruction& i);
-  // lower_functions.cpp: GLSL's own
+  // lower_functions.cpp: GLSL's built-in functions
   Slots function(Frame& frame, const spirv::Instruction& i);
   Slots geometric(Frame& frame, const spirv::Instruction& i, std::uint32_t which);
   std::uint32_t whole_exponent(Slot slot) const;
@@ -120,10 +121,10 @@ class Lowering {
   std::map<Id, std::vector<bool>> kinds_;
   std::vector<std::unique_ptr<Variable>> variables_;
   std::map<Id, Variable*> globals_;
-  std::vector<Variable*> touched_;  // those with known values in this stretch
+  std::vector<Variable*> touched_;  // variables with known values in this stretch
   std::map<std::uint64_t, Slot> number_constants_;
   std::map<std::uint32_t, Slot> integer_constants_;
-  // What this stretch has computed.
+  // Results of the operations in this stretch.
   std::map<std::tuple<Op, Slot, Slot, Slot>, Slot> computed_;
   std::uint32_t line_ = 0;
   std::size_t steps_ = 0;

@@ -1,6 +1,6 @@
-// The one table of operations: what each reads and writes, how GLSL writes it, and what it compares. The
-// interpreter (shader/run) and the enclosures (prove/shader) have a case for each, without a default, so that
-// a new one fails to compile there.
+// The table of all operations: their operands and result, their form in GLSL, and the comparison that they
+// make. The interpreter (shader/run) and the enclosures (prove/shader) have a case for each operation and
+// no default, so that a new operation does not compile there until it is handled.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,25 @@
 namespace brdf::shader {
 
 struct Operation {
-  // load: slots a to a + c - 1 are read; store: r to r + c - 1 are written.
+  // load: slots a to a + c - 1 are read. store: slots r to r + c - 1 are written.
   enum class Access { one, load, store };
   enum class Compares { no, equal, not_equal, less, less_equal };
 
   Op op;
-  std::string_view operands;  // a, b and c: x, a number, or i, an integer
-  char result;                // the same
-  // The right side in GLSL: A, B, C stand for the operands as they are in the bank, a, b, c for integers read
-  // as signed. Empty: it has none of one expression.
+  std::string_view operands;  // kinds of a, b and c: x is a number, i an integer
+  char result;                // kind of the result, x or i
+  // The right side in GLSL. A, B, C represent the operands as stored in the bank; a, b, c represent
+  // integers read as signed. Empty if the operation is not a single expression.
   const char* glsl;
   Access access = Access::one;
-  Compares compares = Compares::no;  // two numbers
+  Compares compares = Compares::no;  // of two numbers
 
   constexpr int count() const { return int(operands.size()); }
   constexpr bool reads_integer(int k) const { return operands[std::size_t(k)] == 'i'; }
   constexpr bool writes_integer() const { return result == 'i'; }
   constexpr bool loads() const { return access == Access::load; }
   constexpr bool stores() const { return access == Access::store; }
-  // Numbers to a number.
+  // Returns whether the operation takes only numbers and gives a number.
   constexpr bool of_numbers() const { return result == 'x' && operands.find('i') == operands.npos; }
   constexpr std::uint32_t slots_written(const Step& step) const { return stores() ? step.c : 1; }
 };

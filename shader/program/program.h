@@ -1,6 +1,6 @@
-// A shader's function, flattened: calls inlined, vectors taken apart, every value in a numbered slot. What
-// remains are blocks of operations on single numbers, which an interpreter runs over any scalar (shader/run)
-// and which can be written as GLSL again.
+// A flattened function of a shader: calls are inlined, vectors are split into components, and every value
+// has a numbered slot. The program consists of blocks of operations on single numbers. An interpreter runs
+// it in any scalar (shader/run), and it can be written as GLSL.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace brdf::shader {
 
-// Numbers and integers (with booleans, as 0 and 1) have slots of their own. Comments name the operands a, b,
-// c and the result r.
+// Numbers and integers (including booleans, as 0 and 1) have separate slots. In the comments, a, b, c are
+// the operands and r is the result.
 enum class Op : std::uint8_t {
   // numbers to a number
   copy,
@@ -53,12 +53,12 @@ enum class Op : std::uint8_t {
   step,
   smoothstep,
   fma,
-  // The library's own kernels, by their meaning (log1p and angle have two operands).
+  // The library's own kernels (log1p and angle have two operands).
   log1p,
   erfcx,
   angle,
   select,  // r = integer a ? number b : number c
-  // numbers to an integer; _or: true as well where one is no number
+  // numbers to an integer; _or: also true if an operand is NaN
   equal,
   not_equal,
   less,
@@ -103,27 +103,25 @@ enum class Op : std::uint8_t {
   imax,
   umin,
   umax,
-  index,  // r = min(a, b), b the last element; a above b is outside the array
+  index,  // r = min(a, b), with b the last element; a above b is outside the array
   iabs,
   isign,
   iselect,
   logical_not,
-  // r = slot a + number of integer b, which is below c; and the other way: slot r + integer b becomes a
+  // load: r = slot a + integer b, with b below c; store: slot r + integer b = a
   load_number,
   load_integer,
   store_number,
   store_integer,
-  count  // of them: no operation
+  count  // number of operations, not an operation
 };
 
 struct Step {
   Op op;
-  std::uint32_t
-      r = 0,
-      a = 0, b = 0,
-      c = 0;  // of a pow: its exponent, where that is a constant from 1 to 16; of a min (imin, umin) that ends a
-              // clamp: the slot of the lower limit, and 1
-  std::uint32_t line = 0;  // of the source, from 1; 0: unknown
+  // c of a pow: its exponent, if the exponent is a constant from 1 to 16. c of a min (imin, umin) that ends
+  // a clamp: the slot of the lower limit plus 1.
+  std::uint32_t r = 0, a = 0, b = 0, c = 0;
+  std::uint32_t line = 0;  // of the source, starting at 1; 0: unknown
 };
 
 enum class End : std::uint8_t { jump, branch, stop };
@@ -131,27 +129,27 @@ enum class End : std::uint8_t { jump, branch, stop };
 struct Stretch {
   std::vector<Step> steps = {};
   End end = End::stop;
-  std::uint32_t condition = 0;     // integer slot, of a branch
-  std::uint32_t line = 0;          // of the source, where it ends
-  std::uint32_t next[2] = {0, 0};  // stretches: next[0] where the condition is true
+  std::uint32_t condition = 0;     // integer slot, for a branch
+  std::uint32_t line = 0;          // line of the source at which the stretch ends
+  std::uint32_t next[2] = {0, 0};  // next stretches; next[0] if the condition is true
 };
 
-// A slot of the function's arguments and globals, to be filled before each run.
+// Slots of an argument or a global variable of the function, to be filled before each run.
 struct Input {
   std::string name;  // of the argument or global; members as in the source: "material.roughness"
   std::string type;  // float, vec2, vec3, vec4, int, bool, or float[4], mat3
   std::vector<std::uint32_t> slots = {};
-  bool integer = false;  // slots of integers
-  int argument = -1;     // its place among the arguments; -1: a uniform, an input or a global variable
+  bool integer = false;  // the slots are integer slots
+  int argument = -1;     // position among the arguments; -1: a uniform, an input or a global variable
 };
 
-// Why a slot holds no defined value.
+// The reason why a slot has no defined value.
 enum class Unset : std::uint8_t { variable, no_return };
 
 struct Program {
-  // The first is where it starts; later ones never lead into the middle of earlier ones but by loops.
+  // Execution starts at the first stretch. Apart from loops, a stretch leads only to later stretches.
   std::vector<Stretch> stretches;
-  std::uint32_t numbers = 0, integers = 0;  // slots
+  std::uint32_t numbers = 0, integers = 0;  // number of slots
   struct Constant {
     std::uint32_t slot;
     double value;
@@ -161,7 +159,7 @@ struct Program {
   };
   std::vector<Constant> constants = {};
   std::vector<IntegerConstant> integer_constants = {};
-  // Slots that stand for a value which the language does not define. They hold 0 and are never written.
+  // Slots for values that the language does not define. They contain 0 and are never written.
   struct Undefined {
     std::uint32_t slot;
     bool integer;
@@ -169,10 +167,11 @@ struct Program {
   };
   std::vector<Undefined> undefined = {};
   std::vector<Input> inputs = {};
-  std::uint32_t line = 0;                   // of the source, where the function begins; 0: unknown
-  std::vector<std::uint32_t> results = {};  // number slots: one, or three
-  bool takes_bits = false;  // operates on the bits of a float: in other scalars on those of its float value
-  bool loops = false;       // some stretch leads back
+  std::uint32_t line = 0;                   // line of the source at which the function begins; 0: unknown
+  std::vector<std::uint32_t> results = {};  // number slots: one or three
+  // Operates on the bits of a float; other scalars use the bits of their value rounded to float.
+  bool takes_bits = false;
+  bool loops = false;  // some stretch leads back
 
   std::size_t size() const {
     std::size_t sum = 0;

@@ -1,4 +1,4 @@
-// Which operations a program's results need.
+// Finds the operations that a program's results need.
 #include <algorithm>
 
 #include "io/files/error.h"
@@ -8,7 +8,7 @@
 namespace brdf::shader {
 namespace {
 
-// Slots that somebody reads later: numbers, then integers.
+// Slots that are read later: numbers, then integers.
 class Live {
  public:
   explicit Live(const Program& program)
@@ -16,7 +16,7 @@ class Live {
   bool has(bool integer, std::uint32_t slot) const { return bits_[index(integer, slot)]; }
   void add(bool integer, std::uint32_t slot) { bits_[index(integer, slot)] = true; }
   void remove(bool integer, std::uint32_t slot) { bits_[index(integer, slot)] = false; }
-  // True where that added something.
+  // Returns whether a slot was added.
   bool merge(const Live& other) {
     bool more = false;
     for (std::size_t k = 0; k < bits_.size(); ++k)
@@ -30,7 +30,7 @@ class Live {
   std::vector<bool> bits_;
 };
 
-// Goes backward over a stretch; `keep` is told of each step whether it is needed.
+// Goes backward over a stretch and calls keep(k, needed) for each step.
 template <class Keep>
 void backward(const Stretch& stretch, Live& live, Keep&& keep) {
   if (stretch.end == End::branch) live.add(true, stretch.condition);

@@ -1,7 +1,7 @@
-// GLSL's elementary functions for every scalar. float: the result in double, rounded, which is the correctly
-// rounded one but for about one argument in 1e8. double: the standard library's. Dual: the chain rule.
-// Anything else (50 digits, an interval): the type's own functions, found by argument-dependent lookup; a
-// scalar that spells them otherwise specialises Functions.
+// GLSL's elementary functions for every scalar. float: the result in double, rounded to float, which is
+// correctly rounded except for about one argument in 1e8. double: the functions of the standard library.
+// Dual: the chain rule. Other types (50 digits, an interval): the type's own functions, found by
+// argument-dependent lookup. A scalar with other names for these functions specialises Functions.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@
 
 namespace brdf::shader {
 
-// Of double and of types that have their own.
+// For double and for types with functions of their own.
 template <class T>
 struct OwnFunctions {
   static T number(double x) { return T(x); }
@@ -80,7 +80,8 @@ struct OwnFunctions {
   }
   static T exp2(const T& x) { return exp(x * T(0.69314718055994530942)); }
   static T log2(const T& x) { return log(x) / T(0.69314718055994530942); }
-  // Of a base below 0 GLSL leaves it undefined, and drivers give NaN; so does this, whatever the exponent.
+  // For a base below 0 GLSL leaves pow undefined, and drivers give NaN. This function gives NaN for every
+  // exponent.
   static T pow(const T& x, const T& y) {
     using std::pow;
     return x < T(0) ? T(std::numeric_limits<double>::quiet_NaN()) : pow(x, y);
@@ -96,12 +97,12 @@ struct OwnFunctions {
 template <class T>
 struct Functions : OwnFunctions<T> {};
 
-// The processor's extended type has no kernels of its own.
+// The processor's extended type, for which the library has no kernels.
 template <>
 struct Functions<long double> : OwnFunctions<long double> {
   using T = long double;
   static T log1p(const T& x, const T& rest) { return std::log1p(x + rest); }
-  // Beyond 100 exp(x^2) overflows.
+  // Beyond x = 100 exp(x^2) may overflow, so the asymptotic value is used.
   static T erfcx(const T& x) {
     constexpr T kRootPi = 1.7724538509055160273L;
     return x > 100 ? 1 / (x * kRootPi) : std::exp(x * x) * std::erfc(x);
@@ -113,7 +114,7 @@ template <>
 struct Functions<float> {
   static float number(double x) { return float(x); }
   static float sqrt(float x) { return std::sqrt(x); }
-  // By the library's kernels in double, which vectorise.
+  // Uses the library's kernels in double, which can be vectorised.
   static double wide_log(float x) {
     const double y = math::log(double(x));
     return x > 0             ? (x > std::numeric_limits<float>::max() ? double(x) : y)
@@ -148,7 +149,8 @@ struct Functions<float> {
   static float from_bits(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 };
 
-// A value and a slope make a dual; slopes without limit are held at a large number, so that a fit can go on.
+// A value and a slope make a dual number. Infinite slopes are limited to a large number, so that a fit can
+// continue.
 template <class B, int N>
 struct Functions<Dual<B, N>> {
   using T = Dual<B, N>;

@@ -1,7 +1,7 @@
-// Runs a flattened program over any scalar, W pairs of directions at a time.
+// Runs a flattened program in any scalar, W pairs of directions at a time.
 //
-// Where all lanes go the same way a step is one loop over W; where they part, the lanes that are least far
-// are run until they meet the others again, which structured code does.
+// While all lanes take the same path, a step is one loop over W. When the lanes diverge, the lanes that are
+// furthest behind run until they meet the others again, as they do in structured code.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 
 namespace brdf::shader {
 
-// A loop that does not end: thrown where an evaluation takes more steps than allowed. Who filled the bank
-// adds what it was told.
+// A loop that does not end: thrown if an evaluation takes more steps than allowed. The caller that filled
+// the bank adds the inputs.
 struct EndlessLoop {
   std::uint32_t line;
   int lane;
@@ -24,13 +24,13 @@ struct EndlessLoop {
   std::array<double, 3> wi = {}, wo = {};
 };
 
-constexpr std::size_t kMostStepsRun = 200'000;  // of one evaluation
+constexpr std::size_t kMostStepsRun = 200'000;  // per evaluation
 
 namespace detail {
 
-// The steps of a stretch, compiled for each generation of the CPU where lanes are plain numbers. Of other
-// scalars g++ leaves the operations out of the clones, and each call between code of two generations costs
-// some 100 ns.
+// Runs the steps of a stretch, compiled for each CPU generation if lanes are plain numbers. For other
+// scalars g++ does not inline the operations into the clones, and each call between code for two
+// generations costs about 100 ns.
 template <class T, int W>
 BRDF_CLONES void run_clone(const Step* steps, std::size_t count, Bank<T, W>& bank) {
   for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
@@ -49,8 +49,8 @@ void run_some(const Step* steps, std::size_t count, Bank<T, W>& bank, const Some
 
 }  // namespace detail
 
-// Runs the program from its start in the first `lanes` lanes; inputs are in the bank, results are there
-// after. `watch` sees every step before and after: watch(step) of one lane. Throws EndlessLoop.
+// Runs the program from its start in the first `lanes` lanes. The inputs must be in the bank; afterwards
+// the bank contains the results. Throws EndlessLoop.
 template <class T, int W>
 void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t most_steps = kMostStepsRun) {
   std::array<std::uint32_t, W> at{};  // each lane's stretch
@@ -58,7 +58,7 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   constexpr std::uint32_t kDone = ~0u;
   for (int l = lanes; l < W; ++l) at[std::size_t(l)] = kDone;
   std::size_t taken = 0;
-  const std::size_t most = most_steps * (W > 1 ? std::size_t(4) : 1);  // lanes that part take turns
+  const std::size_t most = most_steps * (W > 1 ? std::size_t(4) : 1);  // divergent lanes take turns
   for (;;) {
     const std::uint32_t here = *std::min_element(at.begin(), at.end());
     if (here == kDone) return;
@@ -68,7 +68,7 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
     const Stretch& stretch = program.stretches[here];
     taken += stretch.steps.size() + 1;
     if (taken > most) throw EndlessLoop{stretch.line, active[0], {}, {}, {}};
-    // Lanes beyond the last are computed along: nobody reads them.
+    // Unused lanes are computed as well; their results are not read.
     if (count == lanes)
       detail::run_all(stretch.steps.data(), stretch.steps.size(), bank);
     else
@@ -81,8 +81,8 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   }
 }
 
-// One lane, step by step: watch(step) is called after each, with its operands still in the bank (but for a
-// step that overwrites one), and end(stretch) where a stretch ends.
+// Runs one lane step by step. Calls watch(step) after each step, with the step's operands still in the bank
+// (unless the step overwrites one), and at_end(stretch) at the end of each stretch. Throws EndlessLoop.
 template <class T, class Watch, class AtEnd>
 void run_watched(const Program& program, Bank<T, 1>& bank, Watch&& watch, std::size_t most_steps,
                  AtEnd&& at_end) {

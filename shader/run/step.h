@@ -1,4 +1,4 @@
-// One operation of a program in some lanes: what each operation does.
+// Executes one operation of a program in some lanes; defines the effect of each operation.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace brdf::shader {
 
-// All lanes, or some.
+// All lanes, or a subset.
 template <int W>
 struct AllLanes {
   template <class Body>
@@ -47,7 +47,7 @@ class Bank {
   T* number(std::uint32_t slot) { return numbers_.data() + std::size_t(slot) * W; }
   std::uint32_t* integer(std::uint32_t slot) { return integers_.data() + std::size_t(slot) * W; }
   const T* number(std::uint32_t slot) const { return numbers_.data() + std::size_t(slot) * W; }
-  // The same in all lanes.
+  // Sets the same value in all lanes.
   void set(std::uint32_t slot, const T& value) { std::fill_n(number(slot), W, value); }
   void set_integer(std::uint32_t slot, std::uint32_t value) { std::fill_n(integer(slot), W, value); }
 
@@ -58,7 +58,7 @@ class Bank {
 
 namespace detail {
 
-// Towards zero; beyond the integers the nearest of them, and 0 of a NaN.
+// Rounds towards zero. Values outside the integer range give the nearest integer; NaN gives 0.
 inline std::uint32_t to_integer(double v, Op to) {
   const double least = to == Op::to_signed ? -2147483648.0 : 0,
                most = to == Op::to_signed ? 2147483647.0 : 4294967295.0;
@@ -84,8 +84,9 @@ T round_half_even(const T& x) {
   return up ? down + T(1.0) : down;
 }
 
-// Powers by products in double, which round to the same float as exp of log but for one in 1e8, in a fifth of
-// the time. No number of a base below 0, as Functions has it.
+// Powers by repeated products in double. They round to the same float as the exponential of the logarithm,
+// except for about one argument in 1e8, and take a fifth of the time. The result is NaN for a base below 0,
+// as in Functions.
 inline float rounded_power(float x, double power) {
   return x > 0 ? float(power) : x == 0 ? 0.0f : std::numeric_limits<float>::quiet_NaN();
 }
@@ -105,7 +106,7 @@ void whole_power(float* r, const float* x, std::uint32_t exponent, const SomeLan
   lanes([&](int l) { whole_power<1>(r + l, x + l, exponent, AllLanes<1>{}); });
 }
 
-// One step in the lanes given. Numbers: r, a, b, c. Integers: ri, ai, bi, ci.
+// Executes one step in the given lanes. Numbers: r, a, b, c. Integers: ri, ai, bi, ci.
 template <class T, int W, class Lanes>
 [[gnu::always_inline]] inline void run_step(const Step& s, Bank<T, W>& bank, const Lanes& lanes) {
   using F = Functions<T>;
@@ -222,7 +223,7 @@ template <class T, int W, class Lanes>
       return unary([](const T& a) { return F::erfcx(a); });
     case Op::angle:
       return binary([](const T& a, const T& b) { return F::angle(a, b); });
-    // By GLSL's definition: where an operand is no number, the first one.
+    // As GLSL defines them: if an operand is NaN, the result is the first operand.
     case Op::min:
       return binary([](const T& a, const T& b) { return pick(b < a, b, a); });
     case Op::max:

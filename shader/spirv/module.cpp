@@ -34,7 +34,7 @@ class Parser {
     if (k >= w.size()) fail("an instruction is too short");
     return w[k];
   }
-  // What stands from word k on.
+  // The string that begins at word k.
   static std::string text(Words w, std::size_t k) {
     if (k > w.size()) fail("an instruction is too short");
     std::string out;
@@ -84,13 +84,14 @@ class Parser {
       global(code, w);
   }
 
-  // Whether that string is the file whose lines are told.
+  // Whether this string is the file with the recorded lines.
   bool is_own(Id file) const {
     const auto found = files_.find(file);
     return own_.empty() || found == files_.end() || found->second.empty() || found->second == own_;
   }
 
-  // DebugLine says where the next instructions stand, by a constant's id, in a file that DebugSource says.
+  // DebugLine gives the line of the next instructions, as the id of a constant, and the file, as the id of
+  // a DebugSource.
   void debug(Words w) {
     constexpr std::uint32_t kDebugSource = 35, kDebugLine = 103;
     if (word(w, 3) == kDebugSource) sources_[w[1]] = word(w, 4);
@@ -216,7 +217,7 @@ class Parser {
     }
   }
 
-  // "brdf(vf3;vf3;" is what the compiler makes of the source's brdf.
+  // The compiler turns the source's brdf into "brdf(vf3;vf3;".
   std::string name_of(Id id) const {
     const auto found = module_.names.find(id);
     if (found == module_.names.end()) return "";
@@ -226,11 +227,11 @@ class Parser {
   Words words_;
   const std::string& own_;
   std::map<Id, std::string> files_;
-  std::map<Id, Id> sources_;  // their files
+  std::map<Id, Id> sources_;  // the file of each source
   Module module_;
   Function* function_ = nullptr;
   std::uint32_t line_ = 0;
-  Id debug_ = 0;  // of the set of debug instructions
+  Id debug_ = 0;  // id of the set of debug instructions
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A SPIR-V module as compilers write it, read into tables. Nothing in it is trusted: every id, length and
+// Reads a SPIR-V module, as compilers write it, into tables. The input is not trusted: every id, length and
 // type is checked.
 #pragma once
 
@@ -30,16 +30,16 @@ struct Type {
   Kind kind = Kind::none;
   bool is_signed = false;
   Id element = 0;           // of a vector, matrix, array or pointer
-  std::uint32_t count = 0;  // elements of a vector, columns of a matrix, length of an array
+  std::uint32_t count = 0;  // number of elements of a vector, columns of a matrix, length of an array
   std::vector<Id> members = {};
   std::uint32_t storage = 0;  // of a pointer
 };
 
 struct Instruction {
   std::uint32_t code = 0;
-  Id type = 0, result = 0;                // 0 where it has none
-  std::vector<std::uint32_t> words = {};  // what follows those
-  std::uint32_t line = 0;                 // of the source, from 1; 0: unknown
+  Id type = 0, result = 0;                // 0 if there is no type or no result
+  std::vector<std::uint32_t> words = {};  // the words after type and result
+  std::uint32_t line = 0;                 // of the source, starting at 1; 0: unknown
 };
 
 struct Block {
@@ -48,14 +48,14 @@ struct Block {
 };
 
 struct Function {
-  Id id = 0, type = 0;    // its return type
-  std::string name = {};  // as the source has it
+  Id id = 0, type = 0;    // type: the return type
+  std::string name = {};  // the name in the source
   std::vector<Id> parameters = {}, parameter_types = {};
   std::vector<Block> blocks = {};
   std::uint32_t line = 0;
 };
 
-// A constant's or a variable's declaration.
+// The declaration of a constant or a variable.
 struct Global {
   Instruction instruction;
   bool variable = false;
@@ -67,20 +67,24 @@ struct Module {
   std::map<Id, Function> functions;
   std::map<Id, std::string> names;
   std::map<Id, std::map<std::uint32_t, std::string>> member_names;
-  Id entry = 0;     // of the function that a driver would call
-  Id extended = 0;  // the set of GLSL's functions
+  Id entry = 0;     // id of the function that a driver would call
+  Id extended = 0;  // id of the set of GLSL's built-in functions
 
+  // Returns the type with this id. Throws InputError if the type is not declared.
   const Type& type(Id id) const;
-  // How many scalars a value of that type has. Throws InputError on types that have none, and on huge ones.
+  // Returns the number of scalars in a value of this type. Throws InputError for types without scalars and
+  // for very large types.
   std::size_t scalars(Id type) const;
+  // Returns the name in the module; empty if the module gives no name.
   std::string name(Id id) const;
-  // A type in GLSL's words, for messages: "vec3", "uvec2", "float[4]", a struct's own name, "void".
+  // Returns the GLSL name of a type, for messages: "vec3", "uvec2", "float[4]", a struct's own name,
+  // "void".
   std::string spelled(Id type) const;
 };
 
-// Lines are those of the file `own`: what stands in another one has none, nor has it a line where `own` is
-// not given and the module says nothing. Throws InputError where it is no module, or one of which something
-// is left open.
+// Reads a module. Line numbers refer to the source file `own`: instructions from other files get line 0. If
+// `own` is empty, lines of all files are kept. An instruction for which the module gives no line gets line
+// 0, too. Throws InputError if the words are not a module, or if the module is incomplete.
 Module parse(std::span<const std::uint32_t> words, const std::string& own = "");
 
 }  // namespace brdf::shader::spirv

@@ -6,7 +6,7 @@
 namespace brdf::shader::spirv {
 namespace {
 
-// By their numbers in GLSL.std.450, from 1.
+// By their numbers in GLSL.std.450, starting at 1.
 constexpr std::array<std::string_view, 82> kNamesOfFunctions{"",
                                                              "round",
                                                              "roundEven",

@@ -1,4 +1,4 @@
-// What the functions of GLSL's own set are called in GLSL.
+// The GLSL names of the functions in the set GLSL.std.450.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace brdf::shader::spirv {
 
-// "inverse" of 34; a number that the set does not have is "number 99".
+// Returns "inverse" for 34, and "number 99" for 99, which is not in the set.
 std::string function_name(std::uint32_t number);
 
 }  // namespace brdf::shader::spirv

@@ -1,5 +1,6 @@
-// Directional albedo of GGX with Smith's correlated masking and Schlick's Fresnel, E = f0 A + (1 - f0) B with
-// A the albedo at F = 1 and B that of the fifth power: cheaper than integrating.
+// Approximations of the directional albedo of GGX with Smith's correlated masking and Schlick's Fresnel
+// term: E = f0 A + (1 - f0) B, with A the albedo at F = 1 and B the albedo at F = (1 - cos_d)^5. They are
+// cheaper than integration.
 #pragma once
 
 #include <memory>
@@ -27,7 +28,7 @@ inline constexpr auto albedo_materialx = []<class T>(const CosineRow<T>& row) ->
   return row.f0 * a + b;
 };
 
-// Karis 2014 (physically based shading on mobile): fitted to a table with k = alpha/2 masking.
+// Karis 2014 (physically based shading on mobile): fitted to a table for masking with k = alpha/2.
 inline constexpr auto albedo_karis = []<class T>(const CosineRow<T>& row) -> T {
   const T r = math::sqrt(row.width);
   const T rx = T(1) - r, ry = T(0.0425) - T(0.0275) * r, rz = T(1.04) - T(0.572) * r,
@@ -37,7 +38,7 @@ inline constexpr auto albedo_karis = []<class T>(const CosineRow<T>& row) -> T {
   return row.f0 * (rz - T(1.04) * a004) + (rw + T(1.04) * a004);
 };
 
-// A and B tabulated over (cos, roughness = sqrt(alpha)), node to node, bilinear.
+// A and B tabulated over (cos, roughness = sqrt(alpha)), with nodes at both ends of each axis, bilinear.
 struct albedo_table {
   int size = 0;
   std::shared_ptr<const std::vector<double>> a, b;
@@ -70,8 +71,8 @@ T g2_over_g1(const T& alpha, const T& cos_i, const T& cos_o) {
 }  // namespace detail
 
 // MaterialX's Monte Carlo reference: visible normals at the points of a spherical Fibonacci set.
-// Heitz 2018: the visible normal of the stretched view, from a disk warped along its projection; the sample's
-// weight is F G2/G1.
+// Heitz 2018: the visible normal of the stretched view, from a disk warped along its projection. The weight
+// of a sample is F G2/G1.
 struct albedo_visible_normals {
   int samples;
   template <class T>
@@ -90,7 +91,7 @@ struct albedo_visible_normals {
       const T s = T(0.5) * (T(1) + vz);
       const T t2 = (T(1) - s) * math::sqrt(at_least(T(1) - t1 * t1, T(0))) + s * r * std::sin(phi);
       const T t3 = math::sqrt(at_least(T(1) - t1 * t1 - t2 * t2, T(0)));
-      // The basis of the stretched view: y, (-vz, 0, vx), v.
+      // Basis of the stretched view: y, (-vz, 0, vx), v.
       Vec3<T> h{alpha * (t3 * vx - t2 * vz), alpha * t1, at_least(t3 * vz + t2 * vx, T(0))};
       h = h * (T(1) / math::sqrt(dot(h, h)));
       const T cos_d = at_least(sin_o * h.x + cos_o * h.z, T(1e-6));
@@ -104,8 +105,8 @@ struct albedo_visible_normals {
   }
 };
 
-// Karis 2013: half vectors drawn from D at Hammersley points, as an environment lookup table is made, with
-// Smith's correlated masking in place of his fit.
+// Karis 2013: half vectors drawn from D at Hammersley points, as for an environment lookup table, but with
+// Smith's correlated masking instead of Karis's fit.
 struct albedo_half_vectors {
   int samples;
   template <class T>
@@ -126,7 +127,7 @@ struct albedo_half_vectors {
       const T ci = at_least(cos_i, T(1e-6));
       const auto length = [&](const T& c) { return math::sqrt(alpha2 * (T(1) - c) * (T(1) + c) + c * c); };
       const T visibility = T(0.5) / (cos_o * length(ci) + ci * length(cos_o));
-      // f cos / pdf with pdf = D cos_h/(4 cos_d)
+      // f cos / pdf, with pdf = D cos_h/(4 cos_d).
       const T weight = T(4) * visibility * ci * cos_d / cos_h;
       sum = sum + select(cos_i < T(1e-6), T(0), f * weight);
     }

@@ -26,10 +26,10 @@ inline constexpr auto gaussian_dielectric = []<class T>(const FresnelRow<T>& x) 
   return x.f0 + (T(1) - x.f0) * math::exp(log2 * T(0.69314718055994531));
 };
 
-// No angle at all.
+// Independent of the angle.
 inline constexpr auto constant_dielectric = []<class T>(const FresnelRow<T>& x) -> T { return x.f0; };
 
-// The lookup-texture article's slip.
+// The error of the lookup-texture article.
 inline constexpr auto slipped_dielectric = []<class T>(const FresnelRow<T>& x) -> T {
   return fresnel_dielectric_as_coded(x.n, x.cosine);
 };
@@ -38,15 +38,16 @@ inline constexpr auto exact_conductor = []<class T>(const FresnelRow<T>& x) -> T
   return fresnel_conductor(x.n, x.k, x.cosine);
 };
 
-// Lazanyi and Szirmay-Kalos 2005: Schlick less a c (1 - c)^e, with Hoffman's (2019) choice of e = 6 and a
-// from the exact value at 82 degrees (c = 1/7).
+// Lazanyi and Szirmay-Kalos 2005: Schlick's term minus a c (1 - c)^e, with Hoffman's (2019) choice of e = 6,
+// and a from the exact value at 82 degrees (c = 1/7).
 inline constexpr auto lazanyi_conductor = []<class T>(const FresnelRow<T>& x) -> T {
   const T u = T(1) - x.cosine;
   const T u5 = fifth_power(u);
   return x.f0 + (T(1) - x.f0) * u5 - x.dip * x.cosine * u5 * u;
 };
 
-// Pharr and Humphreys 2004 (first edition): both polarisations with sin^2 dropped against n^2 + k^2.
+// Pharr and Humphreys 2004 (first edition): both polarisations, with sin^2 neglected compared with n^2 +
+// k^2.
 inline constexpr auto simplified_conductor = []<class T>(const FresnelRow<T>& x) -> T {
   const T c = x.cosine, n = x.n, m = square(x.n) + square(x.k), c2 = c * c;
   const T rp = (m * c2 - T(2) * n * c + T(1)) / (m * c2 + T(2) * n * c + T(1));

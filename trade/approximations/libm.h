@@ -1,5 +1,5 @@
-// A scalar whose elementary functions are the C library's: the same forms, other kernels. With long double it
-// is the reference that double is judged by.
+// A scalar with the elementary functions of the C library: the same forms with other kernels. With long
+// double this scalar is the reference for double.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,8 @@ struct Libm {
   friend Libm log1p(Libm x) { return Libm(std::log1p(x.value)); }
   friend Libm sqrt(Libm x) { return Libm(std::sqrt(x.value)); }
   friend Libm atan2(Libm y, Libm x) { return Libm(std::atan2(y.value, x.value)); }
-  // The library has no erfcx; for x <= 10.5 the product stays in double's range, in float's only up to 9.
+  // The C library has no erfcx. For x <= 10.5 the product stays in the range of double; in float only up to
+  // 9.
   friend Libm erfcx(Libm x) { return Libm(std::exp(x.value * x.value) * std::erfc(x.value)); }
 };
 

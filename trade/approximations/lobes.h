@@ -23,7 +23,7 @@ inline constexpr auto spherical_gaussian = []<class T>(const CosineRow<T>& x) ->
 inline constexpr auto schlick_power = []<class T>(const CosineRow<T>& x) -> T {
   return x.cosine / (x.width - x.width * x.cosine + x.cosine);
 };
-// Repeated squaring for an exponent known beforehand.
+// Repeated squaring for an exponent known at compile time.
 template <int doublings>
 inline constexpr auto squared_power = []<class T>(const CosineRow<T>& x) -> T {
   T y = x.cosine;
@@ -31,17 +31,17 @@ inline constexpr auto squared_power = []<class T>(const CosineRow<T>& x) -> T {
   return y;
 };
 
-// r.o of the mirror direction r = 2 (n.l) n - l, n = +z.
+// Returns r.o for the mirror direction r = 2 (n.l) n - l, with n = +z.
 template <class T>
 T mirror_cosine(const DirectionRow<T>& x) {
   return x.wi.z * x.wo.z - x.wi.x * x.wo.x - x.wi.y * x.wo.y;
 }
 
-// Phong's lobe (r.o)^n as a renderer has it, by vectors.
+// Phong's lobe (r.o)^n computed from vectors, as in a renderer.
 inline constexpr auto mirror_lobe = []<class T>(const DirectionRow<T>& x) -> T {
   return math::pow(at_least(mirror_cosine(x), T(0)), x.width);
 };
-// Blinn's half vector with `factor` times the exponent; 4 makes it as narrow as the mirror direction's.
+// Blinn's half vector with `factor` times the exponent. A factor of 4 makes the lobe as narrow as Phong's.
 struct half_lobe {
   double factor;
   template <class T>
@@ -51,7 +51,7 @@ struct half_lobe {
     return math::pow(c, T(factor) * x.width);
   }
 };
-// The same lobes through differences, accurate at the peak for any exponent.
+// Phong's lobe computed through differences; accurate at the peak for any exponent.
 inline constexpr auto mirror_lobe_stable = []<class T>(const DirectionRow<T>& x) -> T {
   return mirror_cosine_power(x.width, geometry_of(x));
 };
@@ -61,8 +61,7 @@ inline constexpr auto ggx_stable = []<class T>(const DirectionRow<T>& x) -> T {
   const Fraction<T> d = d_ggx(Roughness<T>{x.width, x.width}, geometry_of(x));
   return d.num / d.den;
 };
-// As it is printed nearly everywhere: alpha^2/(pi ((n.h)^2
-// (alpha^2 - 1) + 1)^2) with a normalised half vector.
+// The usual formula, alpha^2/(pi ((n.h)^2 (alpha^2 - 1) + 1)^2), with a normalised half vector.
 inline constexpr auto ggx_naive = []<class T>(const DirectionRow<T>& x) -> T {
   Vec3<T> h = x.wi + x.wo;
   h = h * (T(1) / math::sqrt(dot(h, h)));

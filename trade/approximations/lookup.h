@@ -1,7 +1,7 @@
-// The lookup-texture article's table, and a better one, as kernels over directions.
+// The table of the lookup-texture article, and a better table, as kernels over directions.
 //
-// Both give the article's specular term f_r cos_i = F D' G/(pi cos_o) with D' = D/4 scaled as the article's,
-// V-cavities and the exact dielectric Fresnel.
+// Both give the article's specular term f_r cos_i = F D' G/(pi cos_o), with D' = D/4 scaled as in the
+// article, V-cavities and the exact dielectric Fresnel term.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace brdf::trade {
 
 struct LookupMaterial {
-  double eta = 1.5, alpha = 0.3;  // the article's
+  double eta = 1.5, alpha = 0.3;  // values of the article
 };
 
 struct lookup_exact {
@@ -29,7 +29,7 @@ struct lookup_exact {
   }
 };
 
-// F D' G/cos_i at H ~ N: wi.h ~ cos_i ~ cos_o, G ~ min(1, 2 n.h).
+// F D' G/cos_i for H ~ N: wi.h ~ cos_i ~ cos_o, G ~ min(1, 2 n.h).
 template <class T>
 T collapsed(const LookupMaterial& m, const T& cos_h, const T& cos_i) {
   const T c2 = square(at_least(cos_h, T(1e-3)));
@@ -39,8 +39,9 @@ T collapsed(const LookupMaterial& m, const T& cos_h, const T& cos_i) {
   return fresnel_dielectric(T(m.eta), light) * d * at_most(T(2) * cos_h, T(1)) / light;
 }
 
-// The formula that the texture holds, evaluated instead of looked up: what H ~ N alone costs in accuracy.
-template <bool clamped>  // to 1, as a texel is
+// The formula that the texture holds, evaluated instead of looked up. Its error is due to the assumption H ~
+// N alone.
+template <bool clamped>  // to 1, like a texel
 struct lookup_collapsed {
   LookupMaterial material;
   template <class T>
@@ -52,7 +53,7 @@ struct lookup_collapsed {
   }
 };
 
-// A square texture of one channel, texels at ((i + 0.5)/size, (j + 0.5)/size), edges clamped.
+// A square texture of one channel, with texels at ((i + 0.5)/size, (j + 0.5)/size) and clamped edges.
 template <class Texel>
 struct Texture {
   int size = 0;
@@ -86,7 +87,7 @@ struct Texture {
   }
 };
 
-// value(u, v) at every texel's centre; integers hold [0, scale].
+// Stores value(u, v) at the centre of every texel. Integer texels represent the range [0, scale].
 template <class Texel, class F>
 Texture<Texel> bake(int size, double scale, F value) {
   auto texels = std::make_shared<std::vector<Texel>>();
@@ -101,7 +102,7 @@ Texture<Texel> bake(int size, double scale, F value) {
   return {size, scale, std::move(texels)};
 }
 
-// The article's texture over (n.h, n.l), texels clamped to 1.
+// The article's texture over (n.h, n.l), with texels clamped to 1.
 template <class Texel, bool smooth>
 struct lookup_article {
   Texture<Texel> texture;
@@ -117,9 +118,10 @@ struct lookup_article {
   }
 };
 
-// The better parameterisation: one axis t/(1 + t), t = (tan(theta_h)/alpha)^2, so that the lobe takes the
-// same share of texels however narrow it is; the other wi.h. The texel is F D' alpha^2; G/cos_o is computed,
-// so nothing is assumed of the directions. The square root spreads dark values over the integers.
+// The better parameterisation. One axis is t/(1 + t) with t = (tan(theta_h)/alpha)^2, which gives lobes of
+// all widths the same share of texels; the other axis is wi.h. The texel is F D' alpha^2. G/cos_o is
+// computed, hence no assumption about the directions is needed. The square root spreads dark values over the
+// integers.
 template <class Texel, bool smooth>
 struct lookup_scaled {
   double inverse_alpha2;

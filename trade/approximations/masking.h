@@ -1,5 +1,5 @@
-// Masking and shadowing terms beside the exact ones. Functors over widths and geometry give V = G/(4 cos_i
-// cos_o) as a fraction, as the forms carry it.
+// Masking and shadowing terms, exact and approximate. Functors over widths and geometry return V = G/(4
+// cos_i cos_o) as a fraction, as used by the forms.
 #pragma once
 
 #include "brdf/microfacet.h"
@@ -26,18 +26,18 @@ inline constexpr auto schlick_ggx_half = []<class S, class G>(const Roughness<S>
                                                               const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.5) * a.alpha_x, g);
 };
-// The same with k = (roughness + 1)^2/8, alpha = roughness^2
-// (Karis 2013, for analytic lights; the thesis's listing).
+// The same with k = (roughness + 1)^2/8, alpha = roughness^2 (Karis 2013, for analytic lights; the thesis's
+// listing).
 inline constexpr auto schlick_ggx_analytic = []<class S, class G>(const Roughness<S>& a,
                                                                   const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.125) * square(math::sqrt(a.alpha_x) + S(1)), g);
 };
-// And with alpha in roughness's place (the thesis's equation).
+// The same with alpha instead of roughness (the thesis's equation).
 inline constexpr auto schlick_ggx_printed = []<class S, class G>(const Roughness<S>& a,
                                                                  const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.125) * square(a.alpha_x + S(1)), g);
 };
-// Hammon 2017: the correlated denominator linear in the cosines, lerp(2 ci co, ci + co, alpha).
+// Hammon 2017: the correlated denominator, linear in the cosines: lerp(2 ci co, ci + co, alpha).
 inline constexpr auto hammon_correlated = []<class S, class G>(const Roughness<S>& a,
                                                                const Geometry<G>& g) -> Fraction<S> {
   const G product = G(2) * g.cos_i * g.cos_o;
@@ -56,14 +56,14 @@ inline constexpr auto smith_beckmann = []<class S, class G>(const Roughness<S>& 
   return v_smith_beckmann(a, g);
 };
 
-// Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276
-// c + 2.577 c^2) for c = 1/(alpha tan) < 1.6, else 1.
+// Walter et al. 2007: G1 = (3.535 c + 2.181 c^2)/(1 + 2.276 c + 2.577 c^2) for c = 1/(alpha tan) < 1.6,
+// otherwise 1.
 template <class T>
 T rational_g1(const T& c) {
   const T fit = (T(3.535) * c + T(2.181) * c * c) / (T(1) + T(2.276) * c + T(2.577) * c * c);
   return select(c < T(1.6), fit, T(1));
 }
-// 1/(alpha tan(theta)) of a direction.
+// Returns 1/(alpha tan(theta)) of a direction.
 template <class T>
 T inverse_scaled_tangent(const Roughness<T>& a, const Vec3<T>& w) {
   return w.z / (a.alpha_x * math::sqrt(square(w.x) + square(w.y) + T(1e-30)));
@@ -91,7 +91,7 @@ inline constexpr auto g1_schlick_half = []<class T>(const CosineRow<T>& x) -> T 
 inline constexpr auto g1_schlick_analytic = []<class T>(const CosineRow<T>& x) -> T {
   return g1_schlick(T(0.125) * square(math::sqrt(x.width) + T(1)), x.cosine);
 };
-// The thesis's equation, with alpha where the listing has roughness.
+// The thesis's equation, with alpha instead of the roughness of its listing.
 inline constexpr auto g1_schlick_printed = []<class T>(const CosineRow<T>& x) -> T {
   return g1_schlick(T(0.125) * square(x.width + T(1)), x.cosine);
 };

@@ -8,7 +8,7 @@
 namespace brdf::trade {
 namespace {
 
-constexpr std::size_t kShown = 10;  // rows for people
+constexpr std::size_t kShown = 10;  // rows printed on the terminal
 
 std::string row_name(const LedgerRow& row) {
   return row.question + ": " + row.choice;

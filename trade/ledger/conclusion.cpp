@@ -5,7 +5,7 @@
 namespace brdf::trade {
 namespace {
 
-constexpr double kCheaper = 0.95;  // of the exact way's cost: less may be chance
+constexpr double kCheaper = 0.95;  // of the exact choice's cost; smaller savings may be chance
 
 std::string named(const LedgerRow& row) {
   return row.choice + " at " + io::short_number(row.cost_ratio, 2) + " of the exact cost (largest error " +

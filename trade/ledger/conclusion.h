@@ -1,4 +1,4 @@
-// What the ledger's rows say, in words.
+// Conclusions from the ledger's rows, as text.
 #pragma once
 
 #include <string>
@@ -8,14 +8,14 @@
 
 namespace brdf::trade {
 
-// Means up to this are exact: nothing but the rounding of double precision.
+// A mean error up to this value counts as exact: it is caused only by rounding in double precision.
 inline constexpr double kExact = 1e-14;
 
-// The cheapest of a question's rows whose mean error is at most this, if it costs less than 0.95 of the exact
-// way; else null. Rows whose cost was not measured are left out.
+// Returns the cheapest row of a question with a mean error of at most `mean_error`, if its cost is below
+// 0.95 of the exact choice's cost; otherwise null. Rows without a measured cost are ignored.
 const LedgerRow* cheapest_within(const std::vector<const LedgerRow*>& rows, double mean_error);
 
-// What to take at 1 % and at 0.01 % of mean error, one sentence.
+// Returns one sentence that recommends a choice at 1 % and at 0.01 % of mean error.
 std::string conclusion(const std::vector<const LedgerRow*>& rows);
 
 }  // namespace brdf::trade

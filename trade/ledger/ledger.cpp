@@ -7,7 +7,7 @@
 namespace brdf::trade {
 namespace {
 
-constexpr double kSameCost = 0.05;  // differences of cost below this are the machine's
+constexpr double kSameCost = 0.05;  // smaller differences of cost are noise of the machine
 
 bool no_worse(const Error& a, const Error& b) {
   return a.max <= b.max && a.mean <= b.mean && a.p99 <= b.p99;

@@ -76,7 +76,7 @@ Json claim_json(const Claim& c) {
           {"choice", c.choice}};
 }
 
-// The rows on the front of each question, cheapest first.
+// Returns the rows on the front of each question, cheapest first.
 Json fronts_json(const Ledger& ledger) {
   Json fronts = Json::array();
   std::vector<std::string> questions;

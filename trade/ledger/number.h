@@ -1,4 +1,4 @@
-// Numbers as the trade's sentences and tables show them.
+// Formatting of numbers in the sentences and tables of `brdf trade`.
 #pragma once
 
 #include <string>

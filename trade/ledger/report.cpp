@@ -26,7 +26,7 @@ std::vector<const LedgerRow*> rows_of(const Ledger& ledger, const std::string& q
   return rows;
 }
 
-// The front with its names, what is dominated as hollow circles. What is exact lies on the bottom edge.
+// Plots the front with names, and dominated rows as hollow circles. Exact rows lie on the bottom edge.
 io::Plot front_plot(const std::string& question, const std::vector<const LedgerRow*>& rows) {
   const LedgerRow& first = *rows.front();
   io::Plot plot;
@@ -140,7 +140,7 @@ std::string exact_name(const std::vector<const LedgerRow*>& rows) {
   return name == "exact" ? name : name + " (exact)";
 }
 
-// One line for each question: what to take.
+// Adds one line per question with the recommended choice.
 void add_summary(io::HtmlReport& report, const std::vector<std::string>& questions, const Ledger& ledger) {
   std::vector<io::Row> cells;
   std::size_t gained = 0;

@@ -65,8 +65,8 @@ Points sample(const Domain& domain, std::size_t count) {
 }
 
 double as_float(double x) {
-  volatile float rounded =
-      float(x);  // g++ 12 at -O2 drops the rounding of a pair that goes to float and back
+  // volatile: g++ 12 at -O2 removes a pair of conversions to float and back, and with it the rounding.
+  volatile float rounded = float(x);
   return double(rounded);
 }
 
@@ -96,7 +96,7 @@ Domain lobe_domain(Axis width, double widths, double most_theta_d) {
       [](std::span<const double> at) {
         const Vec3<double> h = direction(radians(std::atan(at[0] * at[3])), {});
         const Vec3<double> d = direction(degrees(at[1]), degrees(at[2]));
-        // d turned so that +z becomes h (about the y axis).
+        // d turned such that +z becomes h (about the y axis).
         const Vec3<double> wi{d.x * h.z + d.z * h.x, d.y, d.z * h.z - d.x * h.x};
         const Vec3<double> wo = h * (2 * dot(wi, h)) - wi;
         const bool above = wi.z > 0.01 && wo.z > 0.01;

@@ -1,4 +1,4 @@
-// A choice as a batched function: the same loop, vectorised alike, for the exact and the fast path.
+// A choice as a batched function. The exact and the fast method use the same loop and are vectorised alike.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@
 
 namespace brdf::trade {
 
-// Columns as a kernel reads them.
+// Columns as read by a kernel.
 template <class T>
 using Inputs = std::vector<const T*>;
 template <class T>
@@ -24,9 +24,10 @@ Inputs<T> pointers(const Columns<T>& columns) {
   return in;
 }
 
-// Columns for timed runs, at the same places relative to each other and to cache lines in every run: where an
-// allocator happens to put them changes the time of the fastest kernels by half. The output lies before the
-// inputs and all a few lines apart (modulo 4096 bytes), so that no load waits for a store to another page.
+// Columns for timed runs, at the same addresses relative to each other and to cache lines in every run: the
+// placement by an allocator changes the time of the fastest kernels by half. The output lies before the
+// inputs, and all columns are a few cache lines apart (modulo 4096 bytes), which keeps loads from waiting
+// for a store to another page.
 template <class T>
 class Slab {
  public:
@@ -79,7 +80,7 @@ constexpr auto row_of() {
 
 namespace detail {
 
-// The columns of a kind of row.
+// Returns the columns of a kind of row.
 template <template <class> class R, class T>
 std::array<const T*, kFields<R>> columns_of(const Inputs<T>& in) {
   if (in.size() != kFields<R>) throw std::logic_error("a kernel is given another question's points");
@@ -114,20 +115,22 @@ Kernel point_by_point(F f, RowKind<R>) {
 
 }  // namespace detail
 
-// `k(row)` for every point, in the loop that the library's batches run in. K is a small object: constants, or
-// a view of a table.
+// Returns a kernel that evaluates `k(row)` for every point, in the loop that the library's batches use. K
+// must be a small object: constants, or a view of a table.
 template <class K>
 Kernel kernel(K k) {
   return detail::batched<true>(std::move(k), row_of<K>());
 }
 
-// The same values from a loop that nobody times (pictures): not compiled once more for each kind of CPU.
+// Returns a kernel with the same values from a loop that is not timed (for pictures). The loop is not
+// compiled separately for each kind of CPU.
 template <class K>
 Kernel untimed_kernel(K k) {
   return detail::batched<false>(std::move(k), row_of<K>());
 }
 
-// A kernel of directions at one width and one f0, whatever the rows say: without compiling it once more.
+// Returns a kernel of directions with a fixed width and f0 in place of the row's values. This avoids
+// compiling the kernel once more.
 inline Kernel fixed_at(const Kernel& kernel, double width, double f0 = 0) {
   const auto fixed = [=]<class T>(const auto& run) {
     return [=](Inputs<T> in, std::span<T> out) {
@@ -141,7 +144,8 @@ inline Kernel fixed_at(const Kernel& kernel, double width, double f0 = 0) {
           fixed.template operator()<float>(kernel.in_float)};
 }
 
-// A function of one row in double that is too dear, or too branched, for a vectorised loop.
+// Returns a kernel of a function of one row in double that is too expensive, or has too many branches, for a
+// vectorised loop.
 template <class F>
 Kernel scalar_kernel(F f) {
   return detail::point_by_point(std::move(f), row_of<F>());

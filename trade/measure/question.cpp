@@ -26,7 +26,7 @@ Values kernel_values(const Kernel& kernel, Precision precision) {
   return [&kernel, precision](const Columns<double>& in) { return kernel_values(kernel, in, precision); };
 }
 
-// The first points of the domain, again and again until there are enough, in one precision.
+// The first points of the domain, repeated until there are `count` points, in one precision.
 template <class T>
 struct TimedRun {
   Slab<T> slab;
@@ -186,7 +186,7 @@ std::vector<LedgerRow> measure(const Question& question, const MeasureOptions& o
     row.quantity = question.quantity;
     row.note = choice.note;
     set_cost(row, costs[k], double(question.timed_points));
-    // An exact choice without a better reference is the reference: no need to evaluate it again.
+    // An exact choice without a better reference is the reference itself and need not be evaluated again.
     const bool is_reference = k == 0 && !question.reference && choice.error == Precision::double_;
     yardstick.judge(row, is_reference ? Values{} : kernel_values(judged_by(choice), choice.error),
                     kernel_values(choice.picture, choice.error));

@@ -1,5 +1,5 @@
-// What a kernel reads of one point: a row, a struct of numbers. Points lie column by column in memory, a
-// column per number in the order of the struct.
+// The input of a kernel for one point: a row, which is a struct of numbers. Points are stored column by
+// column, with a column per number in the order of the struct.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace brdf::trade {
 
-// A pair of directions, and what a question varies with them.
+// A pair of directions, and the quantities that a question varies with them.
 template <class T>
 struct DirectionRow {
   Vec3<T> wi, wo;
@@ -30,7 +30,7 @@ template <class T>
 struct AngleRow {
   T theta, alpha;  // theta in degrees
 };
-// Of an elementary function.
+// The arguments of an elementary function.
 template <class T>
 struct ArgumentRow {
   T x, y{};
@@ -39,7 +39,7 @@ struct ArgumentRow {
 template <template <class> class R>
 inline constexpr std::size_t kFields = sizeof(R<double>) / sizeof(double);
 
-// The row whose k-th number is at(k).
+// Returns the row with at(k) as its k-th number.
 template <template <class> class R, class T, class At>
 constexpr R<T> row_from(At at) {
   return [&]<std::size_t... k>(std::index_sequence<k...>) {
@@ -47,7 +47,7 @@ constexpr R<T> row_from(At at) {
   }(std::make_index_sequence<kFields<R>>{});
 }
 
-// The numbers of a row, in order.
+// Returns the numbers of a row, in order.
 template <template <class> class R, class T>
 constexpr std::array<T, kFields<R>> fields_of(const R<T>& row) {
   return std::bit_cast<std::array<T, kFields<R>>>(row);

@@ -1,9 +1,11 @@
-// Timing of alternatives against each other within one run. Standard library only: benchmarks use it too.
+// Times alternatives against each other within one run. Uses the standard library only, since benchmarks
+// include this header, too.
 //
-// A machine's speed drifts (frequency, neighbours), so alternatives are run in turn, round after round, and
-// compared by the lower quartile of their rounds: the minimum rewards luck, the median carries the
-// neighbours' load. What an alternative costs relative to the first one is told by pairs: its run over the
-// first one's runs just before and after, in the median of the rounds. Slow drifts drop out of a pair.
+// The speed of a machine drifts (frequency, other processes). Alternatives are therefore run in turn, round
+// after round, and compared by the lower quartile of their rounds: the minimum would reward luck, and the
+// median would include the load by other processes. The cost of an alternative relative to the first one is
+// computed from pairs: its run divided by the runs of the first one just before and after, in the median
+// over the rounds. Slow drifts cancel within a pair.
 #pragma once
 
 #include <algorithm>
@@ -25,28 +27,28 @@ namespace brdf::timing {
 struct Timing {
   double lower = 0, median = 0, upper = 0;
   int rounds = 0;
-  double best = 0;          // of all rounds
+  double best = 0;          // minimum over all rounds
   double ratio = 1;         // to the first call, median of the pairs
-  double ratio_spread = 0;  // interquartile range of the pairs over their median
-  // Interquartile range over the lower quartile: how far the figure can be trusted.
+  double ratio_spread = 0;  // interquartile range of the pairs divided by their median
+  // Returns the interquartile range divided by the lower quartile. A small value means a reliable figure.
   double spread() const { return lower > 0 ? (upper - lower) / lower : 0; }
 };
 
-// wall: what a user waits. thread: the processor time of the calling thread, which others on the machine do
-// not lengthen; for work on one thread. process: the same for all threads of the program.
+// wall: elapsed time, which includes waiting. thread: processor time of the calling thread, which other
+// processes do not lengthen; for work on one thread. process: processor time of all threads of the program.
 enum class Clock { wall, thread, process };
 
 struct Options {
   int rounds = 21;
   Clock clock = Clock::wall;
-  double least_seconds =
-      2e-4;  // a round repeats the call until it lasts this long: far above the clock's tick
-  std::size_t neighbours = 1;  // calls between two runs of the first one; more where calls are long
+  // A round repeats the call until it lasts this long, which is far above the resolution of the clock.
+  double least_seconds = 2e-4;
+  std::size_t neighbours = 1;             // calls between two runs of the first one; use more for long calls
   std::function<void()> between = [] {};  // called after each round (progress)
 };
 
-// Keeps the calling thread on the processor it runs on,
-// where the system allows it: no cold caches within a round.
+// Keeps the calling thread on its current processor, if the system permits, to avoid cold caches within a
+// round.
 class Pinned {
  public:
 #ifdef __linux__
@@ -96,7 +98,7 @@ inline double seconds_of(const std::function<void()>& call, long repeats, Clock 
   return seconds_now(clock) - start;
 }
 
-// Linear interpolation between the order statistics of sorted values.
+// Interpolates linearly between the order statistics of sorted values.
 inline double quantile(std::span<const double> sorted, double q) {
   const double at = q * double(sorted.size() - 1);
   const auto below = std::size_t(at);
@@ -104,7 +106,8 @@ inline double quantile(std::span<const double> sorted, double q) {
   return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
 }
 
-// How often a call must be repeated to last `least_seconds`; the calls made here also warm the caches.
+// Returns the number of repeats for which a call lasts `least_seconds`. The calls made here also warm the
+// caches.
 inline long repeats_for(const std::function<void()>& call, double least_seconds, Clock clock) {
   long repeats = 1;
   while (true) {
@@ -116,8 +119,8 @@ inline long repeats_for(const std::function<void()>& call, double least_seconds,
 }
 
 // One round: every call once (with its repeats), and the first call again after each group of `neighbours`
-// others, unless one group holds them all. The others start one further each round, so that none always
-// follows the same neighbour.
+// others, unless one group holds all others. Each round starts with the next of the others, which prevents a
+// call from always following the same neighbour.
 struct Round {
   std::vector<double> seconds, ratios;  // by call
 };
@@ -141,7 +144,8 @@ inline Round run_round(std::span<const std::function<void()>> calls, std::span<c
   return round;
 }
 
-// One timing per call; the calls' ratios are to the first. On a thread's clock the thread is pinned.
+// Returns one timing per call. Ratios are relative to the first call. With Clock::thread the thread is
+// pinned.
 inline std::vector<Timing> interleaved(std::span<const std::function<void()>> calls,
                                        const Options& options = {}) {
   const std::optional<Pinned> pinned =

@@ -40,7 +40,8 @@ albedo_table make_table(int size) {
   return {size, a, b};
 }
 
-// The ball under uniform light: L = E(cos_o). The measure multiplies by cos_i, which stands for nothing here.
+// The ball under uniform light: L = E(cos_o). The measure multiplies by cos_i, which has no meaning here and
+// is divided out.
 template <class K>
 struct under_uniform_light {
   K albedo;
@@ -61,7 +62,7 @@ Choice integral_choice(double f0) {
             return (f0 * e.a + (1 - f0) * e.b) / std::max(x.wi.z, 1e-3);
           })};
 }
-// The approximations without a table of ours.
+// Adds the approximations that do not use a table of this library.
 void add_published(Question& q, double f0) {
   q.choices.push_back(
       albedo_choice("64 visible normals", albedo_visible_normals{64}, "MaterialX's Monte Carlo", f0));
@@ -99,7 +100,7 @@ Question albedo_question() {
   return q;
 }
 
-// The same against a published grid: the nodes of a production path tracer's 32 x 32 table, F = 1.
+// The same question at the nodes of a published grid: a production path tracer's 32 x 32 table, F = 1.
 Question table_nodes_question() {
   const auto nodes = [](double cosines, double widths) {
     return make_domain(
@@ -118,7 +119,7 @@ Question table_nodes_question() {
              {nodes(2, 32), nodes(32, 3)},
              {}};
   q.unit = Unit::albedo;
-  q.points = 4096;  // so that every node is met
+  q.points = 4096;  // enough points to reach every node
   q.timed_points = 64;
   q.pixels = 1024;
   q.choices = {integral_choice(1)};

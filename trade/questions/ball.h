@@ -1,4 +1,4 @@
-// The picture that image errors are taken from.
+// The picture in which image errors are measured.
 #pragma once
 
 #include "render/reference/reference.h"
@@ -6,7 +6,7 @@
 
 namespace brdf::trade {
 
-// One sphere under one directional light from the upper left front, size x size pixels.
+// Returns a scene with one sphere under one directional light from the upper left front, size x size pixels.
 render::Scene material_ball(int size);
 
 PicturePoints picture_points(const std::vector<render::LitPoint>& lit, int width);

@@ -20,7 +20,7 @@ constexpr const char* kShading = "the pixel-shader article";
 
 using ClaimRows = std::vector<const LedgerRow*>;
 
-// The figure that decides, and words for the evidence.
+// The figure that decides a claim, and text for the evidence.
 struct Found {
   double figure;
   std::string words = {};
@@ -28,7 +28,7 @@ struct Found {
 using Find = Found (*)(const ClaimRows& rows, const Ledger& ledger);
 
 struct ClaimRule {
-  // A field of the first row, by its name below, or what a function finds.
+  // Either a field of the first row, by its name below, or the result of a function.
   struct Figure {
     Figure(const char* of_row) : field(of_row) {}
     Figure(Find function) : find(function) {}
@@ -44,18 +44,18 @@ struct ClaimRule {
     Verdict verdict;
   };
   const char *source, *claim;
-  std::vector<RowName> rows;  // the first is the claim's
+  std::vector<RowName> rows;  // the first is the claim's row
   Figure figure;
   std::vector<Below> below;  // the first bound above the figure gives the verdict
   Verdict otherwise;
-  // {figure}, {words}, and of the first row {cost}, {ms}, {max}, {mean}, {image}, {where}, {note}; of the
-  // second {cost 1}, ...
+  // Placeholders: {figure}, {words}; for the first row {cost}, {ms}, {max}, {mean}, {image}, {where},
+  // {note}; for the second row {cost 1}, ...
   const char* evidence;
 };
 
 // --- Figures that no row holds -----------------------------------------------------------------------------
 
-// f_r of a grey material, angles in degrees.
+// Returns f_r of a grey material. Angles are in degrees.
 double value(const Material& m, double theta_i, double theta_o, double phi) {
   double f = 0;
   eval(m, direction(degrees(theta_i), {}), direction(degrees(theta_o), degrees(phi)), std::span(&f, 1));
@@ -75,8 +75,8 @@ Material lobe_only(const Reflectance& form, Role shape, double size) {
   return m;
 }
 
-// Width of the listing's lobe at 90 % of its value in the
-// mirror direction, across over along the plane of incidence.
+// Returns the width of the listing's lobe at 90 % of its value in the mirror direction: the width across the
+// plane of incidence divided by the width along it.
 double ward_aspect() {
   Material m = make_material(ward_as_coded{}, {"fr"});
   for (std::size_t k = 0; k < info(ward_as_coded{}).shape.size(); ++k)
@@ -96,7 +96,7 @@ double ward_aspect() {
   return width(across) / std::min(width(along), width(along * -1.0));
 }
 
-// Mean image error of every family on the other families' materials.
+// Returns the mean image error of every family on the materials of the other families.
 std::map<std::string, double> errors_on_others(const Ledger& ledger) {
   std::map<std::string, double> sums, counts;
   for (const LedgerRow& row : ledger.rows)
@@ -131,7 +131,7 @@ Found oblique_over_frontal(const ClaimRows&, const Ledger&) {
   const Material m = lobe_only(named_form(names::kArticleForm), Role::index, 1.5);
   return {value(m, 60, 60, 180) * 0.5 / value(m, 0, 0, 180)};
 }
-// How far the claimed family is from the best on the others' materials.
+// Returns the difference between the claimed family and the best family, on the materials of other families.
 Found behind_the_best(const ClaimRows& rows, const Ledger& ledger) {
   std::map<std::string, double> errors = errors_on_others(ledger);
   std::string best = rows[0]->choice;

@@ -1,4 +1,4 @@
-// What the source documents claim, judged by the ledger's figures.
+// The claims of the source documents, judged by the ledger's figures.
 #pragma once
 
 #include "trade/ledger/ledger.h"
@@ -6,10 +6,10 @@
 
 namespace brdf::trade {
 
-// The rows that every claim is judged by, the claim's own first.
+// Returns the rows that judge each claim, with the claim's own row first.
 std::vector<std::vector<RowName>> claim_rows();
 
-// Claims whose rows the ledger has; the others are left out.
+// Returns the claims for which the ledger has rows. Other claims are left out.
 std::vector<Claim> judge_claims(const Ledger& ledger);
 
 }  // namespace brdf::trade

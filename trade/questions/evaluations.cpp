@@ -9,8 +9,8 @@
 namespace brdf::trade {
 namespace {
 
-constexpr std::size_t kBatch = 1024;           // stays in the second-level cache
-constexpr std::size_t kShaderBatch = 1 << 14;  // a dispatch must outlast its own overhead
+constexpr std::size_t kBatch = 1024;           // fits in the second-level cache
+constexpr std::size_t kShaderBatch = 1 << 14;  // a dispatch must last longer than its own overhead
 
 template <class T>
 std::vector<T> defaults(std::span<const ParameterInfo> table) {
@@ -19,12 +19,12 @@ std::vector<T> defaults(std::span<const ParameterInfo> table) {
   return values;
 }
 
-// Pairs of directions, again and again until there are `count`.
+// Returns pair k of the directions, which are repeated cyclically.
 DirectionRow<double> repeated(const Columns<double>& in, std::size_t k) {
   return row_at<DirectionRow>(in, k % count_of(in));
 }
 
-// A form at its defaults over given directions, run in one of the ways.
+// A form at its defaults over given directions, run by one of the methods.
 struct Run {
   std::function<void()> run;
   std::function<std::vector<double>()> values;
@@ -113,7 +113,7 @@ Values values_of(const MakeRun& make) {
   };
 }
 
-// Runs that are timed in turn, each over directions of its own number, and judged by others.
+// Runs that are timed in turn. Each has its own number of directions, and is judged by `exact`.
 struct Timed {
   std::string name;
   MakeRun make;
@@ -145,7 +145,7 @@ std::vector<LedgerRow> rows_of(const std::string& question, const std::vector<Ti
   return rows;
 }
 
-// On a software driver a dispatch costs the processor's time, of all its threads.
+// With a software driver, a dispatch is timed by the processor time of all its threads.
 timing::Options timed_on(render::Device* device, int rounds) {
   timing::Options options;
   options.rounds = rounds;
@@ -206,7 +206,7 @@ std::vector<LedgerRow> shader_rows(const EvaluationOptions& options) {
   std::vector<Reflectance> forms{reference_form()};
   for (const Reflectance& form : catalogue())
     if (info(form).canonical && form != forms[0]) forms.push_back(form);
-  // Each is judged by the library's own float values, so none can dominate another.
+  // Each form is judged by the library's own float values, hence no form can dominate another.
   std::vector<Timed> runs;
   for (const Reflectance& form : forms)
     runs.push_back({std::string(info(form).name), shader(*options.device, form), kShaderBatch,

@@ -1,5 +1,5 @@
-// Rows whose unit is an evaluation and whose choices are ways to run the same formula: pair by pair, in
-// batches, in the shader; and what the families cost.
+// Rows with the unit "evaluation" that compare methods of running the same formula (pair by pair, in
+// batches, in the shader), and the cost of the families.
 #pragma once
 
 #include "brdf/material.h"
@@ -8,15 +8,15 @@
 
 namespace brdf::trade {
 
-// Time of a batch of `count` evaluations in float, one channel,
-// at the tables' defaults; interleaved over the forms given.
+// Time of a batch of `count` evaluations in float, one channel, at the tables' defaults. The given forms are
+// interleaved.
 struct EvaluationTimes {
   std::vector<timing::Timing> timings;
   double count = 0;
 };
 EvaluationTimes evaluation_times(const std::vector<Reflectance>& forms, int rounds);
 
-// f_r of the first channel of a material, which must outlive them.
+// Returns f_r of the first channel of a material, which must outlive the result.
 Values values_of(const Material& material);
 
 struct EvaluationOptions {
@@ -24,8 +24,9 @@ struct EvaluationOptions {
   const PicturePoints* picture = nullptr;
   render::Device* device = nullptr;  // null: the shader's rows are left out
 };
+// Compares methods of evaluating the reference form: pair by pair, in batches, in the shader.
 std::vector<LedgerRow> batch_rows(const EvaluationOptions& options);
-// The canonical families in the shader, each against the library's float evaluation.
+// Returns rows for the canonical families in the shader, each compared with the library's float evaluation.
 std::vector<LedgerRow> shader_rows(const EvaluationOptions& options);
 
 }  // namespace brdf::trade

@@ -21,7 +21,7 @@ fit::FitOptions over_all_directions(fit::Metric metric) {
   return options;
 }
 
-// Errors against the values of a material.
+// Returns a yardstick that measures errors against the values of a material.
 Yardstick yardstick_of(const Material& truth, std::size_t points, const PicturePoints* picture) {
   const ErrorDomains domains{direction_domain(0, 80), {direction_domain(80, 89.5)}, points, 2048};
   return {domains, values_of(truth), picture, values_of(truth)};
@@ -92,7 +92,8 @@ io::SampleTable sample_material(const Material& material, std::size_t rows, doub
       ++added;
     }
   };
-  // Half the rows anywhere, half within a few degrees to tens of degrees of the mirror direction.
+  // Half of the rows are anywhere, the other half within a few degrees to tens of degrees of the mirror
+  // direction.
   add(direction_domain(0, most_theta), rows / 2);
   add(lobe_domain({"width", 0.02, 0.5, true}, 2, most_theta), rows - rows / 2);
   return table;

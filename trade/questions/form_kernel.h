@@ -20,7 +20,7 @@ T narrowed(const S& x) {
     return T(x);
 }
 
-// The table's defaults, but 0.3 for the diffuse weight beside a lobe.
+// Returns the defaults of the table, except a diffuse weight of 0.3 if the form has a lobe.
 template <class Weights, class S>
 constexpr Weights shown_weights() {
   bool lobe = false;
@@ -31,7 +31,7 @@ constexpr Weights shown_weights() {
   return w;
 }
 
-// The row's f0 for the form's, or times its lobe where it has none.
+// Sets the form's f0 to the row's f0. If the form has no f0, multiplies its lobe by the row's f0.
 template <class Weights, class S>
 constexpr void set_f0(Weights& w, const S& f0) {
   bool has_f0 = false;
@@ -41,7 +41,8 @@ constexpr void set_f0(Weights& w, const S& f0) {
       w.*(field.member) = has_f0 ? f0 : w.*(field.member) * f0;
 }
 
-// A form at those weights, every parameter of its shape the row's width. Scalar<T> is what it computes in.
+// A form at these weights, with every shape parameter set to the row's width. The computation uses
+// Scalar<T>.
 template <class F, template <class> class Scalar = Own, bool kF0 = false>
 struct form_kernel {
   template <class T>

@@ -13,7 +13,7 @@ namespace {
 using render::Scene;
 using render::Shading;
 
-// The pixel-shader article's light and colours on a sphere.
+// The light and colours of the pixel-shader article, on a sphere.
 Scene article(const std::string& mesh, Shading shading, bool as_coded, int size) {
   Scene scene = material_ball(size);
   scene.ambient = glm::vec3(0.25f);
@@ -31,18 +31,19 @@ int triangles_of(int level) {
   return 20 << (2 * level);
 }
 
-// The limb is excluded: there vertices of the far side take part, and a mesh's limb is not the sphere's.
+// Excludes the limb: at the limb, vertices of the far side contribute, and the limb of a mesh differs from
+// that of a sphere.
 Pixels front_pixels(int size) {
   return
       [size](int x, int y) { return std::hypot(x + 0.5 - size / 2.0, y + 0.5 - size / 2.0) < 0.42 * size; };
 }
 
-// The light almost behind the sphere: directions graze it wherever it is lit.
+// Moves the light almost behind the sphere, which makes all lit directions grazing.
 void light_from_behind(Scene& scene) {
   for (render::Light& light : scene.lights) light.vector = {0.25f, -0.3f, 1};
 }
 
-// Shading per vertex against per pixel, judged by the finest mesh shaded per pixel.
+// Shading per vertex and per pixel, judged by the finest mesh shaded per pixel.
 FrameQuestion shading_question(bool highlight, FrameDetail detail) {
   const int size = detail == FrameDetail::quick ? 200 : 400;
   const std::vector<int> levels =
@@ -153,7 +154,7 @@ FrameQuestion lookup_question(FrameDetail detail) {
   };
   Scene* const evaluated = add("evaluated", kLevel, {}, false);
   evaluated->shading = Shading::brdf;
-  // The article's light is 1 where ours is pi: Cm n.l Cd has no 1/pi.
+  // The article's light of 1 corresponds to pi here, since Cm n.l Cd lacks the factor 1/pi.
   evaluated->lights[0].intensity = float(kPi);
   const bool quick = detail == FrameDetail::quick;
   for (int texels : quick ? std::vector{32, 128, 512} : std::vector{32, 64, 128, 256, 512, 1024})

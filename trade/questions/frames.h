@@ -1,5 +1,5 @@
-// Questions whose unit is a frame of the renderer: shading modes, bits of the G-buffer, forward or deferred
-// light and the lookup texture.
+// Questions with the unit "frame": shading modes, bits of the G-buffer, forward or deferred light, and the
+// lookup texture.
 #pragma once
 
 #include "trade/questions/gallery.h"

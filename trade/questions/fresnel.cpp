@@ -38,7 +38,7 @@ struct Metal {
   const char* name;
   double n, k;
 };
-// At the sodium line: aluminium Rakic 1995, iron and chromium Johnson and Christy 1974.
+// Values at the sodium line: aluminium Rakic 1995, iron and chromium Johnson and Christy 1974.
 constexpr Metal kMetals[] = {{"aluminium", 1.2, 7.26}, {"iron", 2.9, 3.07}, {"chromium", 3.17, 3.3}};
 
 Question metal_question(const Metal& metal) {

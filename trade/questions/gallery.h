@@ -1,4 +1,4 @@
-// Frames of the renderer compared with each other: pictures once, times in turn.
+// Compares frames of the renderer: pictures once, times in turn.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace brdf::trade {
 
-// One way to draw a frame.
+// One method of drawing a frame.
 struct Way {
   std::string name;
   render::Scene scene;
@@ -18,7 +18,7 @@ struct Way {
 
 using Pixels = std::function<bool(int x, int y)>;  // the pixels that count
 
-// The same ways on a scene of a rarer kind.
+// The same methods on a rarer kind of scene.
 struct FrameExtreme {
   std::string domain;
   std::function<void(render::Scene&)> change = [](render::Scene&) {};
@@ -32,14 +32,14 @@ struct FrameQuestion {
   std::vector<FrameExtreme> extremes;
 };
 
-// Differences of luminance over surface pixels of both pictures.
+// Differences of luminance over the surface pixels of both pictures.
 struct PictureError {
   Error error;
   double image = 0, root_mean_square = 0;
 };
 PictureError picture_error(const render::Picture& picture, const render::Picture& exact, const Pixels& of);
 
-// On a software driver costs are the processor's time, of all its threads.
+// Measures the frames. With a software driver, the cost is the processor time of all its threads.
 std::vector<LedgerRow> measure_frames(render::Device& device, const FrameQuestion& question, int rounds = 21);
 
 }  // namespace brdf::trade

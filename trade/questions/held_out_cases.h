@@ -1,4 +1,5 @@
-// Does a scene's own weighting matter? Scenes, materials, and forms fitted to them.
+// Cases for the question whether a scene's own weighting matters: scenes, materials, and forms fitted to
+// them.
 #pragma once
 
 namespace brdf::trade {
@@ -6,7 +7,7 @@ namespace brdf::trade {
 struct HeldOutCase {
   const char* scene;
   const char* material;
-  const char* form;  // another family than the material's, so that no fit can be exact
+  const char* form;  // of another family than the material, to rule out exact fits
 };
 inline constexpr HeldOutCase kHeldOutCases[] = {
     {"recommend_close_up", "glossy_grey_paper", "blinn_phong"},

@@ -22,8 +22,8 @@ Domain angles(double least, double most, double least_alpha, double most_alpha) 
       "f0 1");
 }
 
-// E at F = 1 for any masking: half vectors by the inverse
-// of D's distribution, Gauss-Legendre in both numbers.
+// E at F = 1 for any masking: half vectors by the inverse of D's distribution, Gauss-Legendre in both
+// numbers.
 template <class V>
 struct masked_albedo {
   V v;
@@ -42,7 +42,7 @@ struct masked_albedo {
         const Vec3<double> wi = h * (2 * cos_d) - wo;
         if (cos_d <= 0 || wi.z <= 0) continue;
         const Fraction<double> f = v(Roughness<double>{alpha, alpha}, geometry(wi, wo));
-        // f cos_i/pdf, pdf = D cos_h/(4 cos_d)
+        // f cos_i/pdf, with pdf = D cos_h/(4 cos_d).
         sum += rule.weight[m] * rule.weight[n] * (f.num / f.den) * wi.z * 4 * cos_d / cos_h;
       }
     }
@@ -87,7 +87,8 @@ Integrator by_rule(const AlbedoOptions& options) {
   };
 }
 
-// Integral of the lobe times cosine at given points of the unit square.
+// Integrates the lobe times cosine over the points that `visit` generates (cosine, azimuth in radians,
+// weight).
 template <class Visit>
 double integrate_lobe(const AngleRow<double>& x, Visit visit) {
   const Roughness<double> alpha{x.alpha, x.alpha};
@@ -112,7 +113,7 @@ Integrator cosine_samples(int count) {
     });
   };
 }
-// The teaching code's way: equal steps in both angles.
+// The method of teaching code: equal steps in both angles.
 Integrator midpoint(int steps) {
   return [steps](const AngleRow<double>& x) {
     return integrate_lobe(x, [&](auto add) {

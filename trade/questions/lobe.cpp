@@ -7,7 +7,7 @@
 namespace brdf::trade {
 namespace {
 
-// With more digits than any choice has.
+// A reference with more digits than any choice.
 inline constexpr auto long_power = []<class T>(const CosineRow<T>& x) -> T {
   return T(std::pow((long double)(x.cosine), (long double)(x.width)));
 };
@@ -37,7 +37,7 @@ Question power_question() {
   return q;
 }
 
-// A large exponent: squaring is out, and plain cosines lose digits.
+// A large exponent: repeated squaring is impossible, and plain cosines lose digits.
 Question large_power_question() {
   Question q{"power of a cosine, n = 1 .. 1e6",
              "cos^n",

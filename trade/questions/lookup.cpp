@@ -6,7 +6,7 @@
 namespace brdf::trade {
 namespace {
 
-// The specular term as f_r for the picture, with the article's Lambert term under it.
+// The specular term as f_r for the picture, plus the article's Lambert term.
 template <class L>
 struct lookup_material {
   L lookup;

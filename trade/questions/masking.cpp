@@ -44,7 +44,7 @@ Question g1_question() {
              domain(0.01, {"alpha", 0.0036, 1, true}),
              {domain(0.01, {"alpha", 1e-4, 1e-4}), domain(1e-4, {"alpha", 0.0036, 1, true})},
              {}};
-  // The picture has both directions' product.
+  // The picture uses the product of both directions.
   q.choices = {
       {"Smith", kernel(g1_smith_ggx), "", on_ball(smith_separable, schlick_fresnel)},
       {"Schlick-GGX, k = alpha/2", kernel(g1_schlick_half), "Karis 2013, image-based light",

@@ -1,19 +1,22 @@
-// The materials that questions are about.
+// The materials of the questions.
 #pragma once
 
 #include "brdf/material.h"
 
 namespace brdf::trade {
 
-// A form that questions need, by its name; throws InputError where the catalogue lacks it.
+// Returns a form that questions need, by its name. Throws InputError if the catalogue does not have the
+// form.
 Reflectance named_form(std::string_view name);
-// What others are compared with.
+// Returns the form with which others are compared.
 Reflectance reference_form();
 
-// Every parameter of this role, in all channels; for a width or an exponent those across the tangent too.
+// Sets every parameter of this role, in all channels. For a width or an exponent, also sets the parameter
+// across the tangent.
 void set_parameter(Material& material, Role role, double value);
 
-// "cook_torrance, alpha 0.1, kd 0.2": the form of the only term with the first channel's values.
+// Returns for example "cook_torrance, alpha 0.1, kd 0.2": the form of the only term with the values of the
+// first channel.
 std::string described(const Material& material);
 
 }  // namespace brdf::trade

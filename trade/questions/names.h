@@ -1,4 +1,4 @@
-// Words that questions share with claims, reasons and scenes: the ledger's rows are found by them.
+// Names that questions share with claims, reasons and scenes, which use them to find the ledger's rows.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace brdf::trade {
 
-// A row of the ledger.
+// Key of a row of the ledger.
 struct RowName {
   std::string question, choice;
 };
@@ -17,7 +17,7 @@ struct RowName {
 namespace names {
 
 // --- Forms -------------------------------------------------------------------------------------------------
-// What others are compared with, and what the articles show.
+// The form with which others are compared, and the form that the articles show.
 inline constexpr std::string_view kReferenceForm = "cook_torrance";
 inline constexpr std::string_view kArticleForm = "cook_torrance_vcavity";
 inline constexpr std::string_view kDiffuseForm = "lambert";
@@ -66,7 +66,7 @@ inline std::string texels(int size, int bits, const char* filter) {
 
 }  // namespace names
 
-// Cheaper variants of the reference form: what is replaced in it.
+// Cheaper variants of the reference form, by the replaced factor.
 enum class Variant { hammon, schlick_ggx, no_masking, no_fresnel, hammon_no_fresnel };
 
 }  // namespace brdf::trade

@@ -1,4 +1,4 @@
-// The material that factors are shown in: a picture needs a whole BRDF.
+// Materials that show a factor: a picture needs a whole BRDF.
 #pragma once
 
 #include "trade/approximations/fresnel.h"
@@ -8,7 +8,7 @@
 
 namespace brdf::trade {
 
-// kd/pi + D V F with GGX's D; V from directions, F from the cosine and the index (or f0).
+// kd/pi + D V F with GGX's D. V is a function of directions, F of the cosine and the index (or f0).
 template <class V, class F>
 struct ball_material {
   V v;
@@ -36,7 +36,7 @@ struct at_width {
   }
 };
 
-// kd/pi and a normalised cosine lobe: of a kernel over directions and exponent, ...
+// kd/pi and a normalised cosine lobe, for a kernel over directions and exponent.
 template <class Lobe>
 struct lobe_material {
   Lobe lobe;
@@ -46,7 +46,7 @@ struct lobe_material {
     return T(0.3 / kPi) + T(0.5 * (exponent + 2) / (2 * kPi)) * at_width<Lobe>{lobe, exponent}(x);
   }
 };
-// ... or of a function of (c, n), given the mirror cosine.
+// Converts a function of (c, n), with c the mirror cosine, to such a kernel.
 template <class Power>
 struct mirror_power {
   Power power;
@@ -76,11 +76,11 @@ Kernel on_ball(V v, F f, const FresnelRow<double>& index = kGlass, double kd = 0
   return untimed_kernel(ball_material<V, F>{v, f, index, kd});
 }
 
-// Directions and a width.
+// Returns a domain of directions and a width.
 inline Domain directions(Axis width, double most_theta, double least_theta = 0) {
   return direction_domain(least_theta, most_theta, {std::move(width)});
 }
-// A cosine, and alpha or the exponent.
+// Returns a domain of a cosine, and of alpha or the exponent.
 inline Domain cosines(Axis cosine, Axis width) {
   return make_domain({std::move(cosine), std::move(width)}, [](std::span<const double> at) {
     return CosineRow<double>{at[0], at[1]};

@@ -6,7 +6,8 @@
 namespace brdf::trade {
 namespace {
 
-// x at the 11 digits and the range of 16-bit floats (Veltkamp's split; below 2^-14 the spacing is 2^-24).
+// Rounds x to the 11 digits and the range of 16-bit floats (Veltkamp's split; below 2^-14 the spacing is
+// 2^-24).
 inline float half(float x) {
   const float c = 8193.0f * x;
   const float split = c - (c - x);
@@ -15,7 +16,7 @@ inline float half(float x) {
   return select(65504.0f < x, 65504.0f, rounded);
 }
 
-// Directions, width and result as 16-bit floats hold them, as in a G-buffer; the arithmetic is float's.
+// Directions, width and result rounded to 16-bit floats, as in a G-buffer; the arithmetic uses float.
 template <class F>
 struct half_kernel {
   template <class T>
@@ -28,7 +29,7 @@ struct half_kernel {
 
 struct Width {
   const char* name;
-  double least, most;  // everyday
+  double least, most;  // everyday range
   double extreme_low, extreme_high;
   double shown;  // in the picture
   bool peaked;
@@ -36,7 +37,7 @@ struct Width {
 
 template <class F>
 Question form_question(const Width& width) {
-  // Directions and one parameter; peaks need points around the half vector.
+  // Returns directions and one parameter. Peaks need points around the half vector.
   const auto domain = [&](double least, double most, double from, double to) {
     const bool log = width.least > 0;
     const Axis axis{width.name, least, most, log};
@@ -93,12 +94,12 @@ struct computed_in {
   }
 };
 
-// A material whose evaluation calls the function, for the picture: a form, ...
+// A material with an evaluation that calls the function, for the picture: a form.
 template <class F, template <class> class Scalar>
 struct shown_by_form {
   static Kernel at(double width) { return fixed_at(kernel(form_kernel<F, Scalar>{}), width); }
 };
-// ... and for log, which no form calls, Phong's lobe by pow.
+// The same for log, which no form calls: Phong's lobe by pow.
 template <template <class> class Scalar>
 struct shown_by_pow {
   static Kernel at(double exponent) {
@@ -123,7 +124,7 @@ Domain arguments(std::vector<Axis> axes, std::string note = {}) {
       std::move(note));
 }
 
-// The reference sees the arguments as each choice sees them: rounded to float first.
+// The arguments are rounded to float first: the reference then has the same arguments as the choices.
 template <auto function>
 Question elementary_question(const char* name, const Domain& domain, const Domain& extreme,
                              const Pictures& pictures) {

@@ -1,5 +1,5 @@
-// The questions that are answered by evaluating kernels. The others (batches, fits, frames) have their own
-// measurements in evaluations.h, fits.h and frames.h.
+// The questions that are answered by evaluating kernels. Other questions (batches, fits, frames) have
+// measurements of their own in evaluations.h, fits.h and frames.h.
 #pragma once
 
 #include "trade/measure/question.h"
@@ -12,6 +12,6 @@ std::vector<Question> masking_questions();
 std::vector<Question> lobe_questions();      // powers, Gaussians, mirror or half vector, naive GGX
 std::vector<Question> lookup_questions();    // the lookup texture
 std::vector<Question> albedo_questions();    // tables and fits
-std::vector<Question> integral_questions();  // integrators; masking by the albedo it gives
+std::vector<Question> integral_questions();  // integrators; masking judged by the resulting albedo
 
 }  // namespace brdf::trade

@@ -18,7 +18,7 @@ struct OneWidth {
   }
 };
 
-// Without a Fresnel term ks is the reflectance along the normal.
+// Without a Fresnel term, ks is the reflectance along the normal.
 template <Variant kVariant, auto kMasking, bool kFresnel>
 struct variant_of
     : std::conditional_t<kFresnel, Takes<SchlickWeights, OneWidth>, Takes<LobeWeights, OneWidth>> {
@@ -53,7 +53,7 @@ Entry entry(const char* note) {
   return {F{}, choice_of<F>(note)};
 }
 
-// In the order of the enum.
+// Returns the variants in the order of the enum.
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{
       entry<variant_of<Variant::hammon, hammon_correlated, true>>("no square roots"),

@@ -1,4 +1,5 @@
-// Cheaper variants of the reference form: the ledger's approximations inside a whole model, fitted like one.
+// Cheaper variants of the reference form: the ledger's approximations inside a whole model, which can be
+// fitted like a form.
 #pragma once
 
 #include <optional>
@@ -9,14 +10,16 @@
 
 namespace brdf::trade {
 
-// Every whole model with one factor replaced, against the model itself: costs and errors.
+// Returns a question for every whole model with one factor replaced, compared with the model itself in cost
+// and error.
 std::vector<Question> variant_questions();
 
-// A reflectance that is not in the catalogue: one width, and no f0 where there is no Fresnel term.
+// Returns a reflectance outside the catalogue, with one width, and without f0 if the variant has no Fresnel
+// term.
 const Reflectance& variant_form(Variant variant);
 std::optional<Variant> find_variant(const Reflectance& reflectance);
 
-// The reference form with a variant's parameters: lobes that the variant lacks get no weight.
+// Returns the reference form with a variant's parameters. Lobes that the variant lacks get the weight 0.
 Material in_reference_form(const Material& variant);
 
 }  // namespace brdf::trade

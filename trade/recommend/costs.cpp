@@ -13,7 +13,7 @@ const LedgerRow* form_row(const Ledger& ledger, const Reflectance& form) {
   return ledger.find(names::families(names::kReferenceForm), info(form).name);
 }
 
-// ns per evaluation; nothing where the ledger lacks the row.
+// Returns ns per evaluation, or std::nullopt if the ledger lacks the row.
 std::optional<double> read_cost(const Ledger& ledger, const Reflectance& model) {
   const std::optional<Variant> variant = find_variant(model);
   if (!variant && catalogue_index(model) < 0) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<double> read_cost(const Ledger& ledger, const Reflectance& model) 
 
 Costs costs_of(const std::vector<Reflectance>& models, const std::optional<Ledger>& ledger) {
   Costs costs;
-  std::vector<Reflectance> timed{reference_form()};  // and what is missing
+  std::vector<Reflectance> timed{reference_form()};  // followed by the models without a known cost
   for (const Reflectance& model : models) {
     const std::optional<double> ns = ledger ? read_cost(*ledger, model) : std::nullopt;
     costs.ns.push_back(ns.value_or(0));

@@ -1,4 +1,4 @@
-// What an evaluation of each model costs: read from a ledger where it has the row, measured where it has not.
+// Cost of an evaluation of each model: read from a ledger if it has the row, otherwise measured.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,10 @@ namespace brdf::trade {
 
 struct Costs {
   std::vector<double> ns;      // per evaluation, by model
-  std::vector<bool> measured;  // now, and not read
+  std::vector<bool> measured;  // true: measured now; false: read from the ledger
 };
-// What the ledger lacks is timed beside the reference form, of which the ledger's time counts.
+// Returns the costs. Models that the ledger lacks are timed together with the reference form, and their time
+// is scaled by the ledger's time of the reference form.
 Costs costs_of(const std::vector<Reflectance>& models, const std::optional<Ledger>& ledger);
 
 }  // namespace brdf::trade

@@ -13,8 +13,8 @@ glm::vec3 turned(const glm::vec3& v, float degrees) {
   return {v.x * std::cos(a) + v.z * std::sin(a), v.y, v.z * std::cos(a) - v.x * std::sin(a)};
 }
 
-// The scene with camera and lights moved about the target: near enough to be the same scene, at directions
-// that no fit has seen.
+// Moves camera and lights about the target: close enough to remain the same scene, but with directions that
+// no fit has used.
 render::Scene moved(render::Scene scene, float camera_degrees, float light_degrees, float closer) {
   render::Camera& camera = scene.camera;
   camera.position = camera.target + turned(camera.position - camera.target, camera_degrees) * closer;

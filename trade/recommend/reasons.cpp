@@ -9,14 +9,14 @@
 namespace brdf::trade {
 namespace {
 
-// Whether it reflects light without direction only.
+// Returns true if the model only has diffuse weights.
 bool is_diffuse(const Candidate& c) {
   const auto weights = info(c.model).weights;
   return std::all_of(weights.begin(), weights.end(),
                      [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
-// What the reference form calls its parameter of this role.
+// Returns the reference form's name for its weight of this role.
 std::string weight_name(Role role) {
   const ReflectanceInfo& about = info(reference_form());
   return std::string(about.weights[std::size_t(about.weight_index(role))].name);
@@ -41,7 +41,7 @@ void give_reasons(Recommendation& r, const RecommendOptions& options) {
   }
 }
 
-// Smallest error among candidates that `of` admits.
+// Returns the smallest error among candidates that `of` admits.
 double best_error(const Recommendation& r, Judge judge, const std::function<bool(const Candidate&)>& of) {
   double best = 1e300;
   for (const Candidate& c : r.candidates)

@@ -1,15 +1,15 @@
-// Why a candidate was chosen or not, and what a scene does not need, in sentences.
+// Explains in sentences the choice of a candidate, and lists features that a scene does not need.
 #pragma once
 
 #include "trade/recommend/recommend.h"
 
 namespace brdf::trade {
 
-// The error that the tolerance is about.
+// Returns the error to which the tolerance applies.
 double judged(const Candidate& candidate, Judge judge);
 
-// Fills in every candidate's reason, what is unneeded, and the chosen form's known violations. Candidates are
-// sorted and chosen already.
+// Fills in the reason of every candidate, the unneeded features, and the known violations of the chosen
+// form. Candidates must be sorted and the choice must be made already.
 void explain(Recommendation& r, const RecommendOptions& options);
 
 }  // namespace brdf::trade

@@ -24,7 +24,7 @@ RgbFunction read_reference(const std::filesystem::path& path) {
   return rgb_function(io::read_samples(std::move(content)));
 }
 
-// mean |f - g| cos_i / mean g cos_i over both hemispheres up to 85 degrees.
+// Returns mean |f - g| cos_i / mean g cos_i over both hemispheres up to 85 degrees.
 double brdf_error(const RgbFunction& model, const RgbFunction& reference) {
   static const Points points = sample(direction_domain(0, 85), 4096);
   double difference = 0, total = 0;
@@ -46,7 +46,7 @@ Candidate fitted_candidate(const Reflectance& model, bool anisotropic, const io:
   return c;
 }
 
-// Every model with one width, and with two where it has them and the reference asks for them.
+// Fits every model with one width, and also with two if the model has two and the reference is anisotropic.
 std::vector<Candidate> fitted_candidates(const std::vector<Reflectance>& models, const Costs& costs,
                                          const io::SampleTable& table, bool isotropic,
                                          const RecommendOptions& options) {
@@ -77,7 +77,7 @@ std::string measured_now(const Recommendation& r, const RecommendOptions& option
   return r.costs_from + " lacks these, so their costs were measured now: " + io::joined(labels);
 }
 
-// Renders the model's picture beside the reference's, and keeps both.
+// Renders the model's picture and the reference's, and keeps both.
 double rendered(Recommendation& r, Candidate& c, const SceneView& view, const RgbFunction& reference) {
   RenderedPair pair = render_both(view, c.values, reference);
   r.picture = std::move(pair.model);
@@ -86,7 +86,8 @@ double rendered(Recommendation& r, Candidate& c, const SceneView& view, const Rg
   return pair.image_error;
 }
 
-// The cheapest that meets the tolerance, by the pixels' directions and then by two pictures.
+// Chooses the cheapest candidate that meets the tolerance, first by the directions of the pixels and then by
+// two pictures.
 void choose(Recommendation& r, const RecommendOptions& options, const SceneView& view,
             const RgbFunction& reference) {
   for (std::size_t k = 0; k < r.candidates.size(); ++k)

@@ -32,7 +32,8 @@ std::vector<std::string> sentences_of(const Recommendation& r) {
   return sentences;
 }
 
-// Stops that bring all but the brightest hundredth of the lit pixels below white; never brighter than it is.
+// Returns the exposure in stops at which all but the brightest hundredth of the lit pixels are below white.
+// The exposure never brightens the picture.
 float exposure_of(const render::Picture& picture) {
   const std::vector<double> brightest = render::surface_brightness(picture);
   if (brightest.empty()) return 0;
@@ -66,7 +67,7 @@ std::vector<io::Remark> remarks_on(const Recommendation& r) {
   return remarks;
 }
 
-// A sentence of `unneeded` is "what the scene shows: what follows"; a reader wants to know what follows.
+// A sentence of `unneeded` has the form "observation: conclusion". The table shows the conclusion first.
 void add_unneeded(io::HtmlReport& report, const Recommendation& r) {
   if (r.unneeded.empty()) return;
   report.heading("What this scene does not need");
@@ -81,7 +82,7 @@ void add_unneeded(io::HtmlReport& report, const Recommendation& r) {
   report.table({"conclusion", "because"}, rows);
 }
 
-// Nothing else is cheaper and closer.
+// Returns true if no other candidate is cheaper and at least as close.
 bool on_front(const Recommendation& r, const Candidate& c) {
   return std::none_of(r.candidates.begin(), r.candidates.end(), [&](const Candidate& other) {
     return other.cost_ns < c.cost_ns && other.image_error <= c.image_error;
@@ -119,8 +120,8 @@ io::Plot cost_plot(const Recommendation& r) {
   return plot;
 }
 
-// A mean beyond the mean itself is no measure any more: some direction that the scene may never show grows
-// without limit.
+// An error above ten times the mean is no longer a useful measure: the values grow without limit in some
+// direction, which the scene may never show.
 io::Cell brdf_error_cell(const Candidate& c) {
   constexpr double kBeyondMeasure = 10;
   if (c.brdf_error < kBeyondMeasure) return {number(c.brdf_error)};

@@ -44,7 +44,7 @@ void add_row(io::SampleTable& table, const Vec3<double>& wi, const Vec3<double>&
 struct Azimuths {
   double mean, spread;
 };
-// Mean azimuth modulo 180 degrees, and the largest distance from it.
+// Returns the mean azimuth modulo 180 degrees, and the largest distance from this mean.
 Azimuths azimuths_of(const std::vector<double>& phi) {
   double c = 0, s = 0;
   for (double p : phi) c += std::cos(2 * p), s += std::sin(2 * p);
@@ -67,12 +67,12 @@ RgbFunction rgb_function(const Material& given) {
 }
 
 bool is_isotropic(const RgbFunction& reference) {
-  constexpr double kSame = 1e-4;  // of the light: what is interpolated is so in single precision
+  constexpr double kSame = 1e-4;  // relative; interpolated values have single precision
   const Points points = sample(direction_domain(0, 85), 1024);
   double difference = 0, total = 0;
   for (std::size_t k = 0; k < points.count(); ++k) {
     const auto row = row_at<DirectionRow>(points.columns, k);
-    const double phi = 1 + double(k);  // radians: no two turns are alike
+    const double phi = 1 + double(k);  // radians: all turns differ
     const double c = std::cos(phi), s = std::sin(phi);
     const auto f = reference(row.wi, row.wo), turned = reference(turn(row.wi, c, s), turn(row.wo, c, s));
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -95,7 +95,8 @@ RgbFunction rgb_function(const io::SampleTable& table) {
 
 SceneView view_of(render::Scene scene) {
   for (render::Object& object : scene.objects) {
-    object.material = make_material(catalogue().front());  // any: only its directions are asked for
+    // Arbitrary: only the directions of the scene are used.
+    object.material = make_material(catalogue().front());
     object.textures = {};
   }
   SceneView view{render::prepare(std::move(scene)), {}};

@@ -1,4 +1,5 @@
-// What a scene asks of a material: the directions of its lit pixels, and models fitted to exactly those.
+// The demands of a scene on a material: the directions of its lit pixels, and models fitted to exactly these
+// directions.
 #pragma once
 
 #include <functional>
@@ -14,44 +15,48 @@ using RgbFunction = std::function<std::array<double, 3>(const Vec3<double>& wi, 
 RgbFunction rgb_function(const Material& material);
 RgbFunction rgb_function(const io::SampleTable& table);  // interpolated
 
-// Whether values stay the same, to a ten-thousandth on average, when the surface is turned under light and
-// viewer.
+// Returns true if values are unchanged, to 1e-4 on average, when the surface is turned under fixed
+// directions of light and viewer.
 bool is_isotropic(const RgbFunction& reference);
 
-// The scene's lit points, the surface frames free of any material's own tangent.
+// The lit points of the scene. The surface frames are independent of any material's own tangent.
 struct SceneView {
   render::PreparedScene scene;
   std::vector<render::LitPoint> points;
 };
+// Prepares the scene and returns its lit points.
 SceneView view_of(render::Scene scene);
 
-// The lit points as samples of the reference, at most about `rows` of them, weighted as they shine: sigma is
-// 1/(irradiance cos_i), and a fit's residual then is what a pixel differs by.
+// Returns the lit points as samples of the reference, at most about `rows` of them, weighted by their
+// contribution to the picture: sigma is 1/(irradiance cos_i), which makes a fit's residual equal to the
+// difference of a pixel.
 io::SampleTable scene_samples(const SceneView& view, const RgbFunction& reference, std::size_t rows);
 
-// Samples of the reference over both hemispheres, every direction alike (the additive recurrence in equal
-// solid angles), up to 85 degrees.
+// Returns samples of the reference over both hemispheres up to 85 degrees, with uniform density (the
+// additive recurrence in equal solid angles).
 io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t rows);
 
-// mean |dL| / mean L over the lit pixels, L averaged over the channels' absolute differences.
+// Returns mean |dL| / mean L over the lit pixels, with |dL| averaged over the channels.
 double image_error(const SceneView& view, const RgbFunction& model, const RgbFunction& reference);
 
-// The same, from pictures of both rendered by the reference renderer.
+// The same, from pictures of both by the reference renderer.
 struct RenderedPair {
   render::Picture model, reference;
   double image_error = 0;
 };
 RenderedPair render_both(const SceneView& view, const RgbFunction& model, const RgbFunction& reference);
 
-// Fit with the residual of a picture, (f - g) cos_i; the best minimum of the form.
+// Fits the form with the residual of a picture, (f - g) cos_i, and returns the best minimum.
 Material fit_to_picture(const Reflectance& form, const io::SampleTable& table, bool anisotropic);
 
-// How the lit pixels' directions are distributed, in degrees.
+// Distribution of the lit pixels' directions, in degrees.
 struct Coverage {
   std::size_t pixels = 0;
   double most_theta_i = 0, most_theta_o = 0, most_theta_d = 0, least_theta_h = 90, most_theta_h = 0;
-  double azimuth_of_h = 0, azimuth_spread = 180;  // half vectors off the normal stay within spread of it
+  // Half vectors off the normal have azimuths within `azimuth_spread` of `azimuth_of_h`.
+  double azimuth_of_h = 0, azimuth_spread = 180;
 };
+// Returns the distribution.
 Coverage coverage_of(const SceneView& view);
 
 }  // namespace brdf::trade

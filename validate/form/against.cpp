@@ -12,8 +12,9 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kSame = 1e-3;       // nobody sees less
-constexpr double kRounding = 1e-12;  // of a range's end: the rounding of a formula takes no value out of it
+constexpr double kSame = 1e-3;  // a smaller relative difference is invisible
+// Relative to a range's end: rounding in a formula moves no value out of the range.
+constexpr double kRounding = 1e-12;
 constexpr std::size_t kSampled = 4096;
 
 using Named = std::vector<std::pair<std::string, double>>;
@@ -24,7 +25,7 @@ double value_of(const Named& parameters, std::string_view name) {
   return NAN;
 }
 
-// What the subject's parameters give the form's, in the order of `mapped`.
+// Values of the form's mapped parameters at the subject's `parameters`, in the order of `mapped`.
 std::vector<double> mapped_values(const Against& against, const Named& parameters) {
   std::vector<double> values;
   for (const MappedParameter& m : against.mapped)
@@ -38,7 +39,8 @@ std::vector<double> mapped_at(const Subject& subject, const Against& against, st
   return mapped_values(against, subject.parameters(subject.at(point)));
 }
 
-// How far they lie outside the form's ranges, in widths of these; 0: the form has a value there.
+// Returns by how much the values lie outside the form's ranges, in widths of these ranges. 0: all values
+// are within.
 double outside(const Against& against, std::span<const double> values) {
   double sum = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -50,7 +52,7 @@ double outside(const Against& against, std::span<const double> values) {
   return sum;
 }
 
-// Values that a quantity took.
+// The range of the values that a quantity has taken.
 struct Span {
   double low = HUGE_VAL, high = -HUGE_VAL;
   void add(double x) {
@@ -64,7 +66,7 @@ std::string in_words(const Span& s) {
   return low == high ? low : low + " to " + high;
 }
 
-// The form with those values, which lie within its ranges but for rounding.
+// The form with the given values, which lie within its ranges apart from rounding.
 Material counterpart(const Against& against, const Material& at, std::span<const double> values) {
   Material m = make_material(against.form, at.channels);
   for (std::size_t k = 0; k < values.size(); ++k) {
@@ -74,7 +76,7 @@ Material counterpart(const Against& against, const Material& at, std::span<const
   return m;
 }
 
-// The form's own parameters that one of this name sets.
+// The form's own parameters that are set by the parameter `name`.
 std::vector<std::string> set_by(const ReflectanceInfo& form, const std::string& name) {
   if (!form.anisotropic() || name != form.tied_name()) return {name};
   const auto [along, across] = form.axes();
@@ -97,7 +99,7 @@ void add_same_names(Against& against, const Named& parameters) {
     }
 }
 
-// Calls visit(values) for a cover of the subject's parameters.
+// Calls visit(values) for a cover of the subject's parameter domain.
 template <class Visit>
 void for_parameters(const Subject& subject, const Against& against, const Visit& visit) {
   const std::size_t count = subject.dimensions() == 0 ? 1 : kSampled;
@@ -105,7 +107,7 @@ void for_parameters(const Subject& subject, const Against& against, const Visit&
     visit(mapped_at(subject, against, cover_point(k, subject.dimensions(), 1)));
 }
 
-// The parameters that lie the least outside the form's ranges.
+// Finds the parameters that lie outside the form's ranges by the smallest amount.
 Best nearest_within(const Subject& subject, const Against& against) {
   const Objective within = [&](std::span<const double> point) {
     return -outside(against, mapped_at(subject, against, point));
@@ -113,8 +115,8 @@ Best nearest_within(const Subject& subject, const Against& against) {
   return maximise(within, subject.dimensions(), {.cover = kSampled});
 }
 
-// Where no parameters of the subject have a counterpart, nothing could be compared, and "the same" would be
-// said of nothing.
+// If no parameters of the subject had a counterpart, nothing would be compared, and the check would report
+// agreement without any evidence.
 void require_overlap(const Subject& subject, const Against& against) {
   const Best nearest = nearest_within(subject, against);
   if (nearest.value >= 0) return;
@@ -137,8 +139,8 @@ void require_overlap(const Subject& subject, const Against& against) {
                    " lie within the form's ranges: " + all);
 }
 
-// For the search's grid: the corners of the parameters' cube, from inside as far towards them as the form's
-// ranges go, and a cover of what lies within.
+// Points for the search's grid. They are the corners of the parameter cube, each approached from an
+// interior point as far as the form's ranges permit, and a cover of the part within the ranges.
 std::vector<std::vector<double>> points_within(const Subject& subject, const Against& against,
                                                const CheckOptions& options) {
   const auto inside = [&](std::span<const double> point) {
@@ -171,7 +173,7 @@ std::vector<std::vector<double>> points_within(const Subject& subject, const Aga
   return points;
 }
 
-// What the search compared.
+// The parameter values that the search compared.
 class Compared {
  public:
   Compared(const Subject& subject, const Against& against)

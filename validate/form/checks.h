@@ -1,6 +1,6 @@
-// The checks: each goes from a subject to a finding. A check searches the subject's whole parameter domain (a
-// material has its own parameters only) and directions for the largest violation; whether a violation was
-// declared is judged afterwards.
+// The checks. Each takes a subject and returns a finding. A check searches directions and the subject's
+// whole parameter domain for the largest violation; a material contributes only its own parameters. Whether
+// a violation was declared is judged afterwards.
 #pragma once
 
 #include <functional>
@@ -16,45 +16,49 @@
 
 namespace brdf::validate {
 
-// f and f cos are numbers, for every direction: below the horizon, at it, coincident, opposite, subnormal.
+// Checks that f and f cos are finite for every direction: below and at the horizon, coincident, opposite
+// and subnormal.
 Finding check_finite(const Subject& subject, const CheckOptions& options);
-// No value depends on what the shader's language leaves undefined; of code that is not ours. `share` is the
-// share of the pairs inside the hemisphere at which one does.
+// Checks that no value depends on behaviour that the shader language leaves undefined. Applies only to
+// outside code, that is, code that is not part of the catalogue, such as a user's shader. `share` is the
+// share of the pairs inside the hemisphere at which a value is undefined.
 Finding check_undefined(const Subject& subject, const CheckOptions& options);
-// The lowest f is not below 0.
+// Checks that the lowest f is not below 0.
 Finding check_non_negative(const Subject& subject, const CheckOptions& options);
-// f(i, o) = f(o, i): all pairs of a grid of cosines graded from 1 to 1e-6, and the search between them.
+// Checks f(i, o) = f(o, i) on all pairs of a grid of cosines graded from 1 to 1e-6, and by a search between
+// them.
 Finding check_reciprocity(const Subject& subject, const CheckOptions& options);
-// The directional albedo with the light fixed does not exceed 1.
+// Checks that the directional albedo, with the light fixed, does not exceed 1.
 Finding check_energy(const Subject& subject, const CheckOptions& options);
-// The albedo agrees with closed forms of the literature, where there are some.
+// Checks that the albedo agrees with closed forms from the literature, if there are any.
 Finding check_albedo(const Subject& subject, const CheckOptions& options);
-// Isotropic forms do not see a quarter turn of the sample;
-// anisotropic ones are symmetric about their tangent.
+// Checks that isotropic forms are invariant under a quarter turn of the sample, and that anisotropic forms
+// are symmetric about their tangent.
 Finding check_isotropy(const Subject& subject, const CheckOptions& options);
-// f cos_i fades out as the light sets, instead of jumping to 0 at the horizon.
+// Checks that f cos_i fades to 0 as the light approaches the horizon, without a jump to 0 there.
 Finding check_continuity(const Subject& subject, const CheckOptions& options);
-// The distribution of slopes of a microfacet form is normalised.
+// Checks that the slope distribution of a microfacet form is normalised.
 Finding check_normalisation(const Subject& subject, const CheckOptions& options);
-// The masking of a microfacet form leaves exactly the projected area visible (the weak white furnace).
+// Checks that the masking of a microfacet form leaves exactly the projected area visible (the weak white
+// furnace test).
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options);
-// f cos_i over the sampling density averages to the albedo.
+// Checks that f cos_i over the sampling density averages to the albedo.
 Finding check_sampling(const Subject& subject, const CheckOptions& options);
-// Float agrees with double of the same code; of code that is not ours.
+// Checks that float agrees with double of the same code. Applies only to outside code.
 Finding check_float(const Subject& subject, const CheckOptions& options);
-// Derivatives by dual numbers agree with differences.
+// Checks that derivatives by dual numbers agree with finite differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 
-// One of them, with all that others need to know of it. A check does not name its finding: whoever runs it
-// does.
+// One check, with all that callers need to know about it. A check does not put its own name into its
+// finding; the code that runs the check does.
 struct Check {
-  enum class Of { all, outside };  // outside: of code that is not ours alone
+  enum class Of { all, outside };  // outside: only for outside code
   std::string_view name, meaning;
-  double cost;  // about, relative to the others
+  double cost;  // approximate, relative to the other checks
   Of of;
   Finding (*run)(const Subject&, const CheckOptions&);
 };
-// All of them, in order.
+// All checks, in order.
 inline constexpr Check kChecks[] = {
     {"finite", "Whether every value is a number, whatever the directions.", 0.1, Check::Of::all,
      check_finite},
@@ -87,14 +91,16 @@ inline constexpr Check kChecks[] = {
      Check::Of::outside, check_float},
 };
 
-// A check within the options' seconds: if its searches were cut short, it says how far they came, and a pass
-// is undecided.
+// Runs a check within options.seconds. If its searches are cut short, the statement reports how far they
+// came, and a pass becomes undecided.
 Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check);
 
-// All checks of all subjects in their order, judged against what the forms declare. On all processors.
+// Runs all checks of all subjects in order, on all processors, and judges them against the violations that
+// the forms declare. Throws InputError if outside code declares a violation of an unknown check.
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
                                 const io::Progress& progress = {});
 
+// Returns the names of all checks, in order.
 std::vector<std::string> check_names();
 
 }  // namespace brdf::validate

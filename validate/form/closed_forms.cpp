@@ -1,4 +1,4 @@
-// Albedos known in closed form, against the integrals of the forms as they are implemented.
+// Compares albedos known in closed form with the integrals of the forms as implemented.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace brdf::validate {
 namespace {
 
-// A material of the form's lobe alone: equal widths, the shape at a point of the unit cube.
+// A material with only the form's lobe: equal widths, and the shape at a point of the unit cube.
 Material lobe_at(const Subject& subject, std::span<const double> x) {
   const ReflectanceInfo& f = info(*subject.of_form());
   const auto [along, across] = f.axes();

@@ -1,4 +1,5 @@
-// Partial derivatives with respect to every parameter, by dual numbers and by extrapolated differences.
+// Compares partial derivatives with respect to every parameter: dual numbers against extrapolated
+// differences.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +11,8 @@ namespace {
 
 constexpr double kLargestGap = 1e-5;
 
-// Largest error of the derivatives there, relative to the derivative and to f over the parameter's size.
+// Largest error of the derivatives at this pair, relative to the derivative or to 1e-3 f over the
+// parameter's size, whichever is larger.
 double worst_error(const Term& term, const Pair& pair) {
   const std::size_t shapes = term.shape[0].size();
   std::vector<double> x = term.shape[0];
@@ -36,7 +38,7 @@ double worst_error(const Term& term, const Pair& pair) {
     const double size = std::max(std::abs(x[k]), 1e-3), h = 2e-4 * size;
     const double coarse = central(h), fine = central(h / 2), best = (4 * fine - coarse) / 3;
     const double scale = std::max(std::abs(f[1 + k]), 1e-3 * std::abs(f[0]) / size);
-    // Where the differences themselves have not settled nothing can be said.
+    // If the differences themselves have not converged, they are no reference.
     if (scale < 1e-12 || !std::isfinite(best) || std::abs(fine - coarse) > 1e-3 * scale) continue;
     const double error = std::abs(f[1 + k] - best) / scale;
     if (is_worst(error, worst)) worst = error;
@@ -56,7 +58,8 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
                     dimensions = pair_dimensions(subject);
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<double> x = cover_point(k, dimensions, options.seed);
-    // Inside the tables' ranges, where differences to both sides exist; directions off the horizon.
+    // Parameters inside the tables' ranges, so that differences to both sides exist; directions off the
+    // horizon.
     for (std::size_t d = 0; d < subject.dimensions(); ++d) x[d] = 0.02 + 0.96 * x[d];
     for (std::size_t d = subject.dimensions(); d < subject.dimensions() + 2; ++d) x[d] *= 0.3;
     const Material m = subject.at(x);

@@ -11,13 +11,14 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kExact = 1e-9;  // tolerance of the albedo that is told
+constexpr double kExact = 1e-9;  // tolerance of the albedo that is reported
 constexpr long kMostToCompare = 20000;
-// An albedo of exactly 1 may come out this much above; of code in float, whose constants are rounded to it,
-// by more.
+// Tolerance by which an albedo of exactly 1 may come out higher. The tolerance is larger for outside code
+// in float, because its constants are rounded to float.
 constexpr double kSlack = 1e-9, kOutsideSlack = 1e-6;
 
-// The elevation at x in [0, 1]: from the normal to max_theta, closer together towards grazing.
+// The elevation (radians) at x in [0, 1]: from the normal down to max_theta (degrees), with denser spacing
+// towards grazing.
 double elevation_at(double x, double max_theta) {
   const double lowest = degrees(90 - max_theta).radians();
   return lowest + (kPi / 2 - lowest) * (1 - x) * (1 - x);
@@ -27,15 +28,15 @@ struct WorstAlbedo {
   double value = -HUGE_VAL, bound = 0;
   bool converged = true;
   std::size_t channel = 0;
-  std::vector<double> weights;  // of a form, where they were chosen here
+  std::vector<double> weights;  // of a form, if they were chosen here
   long evaluations = 0;
 
-  // Somebody's f may be no number, or infinite, within the hemisphere.
+  // The f of outside code may be NaN or infinite within the hemisphere.
   bool is_known() const { return std::isfinite(value) && std::isfinite(bound); }
 };
 
-// Largest albedo over the weights that a form may have. Albedo is linear in each weight, so the worst weights
-// are corners of their domain.
+// Largest albedo over the weights that a form may have. The albedo is linear in each weight, so the worst
+// weights are corners of their domain.
 WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, double theta, double phi,
                          const AlbedoOptions& options) {
   WorstAlbedo worst;
@@ -71,13 +72,13 @@ WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, 
   return worst;
 }
 
-// An error bound of an albedo that leaves open whether it is above 1.
+// With an error bound of this size or more it is undecided whether the albedo exceeds 1.
 constexpr double kTooWide = 0.01;
 
-// What is lost where at most this is reflected.
+// If the largest albedo is below this value, nearly all light is lost.
 constexpr double kNearlyAll = 0.01;
 
-// The other direction that a furnace may fix.
+// The other of the two directions that a furnace may fix.
 Fixed other(Fixed fixed) {
   return fixed == Fixed::light ? Fixed::viewer : Fixed::light;
 }
@@ -91,7 +92,8 @@ WorstAlbedo over_channels(const Material& m, double theta, double phi, const Alb
   return worst;
 }
 
-// Where the search looks: everywhere, or (tied) at equal widths, where the azimuth is without effect.
+// The domain of the search: the whole domain, or (tied) equal widths only, for which the azimuth has no
+// effect.
 class EnergySearch {
  public:
   EnergySearch(const Subject& subject, const CheckOptions& options, bool tied, Fixed fixed = Fixed::light)
@@ -111,7 +113,7 @@ class EnergySearch {
     search.finest = 1e-6;
     search.seed = options_.seed;
     search.budget = options_.budget;
-    // Code of others has a dozen parameters: the climbs' work stays that of a form's.
+    // Outside code may have a dozen parameters; the cost of the climbs is held to that of a form.
     constexpr std::size_t kFew = 7;
     if (!full && dimensions > kFew) {
       search.starts = 2;
@@ -127,8 +129,8 @@ class EnergySearch {
   }
 
  private:
-  // All corners: the extremes of the parameters, at the
-  // normal and at the largest angle, and points near there.
+  // All corners: the extremes of the parameters, at the normal and at the largest angle, and points close
+  // to these corners.
   std::vector<std::vector<double>> corners(std::size_t dimensions) const {
     std::vector<std::vector<double>> points;
     for (std::vector<double> point : cube_corners(dimensions, 6)) {
@@ -163,8 +165,8 @@ class EnergySearch {
     AlbedoOptions options;
     options.tolerance = tolerance;
     options.fixed = fixed_;
-    // What is only compared need not be known to the last digit, however narrow a lobe somebody's parameters
-    // make.
+    // Albedos that are only compared need no full precision, however narrow the lobe becomes for the
+    // parameters of outside code.
     if (subject_.is_outside() && tolerance > kExact) options.max_evaluations = kMostToCompare;
     const double theta = kPi / 2 - elevation(point) * lift;
     const Material m = subject_.at(padded(point));
@@ -178,7 +180,7 @@ class EnergySearch {
   Finding judge(const Best& best) {
     const std::vector<double>& point = best.point;
     WorstAlbedo worst = albedo(point, kExact);
-    for (const double tolerance : {1e-5, 1e-3})  // as good as it can be had
+    for (const double tolerance : {1e-5, 1e-3})  // the best tolerance that can be reached
       if (!worst.is_known()) worst = albedo(point, tolerance);
     Finding finding{subject_.name(), "energy"};
     finding.value = worst.value;
@@ -212,7 +214,7 @@ class EnergySearch {
     return finding;
   }
 
-  // Where no integral has a value that is a number.
+  // The finding if no integral has a finite value.
   static Finding unknown(Finding finding, double value) {
     finding.value = value;
     if (value == HUGE_VAL) {
@@ -225,7 +227,7 @@ class EnergySearch {
     return finding;
   }
 
-  // Where the worst angle is the limit, what happens beyond it: E ~ cos^-p.
+  // If the worst angle is the limit max_theta, describes the growth of the albedo E beyond it: E ~ cos^-p.
   std::string growth(const std::vector<double>& point, double here) {
     if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
     const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
@@ -248,7 +250,7 @@ class EnergySearch {
 
 namespace {
 
-// Whether light and viewer may not change places, at pairs of a cover.
+// Whether reciprocity is violated at pairs of a cover.
 bool is_one_way(const Subject& subject, const CheckOptions& options) {
   constexpr std::size_t kPairs = 400;
   constexpr double kSeen = 1e-6;
@@ -256,7 +258,7 @@ bool is_one_way(const Subject& subject, const CheckOptions& options) {
     const std::vector<double> point = cover_point(k, pair_dimensions(subject), options.seed);
     const Material m = subject.at(point);
     const Pair p = pair_of(subject, point);
-    if (std::min(p.wi.z, p.wo.z) < 0.01) continue;  // nearer to the horizon rounding may be larger
+    if (std::min(p.wi.z, p.wo.z) < 0.01) continue;  // closer to the horizon rounding may be larger
     Values here(m.channels.size()), there(here.size());
     eval(m, p.wi, p.wo, here);
     eval(m, p.wo, p.wi, there);
@@ -266,8 +268,9 @@ bool is_one_way(const Subject& subject, const CheckOptions& options) {
   return false;
 }
 
-// Of code that is not reciprocal what is reflected depends on the direction that stays: both are searched.
-// Integrals over the viewer say how much of a light comes back; furnaces fix the viewer.
+// For code that is not reciprocal the albedo depends on the direction that is fixed, so both are searched.
+// Integrals over the viewer give the fraction of a light's power that is reflected; furnaces fix the
+// viewer.
 Finding of_both_directions(Finding light, const Subject& subject, const CheckOptions& options) {
   const Finding viewer = EnergySearch(subject, options, false, other(Fixed::light)).run();
   const bool light_fails = light.outcome == Outcome::fail || viewer.outcome == Outcome::pass;
@@ -288,14 +291,15 @@ Finding check_energy(const Subject& subject, const CheckOptions& options) {
   Finding finding = EnergySearch(subject, options, false).run();
   if (subject.is_outside() && is_one_way(subject, options))
     finding = of_both_directions(std::move(finding), subject, options);
-  // What only turns with its tangent has no widths that could be equal.
+  // A form that depends on the tangent only by orientation has no two widths that could be equal.
   if (!subject.of_form() || !info(*subject.of_form()).anisotropic()) return finding;
-  // Many programs know one width only, so the worst of equal widths is told beside the worst of all.
+  // Many programs support one width only. Therefore the worst albedo at equal widths is reported in
+  // addition to the overall worst.
   const Finding equal = EnergySearch(subject, options, true).run();
   finding.tied = Restricted{equal.value, *equal.witness};
   finding.evaluations += equal.evaluations;
   const ReflectanceInfo& f = info(*subject.of_form());
-  const std::size_t told = f.weights.size() + std::size_t(f.axes().along);  // weights are told first
+  const std::size_t told = f.weights.size() + std::size_t(f.axes().along);  // weights come first
   finding.statement += "; with equal widths at most " + io::short_number(equal.value, 5) + " (" +
                        tied_name(f) + " " + io::short_number(equal.witness->parameters[told].second, 3) +
                        ", " + io::to_text(float(equal.witness->angles.front().second)) + " degrees)";

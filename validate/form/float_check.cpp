@@ -1,5 +1,5 @@
-// Float against double of the same code: what the numerics' table is for the catalogue, for code that is
-// somebody else's.
+// Compares float with double of the same code. This check does for outside code what the numerics table
+// does for the catalogue.
 #include <algorithm>
 #include <cmath>
 
@@ -11,13 +11,13 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kSeen = 0.01;  // a difference that is seen
+constexpr double kSeen = 0.01;  // a visible relative difference
 
 Vec3<double> rounded(const Vec3<double>& w) {
   return {double(float(w.x)), double(float(w.y)), double(float(w.z))};
 }
 
-// The parameters as float has them.
+// The parameters rounded to float.
 Material rounded(Material m) {
   for (Term& term : m.terms)
     for (auto* sets : {&term.shape, &term.weights})
@@ -26,14 +26,14 @@ Material rounded(Material m) {
   return m;
 }
 
-// Of one channel; infinite where float alone has no finite value.
+// Relative difference of one channel; infinite if float has no finite value but double does.
 double difference_at(const Term& term, std::size_t channel, const Vec3<double>& wi, const Vec3<double>& wo) {
   const Vec3<float> i{float(wi.x), float(wi.y), float(wi.z)}, o{float(wo.x), float(wo.y), float(wo.z)};
   float single;
   double wide;
   eval_batch(term, channel, one_pair(i, o), &single);
   eval_batch(term, channel, one_pair(wi, wo), &wide);
-  if (!std::isfinite(wide)) return 0;  // no matter of float
+  if (!std::isfinite(wide)) return 0;  // float is not the cause
   if (!std::isfinite(single)) return HUGE_VAL;
   return difference(double(single), wide, kFaintest);
 }

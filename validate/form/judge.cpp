@@ -12,7 +12,7 @@
 namespace brdf::validate {
 namespace {
 
-// What code that is not ours declares to violate.
+// Throws InputError if outside code declares that it violates an unknown check.
 void require_known(const Subject& subject) {
   for (const Violation& v : subject.declared())
     if (std::ranges::find(kChecks, v.check, &Check::name) == std::end(kChecks))
@@ -20,7 +20,7 @@ void require_known(const Subject& subject) {
                        io::joined(check_names()));
 }
 
-// A witness that the search could not meet proves nothing: its angle lies beyond the limit.
+// A declared witness with an angle beyond the limit is outside the search, so its absence proves nothing.
 bool inside(const Violation& v, const CheckOptions& options) {
   return v.check != "energy" || v.theta <= options.max_theta;
 }
@@ -49,7 +49,8 @@ std::vector<std::string> check_names() {
   return names;
 }
 
-// A search that was cut short finds what it finds, and shows nothing of what it did not look at.
+// A search that was cut short can find violations, but cannot exclude violations at the points that were
+// not evaluated.
 Finding within_seconds(CheckOptions options, const std::function<Finding(const CheckOptions&)>& check) {
   Budget budget(options.seconds);
   options.budget = &budget;
@@ -72,7 +73,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
     return kChecks[k % kCount].of == Check::Of::all || subjects[k / kCount].is_outside();
   };
   std::vector<Finding> findings(subjects.size() * kCount);
-  // The dear ones first, so that no processor is left alone with one at the end.
+  // The most expensive checks run first, so that no processor is left with a long one at the end.
   const auto cost = [&](std::size_t k) {
     return kChecks[k % kCount].cost * (subjects[k / kCount].anisotropic() ? 5 : 1);
   };

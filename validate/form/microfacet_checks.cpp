@@ -1,7 +1,8 @@
-// What a microfacet form's parts must obey by themselves. In the slopes (p, q) of the half vector the
-// distribution of slopes P22 = D cos_h^4 integrates to 1, and the projected area that masking leaves visible,
-// integral of G1 P22 (o.h)/cos_h over the facets that face the viewer, is the viewer's cosine (Heitz 2014 eq.
-// 17): the weak white furnace. With an approximate G1 the deviation is G1's relative error.
+// Conditions that the parts of a microfacet form must meet on their own. The half vector is described by
+// its slopes (p, q). The slope distribution P22 = D cos_h^4 must integrate to 1. The projected area that
+// masking leaves visible, the integral of G1 P22 (o.h)/cos_h over the facets that face the viewer, must
+// equal the viewer's cosine (Heitz 2014 eq. 17): the weak white furnace test. With an approximate G1 the
+// deviation is the relative error of G1.
 #include <algorithm>
 #include <cmath>
 
@@ -23,9 +24,9 @@ struct Viewer {
   double theta = 0, phi = 0;
 };
 
-// Visits (h, weight) over the slope s along the viewer's azimuth and t across it, n points a panel. At fixed
-// s the ridge stands at t = -B s/C with the width sqrt((1 + (A - B^2/C) s^2)/C), where
-// q = A s^2 + 2 B s t + C t^2 is the scaled tangent's square; then s has the width 1/sqrt(A - B^2/C).
+// Visits (h, weight) over the slope s along the viewer's azimuth and the slope t across it, with n points
+// per panel. At fixed s the ridge lies at t = -B s/C and has the width sqrt((1 + (A - B^2/C) s^2)/C), with
+// the scaled tangent's square q = A s^2 + 2 B s t + C t^2. Along s the width is then 1/sqrt(A - B^2/C).
 template <class Visit>
 void over_slopes(const LobeWidth& a, const Viewer& viewer, double far, int n, Visit&& visit) {
   const auto& rule = quadrature::gauss_legendre(n);
@@ -64,8 +65,9 @@ struct Integral {
   long evaluations = 0;
 };
 
-// The integral over the slopes divided by `whole`, raising the order until two agree to a hundredth of the
-// bound, or to the last. `weigh` multiplies a block of weights by the integrand at its slopes.
+// The integral over the slopes divided by `whole`. The order is raised until two results agree to a
+// hundredth of the bound, or until the last order. `weigh` multiplies a block of weights by the integrand
+// at its slopes.
 template <class Weigh>
 Integral integrate(const FacetFacts& facets, const LobeWidth& a, const Viewer& viewer, double whole,
                    Weigh&& weigh) {
@@ -107,7 +109,7 @@ Integral normalisation_of(const ReflectanceInfo& form, const Shape& shape, const
   });
 }
 
-// The visible area over the viewer's cosine.
+// The visible area divided by the viewer's cosine.
 Integral visible_of(const ReflectanceInfo& form, const Shape& shape, const Viewer& viewer) {
   const Vec3<double> o = direction(radians(viewer.theta), radians(viewer.phi));
   std::vector<double> density, g1;
@@ -125,7 +127,7 @@ Integral visible_of(const ReflectanceInfo& form, const Shape& shape, const Viewe
 
 using Quantity = Integral (*)(const ReflectanceInfo&, const Shape&, const Viewer&);
 
-// The largest deviation from 1, over the widths and (where the quantity depends on it) the viewer.
+// The largest deviation from 1 over the widths and, if the quantity depends on the viewer, over viewers.
 Finding search(const Subject& subject, const char* check, Quantity quantity, bool over_viewers,
                const CheckOptions& options) {
   if (!subject.of_form() || !info(*subject.of_form()).facets)

@@ -1,4 +1,4 @@
-// Whether the values of code that is not ours are numbers, and defined by its language.
+// Checks whether the values of outside code are finite, and whether its language defines them.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,11 +12,11 @@
 namespace brdf::validate {
 namespace {
 
-// How often something was met at pairs of one kind, and where first.
+// Counts the faults at pairs of one kind and keeps the first witness.
 struct Met {
   long pairs = 0, faults = 0;
   std::optional<Witness> witness;
-  std::map<std::string, long> reasons;  // by the line that it comes from
+  std::map<std::string, long> reasons;  // by the source line that causes the fault
 
   void add(const std::string& reason) {
     ++faults;
@@ -26,7 +26,8 @@ struct Met {
   std::string share() const { return io::percent(part(), 3); }
 };
 
-// Something that is asked at every pair: its reason in words, or nothing.
+// A test that runs at every pair. Returns the reason of a fault in words, or std::nullopt if there is no
+// fault.
 using Question = std::function<std::optional<std::string>(const Material&, const Pair&)>;
 
 struct Survey {
@@ -38,7 +39,7 @@ struct Survey {
   long above() const { return at(Where::inside).faults + at(Where::coincident).faults; }
 };
 
-// Points at which the parameters are taken: the subject's own, corners, and a cover of the inside.
+// Points at which the parameters are taken: the subject's own, corners, and a cover of the interior.
 std::vector<Material> materials_of(const Subject& subject, std::size_t cover, std::uint64_t seed) {
   std::vector<Material> out{subject.own()};
   for (const auto& corner : cube_corners(subject.dimensions(), 5)) out.push_back(subject.at(corner));
@@ -77,7 +78,7 @@ std::string reasons_of(const Met& met) {
   return words.empty() ? "" : ": " + io::joined(words, "; ");
 }
 
-// What was met above the horizon and at it, apart.
+// Describes the faults above the horizon and at the horizon separately.
 std::string places(const Survey& s, bool above) {
   std::vector<std::string> parts;
   const Met &inside = s.at(Where::inside), &coincident = s.at(Where::coincident),
@@ -125,7 +126,7 @@ Finding check_outside_finite(const Subject& subject, const CheckOptions& options
                             if (finite) return std::nullopt;
                             const OutsideFacts& facts = *subject.outside_facts();
                             if (facts.undefined && !facts.undefined(m, p.wi, p.wo).empty())
-                              return std::nullopt;  // another check's
+                              return std::nullopt;  // reported by check_undefined()
                             return facts.explain ? facts.explain("finite", m, p.wi, p.wo) : "";
                           });
   Finding finding = finding_of(subject, "finite", s);
@@ -175,7 +176,7 @@ void void_it(Finding& f, const std::string& why) {
   f.witness.reset();
 }
 
-// The pair that a finding's witness names, if it names one.
+// The pair that a finding's witness names, if there is one.
 std::optional<Pair> pair_of_witness(const Finding& f) {
   if (!f.witness || f.witness->angles.size() != 4) return std::nullopt;
   const auto& a = f.witness->angles;
@@ -185,7 +186,7 @@ std::optional<Pair> pair_of_witness(const Finding& f) {
 // The subject with the witness's parameters.
 Material at_witness(const Subject& subject, const Witness& w) {
   Material m = subject.own();
-  if (!subject.of_form()) return m;  // a material has its own parameters only
+  if (!subject.of_form()) return m;  // a material has only its own parameters
   const ReflectanceInfo& f = info(*subject.of_form());
   for (const auto& [name, value] : w.parameters) {
     const int shape = f.shape_index(name), weight = f.weight_index(name);
@@ -206,7 +207,7 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
                          [&](const Finding& f) { return f.check == check; });
   };
   Finding &finite = find("finite"), &undefined = find("undefined"), &negative = find("non_negative");
-  // A value below 0 that another check met.
+  // A value below 0 that another check has met.
   for (const Finding& f : findings) {
     const auto pair = pair_of_witness(f);
     if (!pair || negative.outcome == Outcome::fail) continue;
@@ -224,7 +225,7 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
                       "f down to " + io::short_number(least, 3) + " /sr, met by the check of " + f.check +
                           subject.explained("non_negative", m, pair->wi, pair->wo));
   }
-  // A verdict that names an undefined value, or that rests on a share of them, is none.
+  // A failure at an undefined value decides nothing, nor does a pass if a share of the values is undefined.
   if (facts->undefined)
     for (Finding& f : findings) {
       if (&f == &undefined || f.outcome != Outcome::fail) continue;

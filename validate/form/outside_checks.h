@@ -1,4 +1,5 @@
-// Checks of code that is not ours, and which finding voids which.
+// Checks of outside code (code that is not part of the catalogue), and the rules by which one finding voids
+// another.
 #pragma once
 
 #include <span>
@@ -8,18 +9,20 @@
 
 namespace brdf::validate {
 
-// How the statement of a finding begins that would hold of any function that is 0.
+// The beginning of a statement that would hold for any function that is 0 everywhere.
 inline constexpr std::string_view kVacuous = "vacuous: ";
 
-// f and f cos are finite numbers. Pairs inside the hemisphere, where directions coincide, and at the exact
-// horizon are told apart, with their shares and the lines of the source; the horizon alone does not fail.
-// `share` is the share inside. A function that is 0 everywhere is undecided: whatever it is asked holds.
+// Checks that f and f cos are finite numbers. Pairs inside the hemisphere, pairs with coincident directions
+// and pairs at the exact horizon are reported separately, with their shares and the lines of the source.
+// Faults at the horizon alone do not fail the check. `share` is the share inside the hemisphere. The
+// finding is undecided for a function that is 0 everywhere, since every property holds for such a function.
 Finding check_outside_finite(const Subject& subject, const CheckOptions& options);
 
-// Which finding voids which, of one outside subject. A value below 0 that any check met fails non_negative. A
-// failure whose witness is undefined is undecided; where pairs of a positive share are undefined so is what
-// passed. Where values are not finite at a positive share of the pairs, energy, albedo, derivatives and
-// sampling are undecided. Of a function that is 0 everything that passed is.
+// Applies the rules by which the findings of one outside subject void each other. A value below 0 that any
+// check met fails non_negative. A failure becomes undecided if its witness is undefined. If a positive
+// share of the pairs is undefined, passed checks become undecided, too. If values are not finite at a
+// positive share of the pairs, energy, albedo, derivatives and sampling become undecided if they passed.
+// For a function that is 0 everywhere, every passed check becomes undecided.
 void apply_voids(const Subject& subject, std::span<Finding> findings);
 
 }  // namespace brdf::validate

@@ -12,11 +12,12 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kReciprocityBound = 1e-10;  // rounding: the form sees the same numbers in another order
-constexpr double kOutsideBound = 1e-6;       // rounding of code that was not written against it
-constexpr double kIsotropyBound = 1e-6;  // a tangent frame rounds the directions, which narrow lobes magnify
+constexpr double kReciprocityBound = 1e-10;  // rounding: the form gets the same numbers in another order
+constexpr double kOutsideBound = 1e-6;       // rounding of code that was not written with this bound in mind
+// A tangent frame rounds the directions, and narrow lobes magnify this rounding.
+constexpr double kIsotropyBound = 1e-6;
 
-// Channel with the largest |measure(values)|.
+// The largest measure(channel) over the channels.
 template <class Measure>
 double worst_channel(const Material& m, Measure&& measure) {
   double worst = -HUGE_VAL;
@@ -44,7 +45,7 @@ Finding from_best(const Subject& subject, std::string check, const Best& best, d
   return finding;
 }
 
-// Of code that is not ours: a step of f within the hemisphere is told first.
+// For outside code: a step of f within the hemisphere takes precedence over a fault at the horizon.
 Finding with_jump(Finding finding, const Subject& subject, const CheckOptions& options) {
   const auto jump = largest_jump(subject, options, finding.bound, finding.evaluations);
   if (!jump) return finding;
@@ -96,8 +97,9 @@ Finding check_finite(const Subject& subject, const CheckOptions& options) {
 
 namespace {
 
-// The worst pair, of which a violation is the model's: of code that is not ours one that is found in double
-// counts only if it is there in more digits, too. `rounding` is the largest that is not.
+// The worst pair at which a violation is due to the model. For outside code, a violation found in double
+// counts only if it persists with more digits. `rounding` is the largest violation that did not persist, or
+// 0.
 struct Confirmed {
   Best best;
   double rounding = 0;
@@ -116,7 +118,7 @@ Confirmed confirmed_worst(const Subject& subject, const PairMeasure& measure, co
     return found;
   }
   found.rounding = found.best.value;
-  long left = options.effort == Effort::full ? 400'000 : 40'000;  // of evaluations in more digits
+  long left = options.effort == Effort::full ? 400'000 : 40'000;  // of evaluations with more digits
   found.best = worst_pair(
       subject,
       [&](const Material& m, const Pair& p) {
@@ -131,7 +133,7 @@ std::string of_rounding(const Confirmed& found, const std::string& text) {
   return found.rounding > 0 ? "; in double " + text + ", which is rounding" : "";
 }
 
-// f of all channels in more digits.
+// f of all channels with more digits.
 Values precise(const Subject& subject, const Material& m, const Vec3<double>& wi, const Vec3<double>& wo) {
   return subject.outside_facts()->in_more_digits(m, wi, wo);
 }
@@ -184,7 +186,7 @@ Finding check_reciprocity(const Subject& subject, const CheckOptions& options) {
 
 namespace {
 
-// How much f changes when the directions are reflected at the plane of each term's tangent.
+// The change of f when the directions are reflected at the plane of each term's tangent.
 double change_by_reflection(const Material& m, const Pair& p) {
   double worst = 0;
   for (const Term& term : m.terms) {
@@ -198,8 +200,8 @@ double change_by_reflection(const Material& m, const Pair& p) {
   return worst;
 }
 
-// How much f changes when both directions turn. Exact turns only: at the edge of a cosine lobe x^n, rounding
-// a direction can be any change of f.
+// The change of f when both directions turn by a quarter or a half turn. Only exact turns are used: at the
+// edge of a cosine lobe x^n, rounding a direction can change f by any amount.
 double change_by_turns(const Material& m, const Pair& p) {
   double worst = 0;
   for (const auto& [c, s] : {std::pair{0.0, 1.0}, std::pair{-1.0, 0.0}})
@@ -207,15 +209,15 @@ double change_by_turns(const Material& m, const Pair& p) {
   return worst;
 }
 
-// The same by a turn that no symmetry of a square hides, above 1 degree from the horizon, where rounding is
-// small.
+// The change of f for a turn that is not hidden by the symmetry of a square, at least 1 degree above the
+// horizon, where rounding is small.
 double change_by_any_turn(const Material& m, const Pair& p) {
   if (std::min(p.wi.z, p.wo.z) < 0.02) return 0;
   const double c = std::cos(0.7), s = std::sin(0.7);
   return asymmetry(m, p.wi, p.wo, turn(p.wi, c, s), turn(p.wo, c, s), kFaintest);
 }
 
-// Of code of which nothing shows that it is isotropic, and that reads no tangent.
+// For outside code that reads no tangent and that nothing proves to be isotropic.
 Finding isotropy_of_outside(const Subject& subject, const CheckOptions& options) {
   const Confirmed found = confirmed_worst(
       subject,
@@ -247,7 +249,7 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
   const bool two_widths = subject.of_form() && info(*subject.of_form()).anisotropic();
   const bool has_tangent = !facts || facts->oriented || two_widths;
   if (facts && facts->may_turn && !has_tangent) return isotropy_of_outside(subject, options);
-  // Isotropic: every turn of both directions; anisotropic: the reflection at the plane of the tangent.
+  // Isotropic: exact turns of both directions. Anisotropic: the reflection at the plane of the tangent.
   const bool anisotropic = subject.anisotropic();
   const Best best = worst_pair(subject, anisotropic ? change_by_reflection : change_by_turns, options);
   Finding finding = from_best(subject, "isotropy", best, best.value, kIsotropyBound, anisotropic ? 2 : 4);
@@ -260,8 +262,9 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
 }
 
 Finding check_continuity(const Subject& subject, const CheckOptions& options) {
-  // f cos_i with the light at the horizon, over its largest value on the way there. Masking fades over the
-  // narrower width times the viewer's cosine: over 1e-4 1e-6, of which the horizon's cosine is a hundredth.
+  // f cos_i with the light at the horizon, divided by its largest value on the way there. Masking fades
+  // over the narrower width times the viewer's cosine, at least 1e-4 times 1e-6. The cosine used for the
+  // horizon, 1e-12, is a hundredth of this product.
   constexpr double kBound = 0.02;
   const bool outside = subject.is_outside();
   const Best best = worst_pair(
@@ -273,8 +276,8 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
           eval_cos(m, at_cosine(z, phi), p.wo, f);
           for (std::size_t c = 0; c < f.size(); ++c) {
             largest[c] = std::max(largest[c], std::abs(f[c]));
-            // Code in float keeps its divisors from 0 by 1e-6 or so, which hides what is divided: it is seen
-            // above that.
+            // Code in float keeps its divisors away from 0 by about 1e-6, which hides the divided value.
+            // The value is therefore judged at cosines above that.
             const bool flat = std::abs(f[c] - before[c]) < kBound * std::abs(f[c]);
             if (outside && p.wo.z > 0.1 && z < 1e-3 && z > 5e-6) level[c] = flat ? std::abs(f[c]) : 0;
             before[c] = f[c];
@@ -282,7 +285,7 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
         }
         eval_cos(m, {std::cos(phi), std::sin(phi), 1e-12}, p.wo, f);
         for (std::size_t c = 0; c < f.size(); ++c) f[c] = std::max(std::abs(f[c]), level[c]);
-        // What is left of a lobe's far tail is no edge that anyone could see.
+        // The remainder of a lobe's far tail is not a visible edge.
         return worst_channel(
             m, [&](std::size_t c) { return largest[c] < 1e-9 ? 0 : std::abs(f[c]) / largest[c]; });
       },

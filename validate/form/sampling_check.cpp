@@ -1,5 +1,5 @@
-// Monte Carlo with the form's own sampler against its
-// integral: mean of f cos_i / pdf, and its standard error.
+// Compares Monte Carlo integration with the form's own sampler against the form's integral: the mean of f
+// cos_i / pdf, with its standard error.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kDeviations = 4.5;  // standard errors: once in 150 000 by chance
+constexpr double kDeviations = 4.5;  // standard errors; exceeded by chance once in 150 000 cases
 
 struct Mean {
   double value, error;
@@ -37,7 +37,8 @@ Mean estimate(const Term& term, const Vec3<double>& wo, int count, std::uint64_t
   return {mean, std::sqrt(std::max(sum2 / count - mean * mean, 0.0) / (count - 1))};
 }
 
-// Wide lobes only: cosine sampling, which a form without a sampler of its own gets, misses narrow ones.
+// Restricts the shape to wide lobes. A form without a sampler of its own uses cosine sampling, which misses
+// narrow lobes.
 void widen(const ReflectanceInfo& form, std::span<const double> x, std::vector<double>& shape) {
   for (std::size_t k = 0; k < form.shape.size(); ++k) {
     const ParameterInfo& p = form.shape[k];
@@ -48,7 +49,7 @@ void widen(const ReflectanceInfo& form, std::span<const double> x, std::vector<d
   }
 }
 
-// Why the cosine may miss the lobe of a form that has no sampler; empty where it does not.
+// The reason why cosine sampling may miss the lobe of a form that has no sampler; empty if it does not.
 std::string cannot_be_judged(const ReflectanceInfo& form) {
   if (form.follows_lobe) return {};
   for (const ParameterInfo& p : form.shape)

@@ -10,9 +10,10 @@ namespace brdf::validate {
 namespace {
 
 constexpr double kBody = 1e-6, kFaint = 1e-12, kTail = 1e-30;  // of the lobe's peak
-constexpr double kLeastLobe = 0.01;  // a lobe with f0 is judged as if its F were at least that
+// A lobe with f0 is judged as if its Fresnel term F were at least this value.
+constexpr double kLeastLobe = 0.01;
 
-// |a - b| over the scale.
+// |a - b| divided by the scale.
 template <class Truth>
 double relative(const Truth& a, const Truth& b, const Truth& scale) {
   using std::abs;
@@ -117,7 +118,8 @@ auto Deviations<T, Truth>::compare(const Vec3<T>& wi, const Vec3<T>& wo, T f,
   return judged;
 }
 
-// The truth with r.o smaller and larger by some ulp, of cosines that are raised already.
+// The range of the truth when r.o changes by 4 ulp in both directions. The cosines have already been raised
+// to the minimum.
 template <class T, class Truth>
 std::pair<Truth, Truth> Deviations<T, Truth>::range_at_edge(const Vec3<T>& wi, const Vec3<T>& wo,
                                                             std::size_t set) const {
@@ -130,7 +132,7 @@ std::pair<Truth, Truth> Deviations<T, Truth>::range_at_edge(const Vec3<T>& wi, c
   return {f(g.wo - towards), f(g.wo + towards)};
 }
 
-// What the error is relative to; see NumericsRow.
+// The scale to which the error is relative; see NumericsRow.
 template <class T, class Truth>
 Truth Deviations<T, Truth>::scale_of(const Vec3<T>& wi, const Vec3<T>& wo, const std::vector<Truth>& truths,
                                      std::size_t set, double peak) const {

@@ -1,4 +1,4 @@
-// How far one value of a form lies from the truth.
+// The deviation of one value of a form from the truth.
 #pragma once
 
 #include <vector>
@@ -11,22 +11,23 @@ namespace brdf::validate {
 
 using Band = double Accuracy::Errors::*;
 
-// One value's error relative to what it is judged by, see NumericsRow.
+// The error of one value, relative to the scale that NumericsRow defines.
 struct Deviation {
-  Band band = nullptr;  // null: too small a value to be judged
+  Band band = nullptr;  // null: the value is too small to be judged
   double error = 0;
-  bool as_stored = false;  // the truth is that of the vectors as they stand
+  bool as_stored = false;  // the truth is evaluated at the stored vectors, without normalising them
 };
 
-// Compares values of T with those of Truth.
+// Compares values in T with values in Truth.
 template <class T, class Truth>
 class Deviations {
  public:
   explicit Deviations(const Reflectance& form);
 
-  // As Rounding's.
+  // Sets the parameters, as Rounding::set() does.
   void set(const std::vector<std::vector<T>>& weights, const std::vector<T>& shape);
-  // Of the values f, one per set of weights; those that are not finite are not judged.
+  // Returns the deviations of the values f, one per set of weights. Values that are not finite are not
+  // judged.
   std::vector<Deviation> of(const Vec3<T>& wi, const Vec3<T>& wo, const std::vector<T>& f,
                             const std::vector<double>& peaks) const;
 
@@ -35,11 +36,11 @@ class Deviations {
     Deviation deviation;
     Truth scale{};
   };
-  // More than a quarter of the body's budget.
+  // Whether the error is more than a quarter of the body's budget.
   bool noticeable(const Judged& judged, double error) const;
   bool exceeds_statement(const Judged& judged) const;
-  // An error that is noticeable, or more than is stated, of which this much comes from directions that are
-  // not quite unit vectors as they are stored.
+  // Whether the error is noticeable, or exceeds the stated error, and is due to the fact that the stored
+  // directions are not exactly unit vectors. `storing`: the error that this fact causes.
   bool due_to_storing(const Judged& judged, double storing) const;
   std::vector<Truth> truths(const Vec3<Truth>& wi, const Vec3<Truth>& wo) const;
   Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,
@@ -55,12 +56,12 @@ class Deviations {
   Accuracy::Errors budget_;
   std::optional<Accuracy::Errors> stated_;
   std::size_t sets_ = 0;
-  // The sets; where there is an f0, then the same at f0 = 1.
+  // The sets of weights; if the form has an f0, followed by the same sets with f0 = 1.
   std::vector<std::vector<Truth>> weights_;
   std::vector<Truth> shape_;
 };
 
-// What the form's header states for T.
+// The accuracy that the form's header states for T; std::nullopt if it states no accuracy.
 template <class T>
 std::optional<Accuracy::Errors> stated_accuracy(const ReflectanceInfo& form);
 

@@ -50,7 +50,7 @@ Case random_case(const Reflectance& form, Random& random) {
     double &x = term.shape[0][std::size_t(along)], &y = term.shape[0][std::size_t(across)];
     const double kind = random.uniform();
     if (kind < 0.25) y = x;
-    if (kind > 0.75 && f.shape_index(Role::width) == along) {  // as materials have them
+    if (kind > 0.75 && f.shape_index(Role::width) == along) {  // as in typical materials
       x = random.log_uniform(0.02, 0.8);
       y = random.log_uniform(0.02, 0.8);
     }
@@ -76,7 +76,7 @@ std::array<AlbedoResult, kWays.size()> integrate(const Case& c) {
   return results;
 }
 
-// Adds the pairs of one case.
+// Adds the pairs of one case to the row.
 void compare(const Case& c, IntegratorRow& row) {
   const auto results = integrate(c);
   const auto usable = [&](std::size_t k) { return results[k].converged || kWays[k].tolerance == kTight; };
@@ -103,7 +103,7 @@ void compare(const Case& c, IntegratorRow& row) {
 std::vector<IntegratorRow> check_bounds(std::uint64_t seed, std::size_t pairs,
                                         const std::function<void(const IntegratorRow&)>& progress) {
   std::vector<IntegratorRow> rows;
-  // A tenth more than needed: results that did not converge make no pairs.
+  // A tenth more cases than needed, because results that did not converge contribute no pairs.
   const std::size_t share = catalogue().size() * kPairsPerCase, cases = (pairs * 11 / 10 + share - 1) / share;
   for (const Reflectance& form : catalogue()) {
     IntegratorRow total{"bounds_" + std::string(info(form).name), 1e-6, 0, 0, 0, 0, 0, {}};

@@ -10,7 +10,8 @@ namespace brdf::validate {
 
 namespace {
 
-// The lobes are computed once for all sets of weights where the form has lobes: it is their cost that counts.
+// If the form has lobes, the lobes are computed once for all sets of weights, because they dominate the
+// cost.
 template <Form F, class Truth>
 std::vector<Truth> evaluate(F form, std::span<const std::vector<Truth>> weight_sets,
                             std::span<const Truth> shape, const Geometry<Truth>& g) {

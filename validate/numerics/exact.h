@@ -1,7 +1,8 @@
-// The forms in 50 digits: the truth that float and double are measured against.
+// Evaluates the forms with 50 digits, as the truth against which float and double are measured.
 //
-// The same templates run, so this measures rounding; that the templates are the published equations is tested
-// against plain transcriptions (tests/libbrdf/exact/textbook_test.cpp).
+// The same templates run in all scalars, so this measures rounding only.
+// tests/libbrdf/exact/textbook_test.cpp checks the templates against plain transcriptions of the published
+// equations.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -18,7 +19,7 @@ namespace brdf::validate {
 using Exact =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-// The unit direction that a rounded one stands for.
+// Returns the unit direction that the rounded vector `w` represents.
 template <class Truth = Exact, class T>
 Vec3<Truth> exact_direction(const Vec3<T>& w) {
   using std::sqrt;
@@ -26,9 +27,9 @@ Vec3<Truth> exact_direction(const Vec3<T>& w) {
   return v * (Truth(1) / sqrt(dot(v, v)));
 }
 
-// f_r of one channel in 1/sr for each set of weights, parameters in table order; cosines below `min_cosine`
-// are evaluated there (it is the one of the scalar under test). For Truth = Exact, and double, which is the
-// truth that float is measured against.
+// Returns f_r of one channel in 1/sr for each set of weights. Parameters are in table order. Cosines below
+// `min_cosine` are raised to it; pass the minimum of the scalar under test. Available for Truth = Exact,
+// Extended and double (double is the truth for float).
 template <class Truth>
 std::vector<Truth> exact_eval(const Reflectance& form,
                               std::type_identity_t<std::span<const std::vector<Truth>>> weights,
@@ -38,6 +39,6 @@ std::vector<Truth> exact_eval(const Reflectance& form,
 }  // namespace brdf::validate
 
 namespace boost::multiprecision {
-// exp(x^2) erfc(x) for x >= 0, found by the forms through argument-dependent lookup.
+// Returns exp(x^2) erfc(x) for x >= 0. The forms find this overload through argument-dependent lookup.
 brdf::validate::Exact erfcx(const brdf::validate::Exact& x);
 }  // namespace boost::multiprecision

@@ -10,7 +10,8 @@
 namespace brdf::validate {
 namespace {
 
-// One channel, the lobe alone: full specular weight, F = 1 or Schlick's with f0 = 0.04 where the form has f0.
+// A term of one channel with the lobe alone: full specular weight, F = 1, or Schlick's F with f0 = 0.04 if
+// the form has an f0.
 Term lobe_of(const Reflectance& form, std::vector<double> shape, bool schlick) {
   Term term = make_term(form, 1);
   term.shape = {std::move(shape)};
@@ -20,7 +21,7 @@ Term lobe_of(const Reflectance& form, std::vector<double> shape, bool schlick) {
   return term;
 }
 
-// Half of the angles over the whole range, half within ten degrees of its end.
+// Half of the angles cover the whole range; the other half lie within ten degrees of its end.
 double half_grazing(Random& random) {
   const bool grazing = random.uniform() < 0.5;
   return in_radians(grazing ? 90 - random.log_uniform(0.1, 10) : random.uniform(0, 89.9));
@@ -50,8 +51,9 @@ struct Set {
   std::string name;
   Reflectance form;
   std::size_t count;
-  bool grazing;           // cosines down to 1e-5
-  int unequal_every = 0;  // any two widths up to 1:1000 in every so many cases; 0: equal widths only
+  bool grazing;  // cosines down to 1e-5
+  // Every so many cases have unequal widths, up to 1:1000. 0: equal widths only.
+  int unequal_every = 0;
 };
 
 std::vector<Set> all_sets() {

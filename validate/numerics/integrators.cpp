@@ -11,8 +11,8 @@ namespace brdf::validate {
 namespace {
 
 constexpr int kTruthOrder = 192;
-constexpr long kConfirmed = 100;       // cases of a set whose truth the second rule must confirm
-constexpr double kTruthError = 1e-12;  // of the truth itself: rounding of its sum
+constexpr long kConfirmed = 100;       // cases of a set for which the second rule must confirm the truth
+constexpr double kTruthError = 1e-12;  // of the truth itself: the rounding of its sum
 
 AlbedoResult truth_of(const IntegralCase& c) {
   AlbedoOptions options;
@@ -20,7 +20,7 @@ AlbedoResult truth_of(const IntegralCase& c) {
   return directional_albedo(c.term, 0, radians(c.theta), radians(c.phi), options);
 }
 
-// Counts the results that are farther from the truth than they may be.
+// Counts the results that differ from the truth by more than the allowed error.
 IntegratorRow compare(std::string set, double tolerance, const std::vector<IntegralCase>& cases,
                       const std::vector<double>& truth, const std::vector<AlbedoResult>& results) {
   IntegratorRow row{std::move(set), tolerance, cases.size(), 0, 0, 0, 0, {}};
@@ -63,7 +63,7 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
       });
       report(compare(sets[s], tolerance, cases, truth, results));
     }
-    // The truth itself, by a rule of another kind.
+    // The truth itself, compared with a rule of another kind.
     const std::vector<IntegralCase> few(cases.begin(), cases.begin() + kConfirmed);
     std::vector<AlbedoResult> second(few.size());
     io::parallel_for(few.size(), [&](std::size_t k) {
@@ -72,7 +72,7 @@ std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
       options.max_evaluations = 40'000'000;
       const bool equal = !is_anisotropic({{}, {few[k].term}});
       for (const Rule rule : {Rule::slope, Rule::adaptive}) {
-        if (rule == Rule::slope && !equal) continue;  // it gave the truth
+        if (rule == Rule::slope && !equal) continue;  // this rule computed the truth
         options.rule = rule;
         second[k] = directional_albedo(few[k].term, 0, radians(few[k].theta), radians(few[k].phi), options);
         if (second[k].converged) break;

@@ -1,5 +1,5 @@
-// Are the integrals' error bounds honest? Random cases of each kind of integrand against a rule of much
-// higher order, and that against a rule of another kind.
+// Checks whether the integrals' error bounds are honest. Random cases of each kind of integrand are
+// compared with a rule of much higher order, and that rule is compared with a rule of another kind.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@ struct IntegratorRow {
   std::string set;
   double tolerance;  // relative
   std::size_t cases;
-  std::size_t wrong;        // farther from the truth than the tolerance (unconverged: than its own bound)
-  std::size_t unconverged;  // and said so
+  std::size_t wrong;        // farther from the truth than the tolerance (unconverged: than their bound)
+  std::size_t unconverged;  // results that reported no convergence
   double mean_evaluations;
-  double worst;  // largest error over what was allowed
+  double worst;  // largest error over the allowed error
   std::string worst_case;
 };
 
-// Every set at 1e-4, 1e-6 and 1e-10, and "second_rule_SET": the truth of 100 of its cases against a rule of
-// another kind, at 1e-7.
+// Measures every set at the tolerances 1e-4, 1e-6 and 1e-10, and returns one row for each. The further rows
+// "second_rule_SET" compare the truth of 100 cases of the set with a rule of another kind, at 1e-7.
 std::vector<IntegratorRow> check_integrators(std::uint64_t seed,
                                              const std::function<void(const IntegratorRow&)>& progress = {});
 

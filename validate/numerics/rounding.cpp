@@ -18,7 +18,7 @@ std::vector<To> convert(const std::vector<From>& values) {
   return std::vector<To>(values.begin(), values.end());
 }
 
-// "kd=0 ks=1": as few digits as give the same T.
+// Appends "kd=0 ks=1" with the fewest digits that give the same T.
 template <class T>
 void append(std::string& text, std::span<const ParameterInfo> table, const std::vector<T>& values) {
   for (std::size_t k = 0; k < table.size(); ++k) {
@@ -153,7 +153,7 @@ RoundingCase rounding_case(const ReflectanceInfo& form, std::span<const double> 
     const Vec3<double> h{x / length, y / length, 1 / length};
     c.wo = h * (2 * dot(c.wi, h)) - c.wi;
     c.wo.z = std::abs(c.wo.z);
-  } else {  // nearly the light's polar angle, azimuths nearly some quarter turns apart
+  } else {  // close to the light's polar angle, azimuths close to a multiple of a quarter turn apart
     const double near = std::pow(1e-7, away), z = std::min(cosine(light) * (1 + near * std::cos(turn)), 1.0);
     c.wo = at_cosine(z, azimuth + std::floor(12 * kind) * kPi / 2 + near * std::sin(turn));
   }

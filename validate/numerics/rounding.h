@@ -1,4 +1,4 @@
-// How far one form in one scalar lies from the truth, value by value.
+// Measures, value by value, how far one form in one scalar deviates from the truth.
 #pragma once
 
 #include <type_traits>
@@ -7,24 +7,25 @@
 
 namespace brdf::validate {
 
-// Sums up into a row. T is float (judged by double) or double (judged by 50 digits).
+// Accumulates the errors into a row. T is float (judged by double) or double (judged by 50 digits).
 template <class T>
 class Rounding {
  public:
   explicit Rounding(const Reflectance& form);
 
-  // The parameters of what follows: sets of weights that share a shape.
+  // Sets the parameters for the following calls: sets of weights that share a shape.
   void set(const std::vector<std::vector<double>>& weights, const std::vector<double>& shape);
-  // The largest |f| of each set for this light, seen from `views`.
+  // Returns the largest |f| of each set for this light, seen from `views`.
   std::vector<double> peaks(const Vec3<double>& wi, const std::vector<Vec3<double>>& views) const;
-  // Judges f for the unit vectors next to these. The largest error, over what is stated for its band.
+  // Judges f for the unit vectors nearest to these. Returns the largest error, divided by the stated error
+  // of its band, or by the budget if no error is stated.
   double judge(const Vec3<double>& wi, const Vec3<double>& wo, const std::vector<double>& peaks);
 
   const NumericsRow& row() const { return row_; }
 
  private:
   using Truth = std::conditional_t<std::is_same_v<T, float>, double, Exact>;
-  // 50 digits are slow: only what may be larger than the errors before is judged by them.
+  // 50 digits are slow. Only values that may exceed the errors so far are judged with 50 digits.
   using FirstLook = std::conditional_t<std::is_same_v<T, double> && kExtendedIsFiner, Extended, Truth>;
 
   bool perhaps_a_record(const Deviation& d) const;
@@ -42,13 +43,16 @@ class Rounding {
   NumericsRow row_;
 };
 
-// The parameters and directions at a point of the unit cube: any of the table, in places where formulas
-// break: at grazing angles, on the lobe, next to the light and opposite to it.
+// The parameters and directions of one case.
 struct RoundingCase {
   std::vector<double> weights, shape;
   Vec3<double> wi, wo;
 };
+// Returns the number of coordinates of a point of rounding_case().
 std::size_t rounding_dimensions(const ReflectanceInfo& form);
+// Returns the case at a point of the unit cube. The parameters take any values of the table. The directions
+// include places where formulas break: at grazing angles, on the lobe, next to the light and opposite to
+// the light.
 RoundingCase rounding_case(const ReflectanceInfo& form, std::span<const double> point, double least_cosine);
 
 }  // namespace brdf::validate

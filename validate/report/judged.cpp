@@ -12,7 +12,8 @@
 namespace brdf::validate {
 namespace {
 
-// What a material's file says of the fit that it came from; empty where it says nothing.
+// Describes the fit that a material came from, as recorded in the material's file; empty if there is no
+// record.
 std::string fit_text(const io::Json& fit) {
   const char* const key = "median_relative_error";
   if (!fit.is_object() || !fit.contains(key) || !fit[key].is_number()) return "";

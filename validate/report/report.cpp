@@ -66,7 +66,7 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
 
 namespace {
 
-// Text of a Markdown table's cell, whatever it holds.
+// Escapes arbitrary text for a cell of a Markdown table.
 std::string markdown_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -76,7 +76,8 @@ std::string markdown_text(std::string_view text) {
   return out;
 }
 
-// The same as code: the fence is longer than any run of its character inside.
+// Formats text as code for a cell of a Markdown table. The fence is longer than any run of backticks
+// inside.
 std::string markdown_code(std::string_view text) {
   std::string out;
   std::size_t longest = 0, run = 0;

@@ -1,4 +1,4 @@
-// Findings as a table for the terminal, JSON, Markdown and HTML.
+// Writes findings as a table for the terminal, as JSON, as Markdown and as HTML.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,14 @@
 
 namespace brdf::validate {
 
+// Prints the findings as a table for the terminal; `colour`: with ANSI colours.
 void print_findings(std::ostream& out, const std::vector<Finding>& findings, bool colour);
 using sheet::to_json;
+// Returns the findings as a Markdown table, with the summary above.
 std::string to_markdown(const std::vector<Finding>& findings);
 
 struct Picture {
-  std::string name, png;  // the file's bytes
+  std::string name, png;  // the content of the PNG file
 };
 
 struct MeasuredTable {
@@ -33,18 +35,21 @@ struct ReportContent {
   std::vector<MeasuredTable> tables;
   std::vector<Picture> pictures;
   std::map<std::string, std::string> fits;  // by subject: a clause on the fit that the material came from
-  double max_theta = 89.5;                  // degrees, to which plots go
-  bool keep_fill = false;                   // of tables: rows of fill values are judged like others
+  double max_theta = 89.5;                  // degrees, the largest angle of the plots
+  bool keep_fill = false;                   // of tables: judge rows of fill values like other rows
 };
 
-// Verdict, pictures in a row with a line each, properties as a matrix, then the plots of each table and
-// subject, with the command that prints the same numbers folded beneath.
+// Returns the report as an HTML page: the verdict, the pictures in a row with one line each, the properties
+// as a matrix, then the plots of each table and subject. The command that prints the same numbers is folded
+// beneath each plot.
 std::string to_html(const ReportContent& content);
 
-// The verdict over all: "all 12 checks passed", or how many did not.
+// Returns the overall verdict: how many checks passed, and how many failed, are known violations, undecided
+// or not applicable.
 std::string summary(const std::vector<Finding>& findings);
 
-// A row for each check, a column for each subject; what applies to none is folded away.
+// Adds a matrix with a row for each check and a column for each subject. Checks that apply to no subject
+// are folded away.
 void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings);
 
 }  // namespace brdf::validate

@@ -31,13 +31,13 @@ std::vector<Finding> findings_of(const std::vector<Finding>& all, const std::str
   return own;
 }
 
-// "copper" of "/data/copper.material.json" and of "copper.png".
+// Returns "copper" for "/data/copper.material.json" and for "copper.png".
 std::string stem(const std::string& path) {
   const std::string name = io::file_name(path);
   return name.substr(0, name.find('.', 1));
 }
 
-// "cook_torrance, surface roughness 0.2".
+// Describes the model: "cook_torrance, surface roughness 0.2".
 std::string model_text(const Material& m) {
   std::vector<std::string> words;
   for (const Term& term : m.terms) {
@@ -55,7 +55,7 @@ std::string model_text(const Material& m) {
   return io::joined(words);
 }
 
-// What does not hold, or that all does.
+// Lists the properties that fail or are known to be violated, or reports that every property holds.
 std::string state_text(const std::vector<Finding>& findings) {
   std::vector<std::string> failed, known;
   for (const Finding& f : findings) {
@@ -69,7 +69,7 @@ std::string state_text(const std::vector<Finding>& findings) {
   return text;
 }
 
-// A picture's line is of the subject whose file has its name.
+// Each picture's line describes the subject whose file has the same name.
 void add_pictures(io::HtmlReport& report, const ReportContent& content) {
   std::vector<io::Figure> row;
   for (const Picture& p : content.pictures) {
@@ -88,7 +88,8 @@ void add_pictures(io::HtmlReport& report, const ReportContent& content) {
   if (!row.empty()) report.pictures(row);
 }
 
-// One of each subject; a page of many has none, since each brings a shader and a picture.
+// Adds one sphere per subject. A page with many subjects has no spheres, since each one adds a shader and a
+// picture.
 void add_spheres(io::HtmlReport& report, const ReportContent& content) {
   constexpr std::size_t kMost = 6;
   if (content.subjects.size() > kMost) return;
@@ -149,7 +150,7 @@ std::string to_html(const ReportContent& content) {
     sheet::add_to_report(report, measured.table, measured.sheet);
     report.footnote("samples", measured.table.source);
   }
-  constexpr std::size_t kOpen = 2;  // of more subjects the plots are folded
+  constexpr std::size_t kOpen = 2;  // with more subjects the plots are folded
   for (const Subject& subject : content.subjects) {
     if (content.subjects.size() > kOpen)
       report.begin_fold("Plots of " + io::file_name(subject.name()));

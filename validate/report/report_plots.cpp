@@ -14,8 +14,8 @@
 namespace brdf::validate {
 namespace {
 
-// The material that a subject's plots show: its own, or a form's table defaults; where it is all diffuse, at
-// full weight.
+// The material that a subject's plots show: the subject's own, or a form with its table defaults. If all
+// weights are diffuse, the weights are full.
 Material shown(const Subject& subject) {
   Material m = subject.own();
   if (!subject.of_form()) return m;
@@ -32,7 +32,8 @@ std::string listed(const std::vector<double>& values, const std::string& separat
   return io::joined(words, separator);
 }
 
-// Commands that first write a table of directions; empty where the second is.
+// Joins the command that writes a table of directions with the command that reads it; empty if the latter
+// is empty.
 std::string with_table(const std::string& table, const std::string& command) {
   return command.empty() ? "" : table + " && " + command;
 }
@@ -105,7 +106,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
   return plot;
 }
 
-// The parameters with which a form reflects most, where that is too much.
+// Plots the albedo at the parameters with which a form reflects most, if the energy check did not pass.
 void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
                       double max_theta) {
   if (!subject.of_form()) return;
@@ -130,11 +131,12 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std:
 
 constexpr int kNoWidth = 6;
 
-// The parameters that say how wide the lobe is (two of an anisotropic form), or what comes nearest to that.
+// The parameters that determine the width of the lobe (two for an anisotropic form), or the closest
+// substitute.
 std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
   if (const auto [along, across] = form.axes(); across >= 0) return {std::size_t(along), std::size_t(across)};
-  // Of the others the role that comes first below; a parameter that is a reflectance says nothing of the
-  // width.
+  // Other forms use the parameter with the role that comes first below. A parameter that is a reflectance
+  // does not describe the width.
   const auto rank = [](Role role) {
     switch (role) {
       case Role::width:
@@ -167,7 +169,7 @@ std::vector<std::size_t> width_parameters(const ReflectanceInfo& form) {
   return {std::size_t(best - form.shape.begin())};
 }
 
-// White furnace: reflected fraction of uniform light against the lobe's width.
+// White furnace: the reflected fraction of uniform light, plotted against the lobe's width.
 void add_furnace(io::HtmlReport& report, const Subject& subject, const Material& m) {
   if (!subject.of_form()) return;
   const ReflectanceInfo& f = info(*subject.of_form());
@@ -209,7 +211,8 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   report.plot(plot);
 }
 
-// Relative difference of f under exchange of light and viewer, over pairs of polar angles; worst azimuth.
+// The relative difference of f under exchange of light and viewer, over pairs of polar angles, at the worst
+// azimuth.
 void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const Material& m) {
   constexpr std::size_t kCells = 60, kScale = 6;
   constexpr double kEqual = 1e-12;

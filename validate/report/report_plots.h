@@ -1,4 +1,4 @@
-// The plots of one subject: albedo, lobes, white furnace, reciprocity.
+// Plots of one subject: albedo, lobes, white furnace, reciprocity.
 #pragma once
 
 #include "io/page/html_report.h"
@@ -7,8 +7,8 @@
 
 namespace brdf::validate {
 
-// Each with the command that prints the same numbers. `findings` are those of all subjects; `max_theta` in
-// degrees.
+// Adds the plots to the report, each with the command that prints the same numbers. `findings` are the
+// findings of all subjects; `max_theta` is in degrees.
 void add_subject_plots(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
                        double max_theta);
 

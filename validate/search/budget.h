@@ -1,4 +1,4 @@
-// How long the searches of a check may go on.
+// Limits how long the searches of a check may run.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@ namespace brdf::validate {
 
 class Budget {
  public:
-  // 0 seconds are no limit. Time runs from here.
+  // `seconds`: the limit; 0 means no limit. The time starts at construction.
   explicit Budget(double seconds) : seconds_(seconds) {}
 
-  // Whether a search may look at one more point. The first points of a check are always looked at, so that
-  // its finding names one.
+  // Counts one point and returns whether a search may evaluate it. The first points of a check are always
+  // permitted, so that its finding names a point.
   bool take() {
     const bool may = left_out_ == 0 && (seconds_ <= 0 || looked_at_ < kAlways || elapsed() < seconds_);
     ++(may ? looked_at_ : left_out_);
@@ -19,7 +19,7 @@ class Budget {
   }
 
   long looked_at() const { return looked_at_; }
-  // Points that the searches asked for in vain. A search that is not cut short may ask for more.
+  // Number of points that take() refused. Without the limit a search may request more points than these.
   long left_out() const { return left_out_; }
   double seconds() const { return seconds_; }
 

@@ -1,5 +1,6 @@
-// Degrees that keep their last digit: what a seed draws and what commands print depends on it. (An Angle
-// multiplies by pi / 180, these multiply and divide.)
+// Conversions between degrees and radians that keep the last digit, because the points drawn from a seed
+// and the printed commands depend on it. (An Angle multiplies by pi / 180; these functions multiply and
+// divide.)
 #pragma once
 
 #include "brdf/scalar.h"

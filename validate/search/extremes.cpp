@@ -39,7 +39,7 @@ std::vector<double> extreme_values(const ParameterInfo& p) {
   return p.initial == p.max ? std::vector{p.min, p.max} : std::vector{p.min, p.initial, p.max};
 }
 
-// Along and across the tangent: equal ones, then far apart, instead of all pairs.
+// Pairs of values along and across the tangent: equal values, then values far apart, instead of all pairs.
 std::vector<std::array<double, 2>> extreme_pairs(const ParameterInfo& along, const ParameterInfo& across) {
   std::vector<std::array<double, 2>> pairs;
   for (const double v : extreme_values(along))
@@ -55,7 +55,7 @@ std::vector<std::vector<double>> extreme_shapes(const ReflectanceInfo& form) {
   const auto [along, across] = form.axes();
   std::vector<std::vector<double>> sets{std::vector<double>(form.shape.size())};
   for (std::size_t k = 0; k < form.shape.size(); ++k) {
-    if (int(k) == across) continue;  // goes with the one along
+    if (int(k) == across) continue;  // set together with the parameter along the tangent
     std::vector<std::vector<double>> longer;
     for (auto set : sets) {
       if (int(k) != along) {

@@ -1,5 +1,5 @@
-// The outcome of a check is one notion for forms, materials and tables (sheet/finding.h); here are its names
-// in this room.
+// Brings the names of sheet/finding.h into this room. Forms, materials and tables share one notion of a
+// check's outcome.
 #pragma once
 
 #include "sheet/finding.h"

@@ -9,14 +9,16 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kLargestTheta = 89;      // degrees: the horizon is another check's
-constexpr int kSamples = 48;              // of an arc
-constexpr double kNear = 1e-12;           // of an arc: what still differs there is a step
-constexpr double kSuspect = 0.05;         // a change between samples that is looked at
-constexpr std::size_t kMostSuspects = 4;  // of an arc
-constexpr double kBeside = 1e-7;          // of an arc: at both sides of a step f is what it is there
+constexpr double kLargestTheta = 89;      // degrees; another check covers the horizon
+constexpr int kSamples = 48;              // samples per arc
+constexpr double kNear = 1e-12;           // of an arc: a difference that remains at this distance is a step
+constexpr double kSuspect = 0.05;         // a change between samples that is examined further
+constexpr std::size_t kMostSuspects = 4;  // per arc
+// Of an arc: at this distance from a step, f must have the same value as directly at the step, on both
+// sides.
+constexpr double kBeside = 1e-7;
 
-// One angle that moves while the others stay.
+// One angle that moves while the others are fixed.
 struct Arc {
   Pair base;
   int which;  // theta_o, phi_o or theta_i
@@ -24,7 +26,7 @@ struct Arc {
   Pair at(double t) const {
     Pair p = base;
     if (which == 0) p.theta_o = t * kLargestTheta;
-    if (which == 1) p.phi_o = p.phi_i + (1.2 * t - 0.1) * 180;  // past both sides of the plane of incidence
+    if (which == 1) p.phi_o = p.phi_i + (1.2 * t - 0.1) * 180;  // beyond both sides of the plane of incidence
     if (which == 2) p.theta_i = t * kLargestTheta;
     p.wi = direction(degrees(p.theta_i), degrees(p.phi_i));
     p.wo = direction(degrees(p.theta_o), degrees(p.phi_o));
@@ -37,7 +39,7 @@ class ArcSearch {
   ArcSearch(const Material& m, const Arc& arc, long& evaluations)
       : m_(m), arc_(arc), evaluations_(evaluations) {}
 
-  // The largest step beyond `least`.
+  // The largest step that exceeds `least`.
   std::optional<Jump> run(double least) {
     std::array<Values, kSamples> f;
     for (int k = 0; k < kSamples; ++k) f[std::size_t(k)] = values((k + 0.37) / kSamples);
@@ -65,7 +67,8 @@ class ArcSearch {
     return f;
   }
 
-  // Of the channel with the largest; 0 where one is no number, which is another check's.
+  // The change of the channel with the largest change. Channels with a value that is not finite are left
+  // out; another check reports them.
   static double change_of(const Values& a, const Values& b) {
     double most = 0;
     for (std::size_t c = 0; c < a.size(); ++c)
@@ -89,7 +92,8 @@ class ArcSearch {
     return step_at(left, right, at_left, at_right, highest);
   }
 
-  // A pole grows for ever, and a value that is all rounding changes anywhere: neither is a step.
+  // Rejects poles, which grow without limit, and values that consist of rounding errors, which change
+  // everywhere.
   std::optional<Jump> step_at(double left, double right, const Values& at_left, const Values& at_right,
                               double highest) {
     const double change = change_of(at_left, at_right);
@@ -111,7 +115,7 @@ class ArcSearch {
   long& evaluations_;
 };
 
-// The subject's own parameters, then points within the cube: at its faces widths are often 0.
+// The subject's own parameters, then points inside the cube, because widths are often 0 on its faces.
 std::vector<Material> materials(const Subject& subject, const CheckOptions& options) {
   std::vector<Material> out{subject.own()};
   const std::size_t dimensions = subject.dimensions();

@@ -1,4 +1,4 @@
-// Steps of f within the hemisphere, where light and viewer stand above the horizon.
+// Searches for steps of f within the hemisphere, with light and viewer above the horizon.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,16 @@ namespace brdf::validate {
 
 struct Jump {
   Material at;
-  Pair here, there;              // at most 1e-12 rad from one another
+  // At most 1e-12 of an arc apart; an arc covers 89 or 216 degrees.
+  Pair here, there;
   double before = 0, after = 0;  // f, 1/sr, of one channel
-  double value = 0;              // their difference over the larger, which counts as at least kFaintest
+  double value = 0;              // |before - after| over the larger, which counts as at least kFaintest
 };
 
-// The largest found, of those beyond `least`: along arcs of the viewer and of the light, in the polar angle
-// and in the azimuth, at the subject's own parameters and over a cover of its domain, each large change cut
-// in halves until it is smooth or is none.
+// Returns the largest step found that exceeds `least`; std::nullopt if there is no such step. The search
+// follows arcs of the viewer and of the light, in the polar angle and in the azimuth, at the subject's own
+// parameters and over a cover of its domain. Each large change is bisected until it is identified as a
+// step, or as smooth. Adds the number of evaluations to `evaluations`.
 std::optional<Jump> largest_jump(const Subject& subject, const CheckOptions& options, double least,
                                  long& evaluations);
 

@@ -1,4 +1,4 @@
-// How hard a search looks, and for how long.
+// Options of the checks: how thoroughly a search looks, and for how long.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct CheckOptions {
   double max_theta = 89.5;  // degrees, of the energy check's fixed direction
   std::uint64_t seed = 1;
   double seconds = 0;        // of each check's searches; 0: no limit
-  Budget* budget = nullptr;  // of the check that runs; run_checks() sets it
+  Budget* budget = nullptr;  // of the running check; set by run_checks()
 };
 
 }  // namespace brdf::validate

@@ -11,7 +11,7 @@
 namespace brdf::validate {
 namespace {
 
-// Corners of the parameters' cube (the first 32) and a cover of its inside.
+// Corners of the parameter cube (the first 32) and a cover of its interior.
 std::vector<std::vector<double>> parameter_points(std::size_t dimensions, std::size_t cover,
                                                   std::uint64_t seed) {
   std::vector<std::vector<double>> points = cube_corners(dimensions, 5);

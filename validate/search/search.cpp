@@ -19,7 +19,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return largest;
 }
 
-// Tries both neighbours along every axis; true where one was better.
+// Tries both neighbours along every axis and returns whether a better one was found.
 bool explore(const Objective& f, std::vector<double>& point, double& value, double step, long& calls) {
   bool moved = false;
   for (double& x : point) {
@@ -49,7 +49,7 @@ Best climb(const Objective& f, std::vector<double> point, double value, double s
       step *= 0.35;
       continue;
     }
-    // Once more as far in the same direction.
+    // A further step of the same length in the same direction.
     std::vector<double> ahead = point;
     for (std::size_t d = 0; d < ahead.size(); ++d) ahead[d] = std::clamp(2 * point[d] - base[d], 0.0, 1.0);
     ++calls;
@@ -84,7 +84,7 @@ std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint
 
 namespace {
 
-// The function where the budget lets the search look.
+// The function f, or the lowest value once the budget is used up.
 Objective within(Budget* budget, const Objective& f) {
   if (!budget || !f) return f;
   return [budget, &f](std::span<const double> point) { return budget->take() ? f(point) : -HUGE_VAL; };
@@ -100,7 +100,8 @@ Best maximise(const Objective& whole, std::size_t dimensions, const SearchOption
   for (const auto& point : extra) add(point);
   for (std::size_t k = 0; k < options.cover; ++k) add(cover_point(k, dimensions, options.seed));
   long calls = long(points.size());
-  // The best of them, at least this far from one another: several climbs to one summit would find nothing.
+  // Keeps the best points that are at least `apart` from one another: several climbs to one summit would
+  // find nothing new.
   const auto keep_best = [&](std::size_t count, double apart) {
     std::stable_sort(points.begin(), points.end(),
                      [](const Best& a, const Best& b) { return a.value > b.value; });

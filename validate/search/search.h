@@ -1,4 +1,4 @@
-// Search for the largest value of a function on the unit cube. Deterministic.
+// Deterministic search for the largest value of a function on the unit cube.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace brdf::validate {
 
 struct SearchOptions {
   std::size_t cover = 256;   // points of the low-discrepancy cover
-  std::size_t starts = 6;    // of these, the best are climbed from
-  int steps = 60;            // of a climb; each costs about two evaluations per dimension
+  std::size_t starts = 6;    // number of best points that climbs start from
+  int steps = 60;            // per climb; each costs about two evaluations per dimension
   double coarse = 1e-3;      // step at which these climbs end
-  std::size_t polish = 2;    // the best of their summits are climbed on from
-  double finest = 1e-7;      // step at which that ends
+  std::size_t polish = 2;    // number of best summits that are refined further
+  double finest = 1e-7;      // step at which the refinement ends
   std::uint64_t seed = 1;    // shifts the cover
-  Budget* budget = nullptr;  // points beyond it count as lowest, unseen
+  Budget* budget = nullptr;  // points beyond it are not evaluated and count as lowest
 };
 
 struct Best {
@@ -29,21 +29,22 @@ struct Best {
 
 using Objective = std::function<double(std::span<const double>)>;
 
-// Those of the unit cube, the first 2^most of them: coordinate d is bit d of the number.
+// Returns the first 2^most corners of the unit cube; coordinate d of a corner is bit d of its number.
 std::vector<std::vector<double>> cube_corners(std::size_t dimensions, std::size_t most);
 
-// The k-th point of the additive recurrence with the generalised golden ratio (Roberts 2018), shifted.
+// Returns the k-th point of the additive recurrence with the generalised golden ratio (Roberts 2018),
+// shifted by `seed`.
 std::vector<double> cover_point(std::size_t k, std::size_t dimensions, std::uint64_t seed);
 
-// Evaluates the cover and `extra`, then climbs from the best points by pattern search
-// (Hooke and Jeeves 1961), which needs no derivatives, stands kinks, and reaches the
-// cube's faces exactly. NaN counts as lowest. The best summits are climbed to the
-// finest step with `exact`, where a function is cheaper to have roughly.
+// Evaluates the cover and `extra`, then climbs from the best points by pattern search (Hooke and Jeeves
+// 1961). Pattern search needs no derivatives, tolerates kinks, and reaches the faces of the cube exactly.
+// NaN counts as lowest. If `exact` is given, the best summits are climbed to the finest step with `exact`;
+// use it when a rough value of the function is cheaper.
 Best maximise(const Objective& f, std::size_t dimensions, const SearchOptions& options,
               const std::vector<std::vector<double>>& extra = {}, const Objective& exact = {});
 
-// The same for a function that is rough at every scale, as rounding errors are: a quarter of the evaluations
-// cover the cube, the others move its best points at random, by steps of every size.
+// Finds the largest value of a function that is rough at every scale, such as a rounding error. A quarter
+// of the evaluations cover the cube; the others move the best points at random, by steps of every size.
 Best maximise_rough(const Objective& f, std::size_t dimensions, std::size_t evaluations, std::uint64_t seed);
 
 }  // namespace brdf::validate

@@ -8,7 +8,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr double kHorizon = 1e-16;  // a cosine: no angle in degrees comes nearer
+constexpr double kHorizon = 1e-16;  // a cosine; no angle in degrees comes closer
 
 Where place_of(const Pair& p, Where above) {
   return std::min(p.wi.z, p.wo.z) < kHorizon ? Where::horizon : above;
@@ -35,7 +35,7 @@ std::vector<PlacedPair> placed_pairs(std::size_t inside, std::size_t angles, std
     const std::vector<double> u = cover_point(k, 2, seed);
     add_coincident(out, 90 * u[0], k % 4 == 0 ? 0 : 360 * u[1]);
   }
-  // Beyond 90 degrees f is 0, and a number.
+  // Beyond 90 degrees f must be 0, and therefore finite.
   const double low[] = {0, 40, 80, 89.9, 89.9999, 90 - 1e-9, 90, 90 + 1e-9, 120, 180};
   for (const double theta_i : low)
     for (const double theta_o : low)
@@ -43,7 +43,8 @@ std::vector<PlacedPair> placed_pairs(std::size_t inside, std::size_t angles, std
         const Pair p = pair_at_angles(theta_i, 0, theta_o, phi);
         out.push_back({p, place_of(p, Where::coincident)});
       }
-  for (const double phi : {0.0, 57.0, 180.0}) {  // both cosines exactly 0, and light opposite to the viewer
+  // Both cosines exactly 0, and the light opposite to the viewer.
+  for (const double phi : {0.0, 57.0, 180.0}) {
     Pair p = pair_at_angles(90, 0, 90, phi);
     p.wi.z = p.wo.z = 0;
     out.push_back({p, Where::horizon});

@@ -1,4 +1,4 @@
-// Pairs of directions at which code that is not ours breaks: within the hemisphere, where directions
+// Pairs of directions at which outside code typically fails: within the hemisphere, where directions
 // coincide, and at the horizon.
 #pragma once
 
@@ -8,19 +8,19 @@
 
 namespace brdf::validate {
 
-// inside: anywhere above the horizon, a share of the hemisphere. coincident: light and viewer are one
-// direction, mirror each other, or one of them is the normal or at a round angle, a set of no area. horizon:
-// one of the cosines is below 1e-16, or negative.
+// inside: anywhere above the horizon, a positive share of the hemisphere. coincident: light and viewer have
+// the same direction or mirror each other, or one of them is the normal or at a round angle; these pairs
+// have no area. horizon: one of the cosines is below 1e-16 or negative.
 enum class Where { inside, coincident, horizon };
 
 struct PlacedPair {
-  Pair pair;  // its vectors are those that `brdf eval` makes of its angles, bit for bit
+  Pair pair;  // its vectors are bit for bit the vectors that `brdf eval` computes
   Where where;
 };
 
-// `inside` pairs spread evenly over both hemispheres, `angles` polar angles of coincident directions (some
-// fail by their last bit only), and all pairs of a few directions at, near and below the horizon.
-// Deterministic by the seed.
+// Returns `inside` pairs spread evenly over both hemispheres, coincident directions at `angles` polar
+// angles (some fail only in the last bit), and all pairs of a few directions at, near and below the
+// horizon. Deterministic for a given seed.
 std::vector<PlacedPair> placed_pairs(std::size_t inside, std::size_t angles, std::uint64_t seed);
 
 }  // namespace brdf::validate

@@ -15,11 +15,11 @@ namespace brdf::validate {
 double parameter_value(const ParameterInfo& p, double x, double max) {
   if (x <= 0) return p.min;
   if (x >= 1) return max;
-  // Each whole number has the same share of the unit interval.
+  // Each whole number has an equal share of the unit interval.
   if (p.whole) return std::min(p.min + std::floor((max - p.min + 1) * x), max);
   if (!p.log_scale) return p.min + (max - p.min) * x;
   if (p.min > 0) return p.min * std::pow(max / p.min, x);
-  return std::expm1(x * std::log1p(max));  // from 0, logarithmic beyond 1
+  return std::expm1(x * std::log1p(max));  // from 0; logarithmic beyond 1
 }
 
 std::string tied_name(const ReflectanceInfo& form) {
@@ -74,8 +74,8 @@ Material Subject::at(std::span<const double> point) const {
     term.shape[0][j] = parameter_value(f.shape[j], point[k++], f.shape[j].max);
   for (std::size_t j = 0; j < f.weights.size(); ++j)
     term.weights[0][j] = parameter_value(f.weights[j], point[k++], std::min(f.weights[j].max, 1.0));
-  // The first coordinate is the sum of the weights that share the light, each
-  // further one what the weight before leaves to the rest.
+  // The first coordinate is the sum of the weights that share the light. Each further coordinate is the
+  // fraction that the preceding weight leaves to the remaining weights.
   auto& w = term.weights[0];
   double left = 1;
   for (std::size_t n = 0; n + 1 < shared_.size(); ++n) {
@@ -103,7 +103,7 @@ Material Subject::restricted(Material at) const {
   const auto named = [&](const ParameterInfo& p) {
     return std::find(names.begin(), names.end(), p.name) != names.end();
   };
-  // This share of the way from the least values.
+  // The material with the named parameters at this share of the way from their minima.
   const auto part = [&](double share) {
     Material m = at;
     Term& term = m.terms.front();

@@ -1,4 +1,5 @@
-// What is judged: a reflectance over its whole parameter domain, or a material with its own parameters.
+// The subject of a check: a reflectance over its whole parameter domain, or a material with its own
+// parameters.
 #pragma once
 
 #include <functional>
@@ -12,76 +13,84 @@
 
 namespace brdf::validate {
 
-// Of code that is not ours: what no form's name says. Functions that are empty know nothing.
+// Facts about outside code (such as a user's shader) that a form of the catalogue would provide itself.
+// Empty functions mean that a fact is unknown.
 struct OutsideFacts {
-  std::string words;      // of a command line that says the same: "--shader FILE"
-  bool oriented = false;  // reads the tangent, though it has no two widths
-  bool may_turn = true;   // nothing shows that the value stays when light and viewer turn together
-  // Nothing shows that half of the azimuths stands for all: searches go all the way round.
+  std::string words;      // the equivalent command line options: "--shader FILE"
+  bool oriented = false;  // reads the tangent, though it does not have two widths
+  // The value is not proved to be unchanged when light and viewer turn together.
+  bool may_turn = true;
+  // Half of the azimuths is not proved to represent all azimuths, so searches cover the full circle.
   bool all_round = true;
-  // Where in its source what a check found comes from, for one pair of directions; empty where that is not
-  // known.
+  // Returns the place in the source that causes a check's finding, for one pair of directions; empty if
+  // unknown.
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain = {};
-  // The same of a step between two pairs that lie beside one another.
+  // Returns the place in the source that causes a step between two adjacent pairs; empty if unknown.
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump = {};
-  // What the language leaves undefined of the value, in double or in float, with its line; empty: it is
-  // defined.
+  // Describes the undefined behaviour that the value depends on, in double or in float, with its source
+  // line; empty if the value is defined.
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined =
       {};
-  // f of each channel in more digits than double has, 1/sr, for the unit directions that these stand for.
+  // Returns f of each channel in 1/sr, with more digits than double has, for the unit directions that these
+  // represent.
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits = {};
 };
 
 struct Jump;
 
-// Parameters are searched on the unit cube. Diffuse and specular weights share
-// the light: their sum is at most 1. The others cover their tables up to 1; a
-// shape's range is its table's, logarithmic where the table says so.
+// Parameters are searched on the unit cube. Diffuse and specular weights share the light, so their sum is
+// at most 1. Other weights cover their tables' ranges up to 1. A shape parameter covers its table's range,
+// logarithmically if the table declares a logarithmic scale.
 class Subject {
  public:
+  // A form, searched over its whole parameter domain.
   static Subject form(const Reflectance& form);
-  // `facts`: where its form is no form of the catalogue.
+  // A material with its own parameters. `facts`: given if its form is not in the catalogue.
   static Subject material(std::string name, Material material, std::optional<OutsideFacts> facts = {});
-  // A reflectance that is not in the catalogue; its channels are those of the material.
+  // A reflectance that is not in the catalogue. Its channels are the material's channels.
   static Subject outside(std::string name, const Material& material, OutsideFacts facts);
 
   const std::string& name() const { return name_; }
   const std::optional<Reflectance>& of_form() const { return form_; }
+  // Returns the violations that the form declares; empty for a material.
   std::span<const Violation> declared() const;
-  // Coordinates of the shape, then of the weights; both 0 for a material.
+  // Number of coordinates of the shape, then of the weights; both are 0 for a material.
   std::size_t shape_dimensions() const { return shape_dimensions_; }
   std::size_t dimensions() const { return shape_dimensions_ + weight_dimensions_; }
-  // Whether the azimuth of the light is searched, too.
+  // Whether the search includes the azimuth of the light.
   bool anisotropic() const { return anisotropic_; }
 
-  // The material at a point (for a form of one channel, if it has none of its own).
+  // Returns the material at a point. A form without channels of its own has one channel, "fr".
   Material at(std::span<const double> point) const;
+  // Returns the material itself, or the form with its default parameters.
   const Material& own() const { return material_; }
   std::vector<std::string> channels() const { return material_.channels; }
 
-  // Parameters of a material made by at(), by name.
+  // Returns the parameters of a material made by at(), by name; empty for a material.
   std::vector<std::pair<std::string, double>> parameters(const Material& at) const;
-  // What a verb must be told to say the same of it; empty of a reflectance that is not in the catalogue.
+  // Returns the command `brdf VERB` for the material `at`, followed by `rest`; empty for a reflectance that
+  // is neither in the catalogue nor outside code.
   std::string command(const std::string& verb, const Material& at, const std::string& rest) const;
-  // Restricts parameters: where the condition does not hold, those that it names go towards the least of
-  // their tables until it does. Throws InputError for names that are no parameters, and where it does not
-  // hold at the least of all.
+  // Restricts the parameters. If the condition does not hold, the parameters that it names are moved
+  // towards the minima of their tables until it holds. Throws InputError for a name that is not a
+  // parameter, and if the condition does not hold when all parameters are at their minima.
   void restrict_to(const io::Condition& condition);
   bool is_restricted() const { return condition_.has_value(); }
-  // The same for parameters that are chosen elsewhere.
+  // Applies the same restriction to parameters that are chosen elsewhere.
   Material restricted(Material at) const;
   bool is_outside() const { return outside_.has_value(); }
   const OutsideFacts* outside_facts() const { return outside_ ? &*outside_ : nullptr; }
-  // "; " and what the code's source says of it; empty where nothing is known.
+  // Returns "; " followed by the explanation from the code's source; empty if there is no explanation.
   std::string explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                         const Vec3<double>& wo) const;
+  // Returns "; " followed by the source of the jump; empty if the source is unknown.
   std::string explained_jump(const Jump& jump) const;
-  // Which weights share the light: positions in the table.
+  // Positions in the table of the weights that share the light.
   const std::vector<std::size_t>& shared_weights() const { return shared_; }
 
  private:
@@ -97,11 +106,11 @@ class Subject {
   std::optional<io::Condition> condition_;
 };
 
-// What both axes of an anisotropic form are called together: the common part of their names, or the one
-// along.
+// Returns the common name of both axes of an anisotropic form: the common part of their names, or else the
+// name of the axis along the tangent.
 std::string tied_name(const ReflectanceInfo& form);
 
-// One parameter at x in [0, 1] of its range, and back.
+// Returns the value of a parameter at x in [0, 1] of its range from info.min to `max`.
 double parameter_value(const ParameterInfo& info, double x, double max);
 
 }  // namespace brdf::validate

@@ -1,4 +1,4 @@
-// A sphere that a reader turns: the block of a report.
+// Adds an interactive sphere to a report.
 #pragma once
 
 #include <string>
@@ -9,21 +9,22 @@
 namespace brdf::io::sphere {
 
 struct Shown {
-  std::string title;  // of what is shown: a material's or a sample's name
+  std::string title;  // name of the material or sample
   Material fitted;
-  MeasuredPairs measured{};  // empty: the fitted one alone
+  MeasuredPairs measured{};  // empty: only the fitted material
   TableSize table = kIsotropic;
-  std::string still = {};  // a PNG file's bytes: the picture for where nothing turns; empty: drawn here
+  std::string still = {};  // bytes of a PNG file for browsers without WebGL 2; empty: drawn here
 };
 
-// Why a page can have no sphere of a material: channels that are no colours, or a reflectance without GLSL;
-// empty where it can.
+// Returns the reason that a page cannot show a sphere of a material: its channels are not colours, or a
+// reflectance has no GLSL. Returns an empty string if there is no obstacle.
 std::string obstacle(const Material& material);
 
-// Fitted, measured and their difference on a sphere under one light: drawn by WebGL 2 from the formulas of
-// glsl-es, turned by mouse and keys, the light too, with an exposure. What was not measured is hatched.
-// Without WebGL 2 a picture of the same stays. Adds 30 to 57 kB (shader and picture), with a measurement 150
-// to 215 kB; 10 kB once (script). Throws InputError where there is an obstacle.
+// Adds the fitted material, the measurement and their difference on a sphere under one light. WebGL 2 draws
+// them from the formulas of glsl-es. Readers turn the sphere and the light by mouse and keys, and choose
+// the exposure. Directions without measurements are hatched. Without WebGL 2 a still picture of the same
+// remains. The report grows by 30 to 57 kB (shader and picture), with a measurement by 150 to 215 kB, and
+// once by 10 kB (script). Throws InputError if there is an obstacle.
 void add(HtmlReport& report, const Shown& shown);
 
 }  // namespace brdf::io::sphere

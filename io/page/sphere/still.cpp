@@ -12,7 +12,8 @@
 namespace brdf::io::sphere {
 namespace {
 
-// As in sphere.js, of the picture's side, and as in sphere.glsl, of the radius.
+// The radius as a share of the picture's side, as in sphere.js, and the rim as a share of the radius, as in
+// sphere.glsl.
 constexpr double kRadius = 0.47, kRim = 0.9999;
 
 using Pixel = std::array<unsigned char, 4>;
@@ -41,7 +42,8 @@ Pixel difference(const Colour& fitted, const Colour& known) {
   return {rgb[0], rgb[1], rgb[2], 255};
 }
 
-// Fitted and, where there is a measurement, measured and difference: a square of RGBA pixels each.
+// One square of RGBA pixels each for the fitted material and, if there is a measurement, for the
+// measurement and the difference.
 using Panels = std::vector<std::vector<unsigned char>>;
 
 Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side) {

@@ -9,11 +9,11 @@
 namespace brdf::io::sphere {
 namespace {
 
-constexpr double kMost = 16;       // a ratio beyond is drawn as this
-constexpr double kHorizon = 1e-9;  // cosine: rounding lifts what lies on it
+constexpr double kMost = 16;       // ratios beyond this are clamped
+constexpr double kHorizon = 1e-9;  // cosine: rounding may lift a direction on the horizon
 
-// The pair of directions at a node: the light in the frame of the half vector, turned to the surface's; the
-// viewer is its mirror image about the half vector.
+// Returns the pair of directions at a node. The direction of incidence is rotated from the frame of the
+// half vector to that of the surface; the viewing direction is its mirror image about the half vector.
 Pair pair_of(const TableSize& n, double i, double j, double k, double l) {
   const auto part = [](double at, int count) { return std::clamp(at / (count - 1), 0.0, 1.0); };
   const double theta_h = kPi / 2 * part(i, n.theta_h) * part(i, n.theta_h),
@@ -29,7 +29,7 @@ Pair pair_of(const TableSize& n, double i, double j, double k, double l) {
 
 struct Node {
   Colour fitted, measured;
-  double known = 0;  // the share of the node's surroundings
+  double known = 0;  // the share of the node's neighbourhood that was measured
 };
 
 // All nodes of a table, in its order.
@@ -48,7 +48,7 @@ class Nodes {
   const std::vector<Node>& all() const { return nodes_; }
 
  private:
-  // visit(node, i, j, k, l), side by side.
+  // Calls visit(node, i, j, k, l) for all nodes in parallel.
   template <class Visit>
   void each(Visit&& visit) {
     parallel_for(nodes_.size(), [&](std::size_t number) {
@@ -70,7 +70,7 @@ class Nodes {
     return f ? Node{fitted_(pair.wi, pair.wo), *f, 1} : Node{};
   }
 
-  // Whether one of its neighbours is known and another not.
+  // Returns whether the node and at least one of its neighbours differ in being known.
   bool at_the_edge(const std::vector<Node>& whole, int i, int j, int k, int l) const {
     const auto known = [&](int a, int b, int c, int d) {
       a = std::clamp(a, 0, n_.theta_h - 1), b = std::clamp(b, 0, n_.theta_d - 1);
@@ -83,9 +83,9 @@ class Nodes {
            known(i, j, k, l - 1) != own || known(i, j, k, l + 1) != own;
   }
 
-  // The share that is known, of pairs a quarter of a step about; the value of one of them where the node
-  // itself has none. Where the shader finds half of its surroundings unknown it hatches: a straight edge, not
-  // steps.
+  // Determines the known share from pairs of directions a quarter of a step around the node. If the node
+  // itself has no value, the node takes the value of one of these pairs. The shader hatches a point if half
+  // of its neighbourhood is unknown, which gives a straight edge instead of steps.
   void refine(Node& node, int i, int j, int k, int l) const {
     double count = 0, pairs = 0;
     for (const double d : {-0.25, 0.25})
@@ -107,7 +107,8 @@ class Nodes {
   std::vector<Node> nodes_;
 };
 
-// Far below what is measured: where the fitted value is next to nothing the ratio would have no bound.
+// Returns a floor far below the measured values. Without it the ratio would be unbounded if the fitted
+// value is nearly 0.
 double floor_of(const std::vector<Node>& nodes) {
   std::vector<double> values;
   for (const Node& node : nodes)

@@ -12,26 +12,30 @@ namespace brdf::io::sphere {
 // f_r of red, green and blue in 1/sr.
 using Colour = std::array<double, 3>;
 
-// f_r of a pair of unit directions in the surface's frame; none where it was not measured. Asked by several
-// threads at once, as FittedPairs are.
+// f_r of a pair of unit directions in the frame of the surface; std::nullopt if it was not measured. Called
+// by several threads at once, as FittedPairs are.
 using MeasuredPairs = std::function<std::optional<Colour>(const Vec3<double>& wi, const Vec3<double>& wo)>;
 
-// f_r of a material whose channels are colours (io/colour/channel_colours.h) or one grey.
+// f_r of a material with colour channels (io/colour/channel_colours.h) or one grey channel.
 using FittedPairs = std::function<Colour(const Vec3<double>& wi, const Vec3<double>& wo)>;
+// Returns the function of a material; a spectrum is converted to colour. Throws InputError if its channels
+// are not colours.
 FittedPairs fitted_pairs(const Material& material);
 
-// The light and the viewer in the world in which the sphere stands: x to the right and y up as the page
-// begins.
+// The light and the viewer in the frame of the sphere. In the initial view of a page, x points to the right
+// and y up.
 struct View {
   Vec3<double> light, right, up, towards;
 };
+// Returns the view from the directions of viewer and light: `turn` is the angle about the vertical axis,
+// `tilt` the elevation.
 View view_from(Angle turn, Angle tilt, Angle light_turn, Angle light_tilt);
-// As a page begins: the light from the upper left, 44.8 degrees from the viewer.
+// Returns the initial view of a page: the light comes from the upper left, 44.8 degrees from the viewer.
 View first_view();
 
-// The pair of directions at a point of the picture, in radii from the sphere's middle, at most 1 from it: in
-// the frame whose normal is the sphere's and whose tangent runs along a parallel. wi points below the horizon
-// in the dark.
+// Returns the pair of directions at a point of the picture. The point is in radii from the centre of the
+// sphere, at a distance of at most 1. The frame has the normal of the sphere, and its tangent runs along a
+// parallel of the sphere. wi points below the horizon on the dark side.
 struct Pair {
   Vec3<double> wi, wo;
 };

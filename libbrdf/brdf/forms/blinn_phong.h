@@ -1,3 +1,4 @@
+// The Blinn-Phong form with four normalisations.
 #pragma once
 
 #include "brdf/form.h"
@@ -6,11 +7,12 @@
 
 namespace brdf {
 
-// Blinn 1977 with the exact normalisation: f = kd/pi + ks k (n.h)^n, k = (n+2)(n+4)/(8 pi (2^(-n/2) + n)),
-// which makes the lobe's albedo ks at normal incidence.
+// Blinn 1977 with the exact normalisation: f = kd/pi + ks k (n.h)^n, k = (n+2)(n+4)/(8 pi (2^(-n/2) + n)).
+// The albedo of the lobe is ks at normal incidence.
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, reciprocal.
-// Known violations: none for kd + ks <= 1; it loses energy towards grazing (ks cos^2(theta) for large n).
+// Known violations: only for kd + ks > 1. The lobe loses energy towards grazing incidence
+// (ks cos^2(theta) for large n).
 struct blinn_phong : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "blinn_phong";
   static constexpr std::string_view family = "blinn_phong";
@@ -29,8 +31,8 @@ struct blinn_phong : Takes<LobeWeights, Exponent> {
   }
 };
 
-// With the popular approximate normalisation: f = kd/pi + ks
-// (n+8)/(8 pi) (n.h)^n (Akenine-Moller, Haines and Hoffman 2008).
+// Blinn-Phong with the popular approximate normalisation: f = kd/pi + ks (n+8)/(8 pi) (n.h)^n
+// (Akenine-Moller, Haines and Hoffman 2008).
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, reciprocal.
 // Known violations: energy at normal incidence for every n > 0, at most 1.075201 at n = 8.764.
@@ -52,10 +54,10 @@ struct blinn_phong_n8 : Takes<LobeWeights, Exponent> {
   }
 };
 
-// As the thesis prints it: f = kd + ks (n.h)^n.
+// Blinn-Phong as printed in the thesis: f = kd + ks (n.h)^n.
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, reciprocal.
-// Known violations: energy; the diffuse term lacks 1/pi and integrates to pi kd, the lobe is not normalised.
+// Known violations: energy. The diffuse term lacks 1/pi and integrates to pi kd; the lobe is not normalised.
 struct blinn_phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "blinn_phong_unnormalised";
   static constexpr std::string_view family = "blinn_phong";
@@ -72,7 +74,7 @@ struct blinn_phong_unnormalised : Takes<LobeWeights, Exponent> {
   }
 };
 
-// The thesis's listing: f cos_i = albedo/pi + (n.h)^5 F0 cos_i; the diffuse term has no cosine.
+// The listing of the thesis: f cos_i = albedo/pi + (n.h)^5 F0 cos_i. The diffuse term has no cosine.
 // Domain: albedo and metallic 0..1.
 // Symmetry: isotropic, not reciprocal.
 // Known violations: reciprocity; energy, growing as 1/cos_i.

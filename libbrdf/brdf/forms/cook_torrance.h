@@ -1,3 +1,4 @@
+// The Cook-Torrance form with several distributions, maskings and Fresnel terms.
 #pragma once
 
 #include "brdf/facets.h"
@@ -11,10 +12,10 @@ namespace brdf {
 
 // Cook and Torrance 1982 with the distribution of Trowbridge and Reitz (GGX), height-correlated Smith masking
 // (Heitz 2014) and Schlick's Fresnel: f = kd/pi + ks D G F/(4 cos_i cos_o), F = f0 + (1 - f0)(1 - wi.h)^5.
-// Linear given the widths: lobes 1/pi, V D, V D s with weights kd, ks f0, ks (1 - f0).
+// The form is linear for given widths: the lobes 1/pi, V D, V D s have the weights kd, ks f0, ks (1 - f0).
 // Domain: alpha 1e-4..1, f0 0..1.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1; single scattering loses up to 69 % (alpha 1, normal incidence).
+// Known violations: only for kd + ks > 1. Single scattering loses up to 69 % (alpha 1, normal incidence).
 struct cook_torrance : Takes<SchlickWeights, Roughness> {
   static constexpr std::string_view name = "cook_torrance";
   static constexpr std::string_view family = "cook_torrance";
@@ -32,11 +33,11 @@ struct cook_torrance : Takes<SchlickWeights, Roughness> {
   }
 };
 
-// With Beckmann's distribution and its exact, height-correlated Smith masking (Walter et al. 2007 without
-// their rational fit): f = kd/pi + ks D G F/(4 cos_i cos_o), Schlick's Fresnel.
+// Cook-Torrance with Beckmann's distribution and its exact, height-correlated Smith masking (Walter et al.
+// 2007 without their rational fit): f = kd/pi + ks D G F/(4 cos_i cos_o), Schlick's Fresnel.
 // Domain: alpha 1e-4..1, f0 0..1.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1; single scattering loses up to 54 % (alpha 1, normal incidence).
+// Known violations: only for kd + ks > 1. Single scattering loses up to 54 % (alpha 1, normal incidence).
 struct cook_torrance_beckmann : Takes<SchlickWeights, Roughness> {
   static constexpr std::string_view name = "cook_torrance_beckmann";
   static constexpr std::string_view family = "cook_torrance";
@@ -66,10 +67,10 @@ struct RoughDielectric {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// As cook_torrance, with the exact Fresnel reflectance of a dielectric in place of Schlick's.
+// Like cook_torrance, with the exact Fresnel reflectance of a dielectric instead of Schlick's approximation.
 // Domain: alpha 1e-4..1, eta 1..5.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1.
+// Known violations: only for kd + ks > 1.
 struct cook_torrance_dielectric : Takes<LobeWeights, RoughDielectric> {
   static constexpr std::string_view name = "cook_torrance_dielectric";
   static constexpr std::string_view family = "cook_torrance";
@@ -101,21 +102,19 @@ struct RoughMetal {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// Of facets of that n and k.
+// Returns the Fresnel reflectance of facets with the n and k of the shape.
 template <template <class> class Metal, class S, class G>
 S fresnel_of(const Metal<S>& shape, const Geometry<G>& g) {
   return fresnel_conductor(shape.n, shape.k, S(at_most(g.cos_d, G(1))));
 }
 
-// As cook_torrance, with the exact Fresnel reflectance of a conductor of index n + i k in place of Schlick's.
-// A metal's colour
-// is that of n and k, each a shape of its channel's own (fit: --per-channel --tie alpha; --start n=TABLE
-// k=TABLE).
-// Domain: alpha 1e-4..1, n .02..20, k .1..20: without extinction and with n below 1 the reflectance has an
-// edge at the angle of
-// total reflection, where no rounding of a direction is small.
+// Like cook_torrance, with the exact Fresnel reflectance of a conductor with index n + i k instead of
+// Schlick's approximation. The colour of a metal follows from n and k, which need a shape of their own for
+// each channel (fit: --per-channel --tie alpha; --start n=TABLE k=TABLE).
+// Domain: alpha 1e-4..1, n 0.02..20, k 0.1..20. Without extinction and with n below 1 the reflectance has
+// an edge at the angle of total reflection; there even the rounding of a direction has a large effect.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1.
+// Known violations: only for kd + ks > 1.
 struct cook_torrance_conductor : Takes<LobeWeights, RoughMetal> {
   static constexpr std::string_view name = "cook_torrance_conductor";
   static constexpr std::string_view family = "cook_torrance";
@@ -134,12 +133,12 @@ struct cook_torrance_conductor : Takes<LobeWeights, RoughMetal> {
   }
 };
 
-// The lookup-texture article's model: Beckmann's distribution, V-cavities, exact dielectric Fresnel (its
-// constants: eta 1.5, alpha .3). Its F D'/(pi cos_i cos_o) with D' = exp(-tan^2/m^2)/(4 m^2 cos^4) is F D/(4
-// cos_i cos_o) with D normalised.
+// The model of the lookup-texture article: Beckmann's distribution, V-cavities, exact dielectric Fresnel
+// (the constants of the article: eta 1.5, alpha 0.3). Its F D'/(pi cos_i cos_o) with
+// D' = exp(-tan^2/m^2)/(4 m^2 cos^4) equals F D/(4 cos_i cos_o) with D normalised.
 // Domain: alpha 1e-4..1, eta 1..5.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1.
+// Known violations: only for kd + ks > 1.
 struct cook_torrance_vcavity : Takes<LobeWeights, RoughDielectric> {
   static constexpr std::string_view name = "cook_torrance_vcavity";
   static constexpr std::string_view family = "cook_torrance";
@@ -157,7 +156,7 @@ struct cook_torrance_vcavity : Takes<LobeWeights, RoughDielectric> {
   }
 };
 
-// Cook and Torrance 1982 eq. 9 as widely copied: pi in the denominator where 4 belongs, with a normalised D
+// Cook and Torrance 1982 eq. 9 as widely copied, with pi instead of 4 in the denominator, a normalised D
 // (Beckmann's), V-cavities and Schlick's Fresnel: f = kd/pi + ks D G F/(pi cos_i cos_o).
 // Domain: alpha 1e-4..1, f0 0..1.
 // Symmetry: anisotropic, reciprocal.
@@ -181,12 +180,12 @@ struct cook_torrance_1982 : Takes<SchlickWeights, Roughness> {
   }
 };
 
-// The thesis's equation with F at wi.h: GGX, G = product of cos/(cos (1 - k) + k) with k = (alpha + 1)^2/8,
-// Schlick's Fresnel. The geometric mean of the widths enters k.
+// The equation of the thesis with F at wi.h: GGX, G = product of cos/(cos (1 - k) + k) with
+// k = (alpha + 1)^2/8, Schlick's Fresnel. k is computed with the geometric mean of the widths.
 // Domain: alpha 1e-4..1, f0 0..1.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: G is not Smith's (92 % low at alpha
-// .0036, cosine .01): the weak white furnace loses energy.
+// Known violations: G is not Smith's (92 % too low at alpha 0.0036, cosine 0.01): the weak white furnace
+// loses energy. Anisotropic lobes violate energy conservation.
 struct cook_torrance_schlick_ggx : Takes<SchlickWeights, Roughness> {
   static constexpr std::string_view name = "cook_torrance_schlick_ggx";
   static constexpr std::string_view family = "cook_torrance";
@@ -210,10 +209,11 @@ struct cook_torrance_schlick_ggx : Takes<SchlickWeights, Roughness> {
   }
 };
 
-// As the thesis prints it: cook_torrance_schlick_ggx with Schlick's Fresnel at n.wo in place of wi.h.
+// The form as printed in the thesis: cook_torrance_schlick_ggx with Schlick's Fresnel at n.wo instead of
+// wi.h.
 // Domain: alpha 1e-4..1, f0 0..1.
 // Symmetry: anisotropic, not reciprocal.
-// Known violations: reciprocity.
+// Known violations: reciprocity, in addition to the violations of cook_torrance_schlick_ggx.
 struct cook_torrance_as_printed : Takes<SchlickWeights, Roughness> {
   static constexpr std::string_view name = "cook_torrance_as_printed";
   static constexpr std::string_view family = "cook_torrance";
@@ -252,13 +252,14 @@ struct MetallicRoughness {
   Roughness<T> widths() const { return {square(roughness), square(roughness)}; }
 };
 
-// The thesis's listing: f cos_i = (c/(c + 1))^(1/2.2), c = (kD albedo/pi + D G F/(4 cos_i cos_o + 0.001))
-// cos_i, alpha = roughness^2, k = (roughness + 1)^2/8 in G, F at wi.h, kD = (1 - F)(1 - metallic) of the red
-// channel. Its tone map stands inside the function: the value is display-referred, not a reflectance.
-// Domain: roughness .01..1.
+// The listing of the thesis: f cos_i = (c/(c + 1))^(1/2.2) with
+// c = (kD albedo/pi + D G F/(4 cos_i cos_o + 0.001)) cos_i, alpha = roughness^2, k = (roughness + 1)^2/8 in
+// G, F at wi.h, and kD = (1 - F)(1 - metallic) of the red channel. The tone map is part of the function:
+// the value is display-referred, not a reflectance.
+// Domain: roughness 0.01..1.
 // Symmetry: isotropic, not reciprocal.
-// Known violations: reciprocity, energy. The 0.001 bends the
-// lobe at cosines of .00025: a kink that no rule is told of.
+// Known violations: reciprocity, energy. The constant 0.001 bends the lobe at cosines of 0.00025. No
+// integration rule has information about this kink.
 struct cook_torrance_as_coded : Takes<Albedo, MetallicRoughness> {
   static constexpr std::string_view name = "cook_torrance_as_coded";
   static constexpr std::string_view family = "cook_torrance";
@@ -277,7 +278,7 @@ struct cook_torrance_as_coded : Takes<Albedo, MetallicRoughness> {
     const Fraction<S> d = d_ggx(shape.widths(), g);
     const Fraction<S> v = v_schlick_ggx(S(0.125) * square(shape.roughness + S(1)), g);
     const G cosines = g.cos_i * g.cos_o;
-    // V = G/(4 cos_i cos_o), and the listing adds 0.001 to that denominator.
+    // V = G/(4 cos_i cos_o). The listing adds 0.001 to that denominator.
     const S dg = d.num * v.num * (S(4) * cosines) / (d.den * v.den * (S(4) * cosines + S(0.001)));
     const S specular = dg * schlick_as_coded(w, shape.metallic, g);
     const S c =

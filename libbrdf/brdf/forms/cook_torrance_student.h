@@ -1,3 +1,4 @@
+// The Cook-Torrance form with Student's t distribution of slopes.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace brdf {
 
-// Widths and the exponent of the tail.
+// The widths, and the exponent of the tail.
 template <class T>
 struct StudentRoughness {
   T alpha_x, alpha_y, gamma;
@@ -21,7 +22,7 @@ struct StudentRoughness {
               ParameterInfo{"gamma", 1.6, 10, 2, 10, "", true,
                             "exponent of the tail: 2 is GGX, below it is hazier", Role::other}}};
   }
-  // Of the GGX lobe that has the same scaled slope: alpha sqrt(gamma - 1).
+  // Returns the widths of the GGX lobe with the same scaled slope: alpha sqrt(gamma - 1).
   Roughness<T> ggx() const {
     const T scale = math::sqrt(gamma - T(1));
     return {alpha_x * scale, alpha_y * scale};
@@ -30,7 +31,7 @@ struct StudentRoughness {
 
 namespace detail {
 
-// R of tools/student_coefficients.py: rows are powers of x, columns of y.
+// R of tools/student_coefficients.py. Rows are powers of x, columns are powers of y.
 inline constexpr double kStudentP = 4.5, kStudentQ = 7.4, kStudentK = 3.1;
 inline constexpr std::array<std::array<double, 13>, 10> kStudentMasking{{
     {{0.21000683200894946, 0.12631447484924915, -0.031448929863122886, -0.003563177924505446,
@@ -77,17 +78,17 @@ inline constexpr std::array<std::array<double, 13>, 10> kStudentMasking{{
 
 }  // namespace detail
 
-// Masking of Smith for Student's t slopes. What a viewer sees of GGX's facets, the stretched length, becomes
-// cos + length S^(gamma - 1) P, S the squared sine of the stretched direction and, with m its cosine,
-// P = 2F1(1, gamma - 3/2; gamma; 1 - m^2) Gamma(gamma - 3/2)/(2 sqrt(pi) Gamma(gamma)): exact but for a
-// relative 2e-9, by a polynomial in (3 m - 1)/(m + 1) whose coefficients depend on gamma alone.
+// Smith's masking for Student's t slopes. The stretched length of GGX, which gives the visible area of the
+// facets, becomes cos + length S^(gamma - 1) P. S is the squared sine of the stretched direction. With m its
+// cosine, P = 2F1(1, gamma - 3/2; gamma; 1 - m^2) Gamma(gamma - 3/2)/(2 sqrt(pi) Gamma(gamma)). P is computed
+// with a relative error of 2e-9 by a polynomial in (3 m - 1)/(m + 1); its coefficients depend on gamma alone.
 template <class S>
 class StudentMasking {
   static constexpr std::size_t kTerms = std::size(detail::kStudentMasking);
 
  public:
   explicit StudentMasking(const S& gamma) : gamma_(gamma) {
-    if constexpr (Differentiated<S>) {  // by the chain rule: three polynomials of plain numbers
+    if constexpr (Differentiated<S>) {  // by the chain rule, with three polynomials of plain numbers
       const auto c = coefficients(Dual<B, 1>::variable(gamma.a, 0));
       for_each_term([&](auto k) { by_gamma_[k] = c[k].v[0]; });
       for_each_term([&](auto k) { c_[k] = c[k].a; });
@@ -96,7 +97,7 @@ class StudentMasking {
     }
   }
 
-  // `a` are the widths of ggx().
+  // Returns the length that replaces cos + stretched length. `a` are the widths of ggx().
   template <class G>
   S length(const Roughness<S>& a, const Vec3<G>& w) const {
     const S tangent2 = square(a.alpha_x * w.x) + square(a.alpha_y * w.y);
@@ -106,7 +107,7 @@ class StudentMasking {
     return stretched * (math::pow(tangent2 / length2, gamma_ - S(1)) * factor(x)) + w.z;
   }
 
-  // P's, by powers of x.
+  // Returns the coefficients of P, by powers of x.
   template <class T>
   static std::array<T, kTerms> coefficients(const T& gamma) {
     const T y = T(detail::kStudentK) * (gamma - T(detail::kStudentP)) / (gamma + T(detail::kStudentQ));
@@ -149,14 +150,15 @@ class StudentMasking {
   std::array<Plain, kTerms> c_, by_gamma_;
 };
 
-// D over that of GGX with the widths of ggx(): (gamma - 1) (1 + tan^2)^(2 - gamma), tan^2 scaled by those.
+// Returns the ratio of D to the D of GGX with the widths of ggx(): (gamma - 1) (1 + tan^2)^(2 - gamma),
+// with tan^2 scaled by these widths.
 template <class S, class G>
 S student_over_ggx(const S& gamma, const Roughness<S>& a, const Geometry<G>& g) {
   const S tangent2 = scaled_tangent2(a, g) / square(g.h.z);
   return (gamma - S(1)) * math::exp((S(2) - gamma) * math::log1p(tangent2));
 }
 
-// Slopes and masking, for those who integrate them.
+// Slopes and masking, for numerical integration.
 struct StudentFacets {
   static StudentRoughness<double> of(std::span<const double> shape) { return {shape[0], shape[1], shape[2]}; }
   static void slopes(std::span<const double> shape, std::size_t count, const Vec3<double>* h, double* out) {
@@ -172,11 +174,11 @@ struct StudentFacets {
     const StudentRoughness<double> s = of(shape);
     std::fill(out, out + count, 2 * o.z / (o.z + StudentMasking<double>(s.gamma).length(s.ggx(), o)));
   }
-  // The mean slope of the heaviest tail needs that much to be known to seven digits.
+  // The mean slope of the heaviest tail needs this range for an accuracy of seven digits.
   static constexpr FacetFacts facts{1e36, slopes, masking};
 };
 
-// By the half vector, its slopes from Student's distribution: density D cos_h.
+// Samples the half vector with slopes from Student's distribution. Density: D cos_h.
 struct StudentSlopes {
   template <class T>
   static Vec3<T> sample(const StudentRoughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
@@ -195,15 +197,15 @@ struct StudentSlopes {
   }
 };
 
-// Cook and Torrance 1982 with Student's t distribution of slopes (Ribardiere, Bringier, Meneveaux and Simonot
-// 2017),
-// its height-correlated Smith masking and Schlick's Fresnel: f = kd/pi + ks D G F/(4 cos_i cos_o),
-// D = (1 + tan^2/(gamma - 1))^-gamma/(pi alpha_x alpha_y cos_h^4), tan^2 = ((h_x/alpha_x)^2 +
-// (h_y/alpha_y)^2)/h_z^2.
-// Domain: alpha 1e-4..1, gamma 1.6..10 (below 1.5 the facets have no mean slope, and all is masked), f0 0..1.
-// Symmetry: anisotropic, reciprocal. gamma 2 is cook_torrance, without bound it tends to
+// Cook and Torrance 1982 with Student's t distribution of slopes (Ribardiere, Bringier, Meneveaux and
+// Simonot 2017), its height-correlated Smith masking and Schlick's Fresnel:
+// f = kd/pi + ks D G F/(4 cos_i cos_o), D = (1 + tan^2/(gamma - 1))^-gamma/(pi alpha_x alpha_y cos_h^4),
+// tan^2 = ((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2.
+// Domain: alpha 1e-4..1, gamma 1.6..10, f0 0..1. (For gamma below 1.5 the facets have no mean slope, and
+// everything is masked.)
+// Symmetry: anisotropic, reciprocal. gamma = 2 gives cook_torrance; the limit of large gamma is
 // cook_torrance_beckmann.
-// Known violations: none for kd + ks <= 1.
+// Known violations: only for kd + ks > 1.
 struct cook_torrance_student : Takes<SchlickWeights, StudentRoughness> {
   static constexpr std::string_view name = "cook_torrance_student";
   static constexpr std::string_view family = "cook_torrance";

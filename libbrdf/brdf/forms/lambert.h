@@ -1,3 +1,4 @@
+// The Lambertian form.
 #pragma once
 
 #include "brdf/form.h"
@@ -6,8 +7,8 @@ namespace brdf {
 
 // Lambert 1760: f = rho/pi.
 // Domain: everywhere.
-// Symmetry: isotropic, reciprocal. Albedo rho at every angle.
-// Known violations: none for rho <= 1.
+// Symmetry: isotropic, reciprocal. The albedo is rho at every angle.
+// Known violations: only for rho > 1.
 struct lambert : Takes<DiffuseWeights, NoShape> {
   static constexpr std::string_view name = "lambert";
   static constexpr std::string_view family = "lambert";

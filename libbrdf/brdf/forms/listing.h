@@ -1,7 +1,7 @@
-// What the thesis's shader listings (the `_as_coded` forms) share: their parameters and their F0 and kD.
+// The common parts of the shader listings of the thesis (the `_as_coded` forms): their parameters, F0 and kD.
 //
-// A listing returns shaded radiance. At radiance 1 and without its ambient term that value is f_r cos_i, so
-// these forms define value_cos. Nothing is clamped that the listing does not clamp.
+// A listing returns shaded radiance. At radiance 1 and without its ambient term that value is f_r cos_i;
+// these forms therefore define value_cos. Values are clamped only if the listing clamps them.
 #pragma once
 
 #include "brdf/form.h"
@@ -27,28 +27,29 @@ struct Metallic {
   static constexpr auto fields() { return std::array{Field{&Metallic::metallic, kMetallicInfo}}; }
 };
 
-// F0 = lerp(0.03, albedo, metallic)
+// Returns F0 = lerp(0.03, albedo, metallic).
 template <class S>
 S f0_as_coded(const Albedo<S>& w, const S& metallic) {
   return S(0.03) * (S(1) - metallic) + metallic * w.albedo;
 }
 
-// 1 - F0, without the difference
+// Returns 1 - F0, computed without the difference.
 template <class S>
 S f0_rest_as_coded(const Albedo<S>& w, const S& metallic) {
   return S(0.97) * (S(1) - metallic) + metallic * (S(1) - w.albedo);
 }
 
-// Schlick's Fresnel of that F0 at h.v
+// Returns Schlick's Fresnel with that F0 at h.v.
 template <class S, class G>
 S schlick_as_coded(const Albedo<S>& w, const S& metallic, const Geometry<G>& g) {
   const Vec3<G> d = g.wo - g.wi;
-  const G x = G(0.25) * dot(d, d) / (G(1) + g.cos_d);  // 1 - cos_d: where F0 is 0 nothing else is left
+  const G x = G(0.25) * dot(d, d) / (G(1) + g.cos_d);  // 1 - cos_d; the only term if F0 is 0
   return f0_as_coded(w, metallic) + f0_rest_as_coded(w, metallic) * (square(square(x)) * x);
 }
 
-// kD = (1 - F)(1 - metallic), assigned to a scalar in the listing: the red component is used for all
-// channels. 1 - F = (1 - F0)(1 - (1 - c)^5) with the last factor expanded: it is 5c towards grazing.
+// Returns kD = (1 - F)(1 - metallic). The listing assigns kD to a scalar and thus uses the red component
+// for all channels. 1 - F = (1 - F0)(1 - (1 - c)^5) with the last factor expanded, which is 5c towards
+// grazing incidence.
 template <class S, class G>
 S diffuse_share_as_coded(const Albedo<S>& first, const S& metallic, const Geometry<G>& g) {
   const G c = at_most(g.cos_d, G(1));

@@ -1,3 +1,4 @@
+// The Oren-Nayar form in its qualitative, full and energy-preserving versions.
 #pragma once
 
 #include <cmath>
@@ -7,28 +8,29 @@
 
 namespace brdf {
 
-// cos(phi_i - phi_o) sin(theta_i) tan(the smaller angle's partner): x_i x_o + y_i y_o over the larger cosine
-// where positive, else 0. No angle is formed, so nothing cancels.
+// Returns cos(phi_i - phi_o) sin a tan b with a the larger and b the smaller polar angle, if positive,
+// otherwise 0. The value is x_i x_o + y_i y_o divided by the larger cosine. No angle is computed, and
+// nothing cancels.
 template <class G>
 G oren_nayar_azimuth(const Geometry<G>& g) {
   const G s = tangential_product(g);
   return select(G(0) < s, s / larger(g.cos_i, g.cos_o), G(0));
 }
 
-// At the polar angle t; tan t (1 - sin^3 t) is rewritten for t to 90 degrees.
+// Returns the albedo at the polar angle t. tan t (1 - sin^3 t) is rewritten for t up to 90 degrees.
 inline double oren_nayar_albedo(std::span<const double> shape, double t) {
   const double s2 = square(shape[0]), a = 1 - 0.5 * s2 / (s2 + 0.33), b = 0.45 * s2 / (s2 + 0.09);
   const double s = std::sin(t), c = std::cos(t);
   return a + b / kPi * (s * (t - s * c) + 2.0 / 3 * s * c * (1 + s + s * s) / (1 + s));
 }
 
-// Oren and Nayar 1994, the qualitative form (eq. 30): f = rho/pi (A + B
-// max(0, cos dphi) sin a tan b), A = 1 - 0.5 s^2/(s^2 + 0.33), B = 0.45
-// s^2/(s^2 + 0.09), a and b the larger and smaller polar angle, s = sigma.
+// Oren and Nayar 1994, the qualitative form (eq. 30): f = rho/pi (A + B max(0, cos dphi) sin a tan b),
+// A = 1 - 0.5 s^2/(s^2 + 0.33), B = 0.45 s^2/(s^2 + 0.09), with a and b the larger and the smaller polar
+// angle and s = sigma.
 // Domain: sigma 0..pi/2.
 // Symmetry: isotropic, reciprocal.
-// Known violations: energy, by up to 1.5 % at rho = 1
-// (sigma .1985, towards grazing); none for sigma >= .32613.
+// Known violations: energy, by up to 1.5 % at rho = 1 (sigma 0.1985, towards grazing incidence); no
+// violations for sigma >= 0.32613.
 struct oren_nayar : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar";
   static constexpr std::string_view family = "oren_nayar";
@@ -48,21 +50,21 @@ struct oren_nayar : Takes<DiffuseWeights, SlopeDeviation> {
   }
 };
 
-// sin(theta) from the tangential components: exact at both ends.
+// Returns sin(theta) from the tangential components, which is exact at both ends.
 template <class G>
 G sine(const Vec3<G>& w) {
   return math::sqrt(square(w.x) + square(w.y));
 }
 
-// Oren and Nayar 1994, eq. 27 and 28: f = rho/pi L1 +
-// rho^2/pi L2 with a, b the larger and smaller polar angle,
+// Oren and Nayar 1994, eq. 27 and 28: f = rho/pi L1 + rho^2/pi L2 with a, b the larger and the smaller
+// polar angle,
 //   L1 = C1 + C2 cos(dphi) tan b + C3 (1 - |cos dphi|) tan((a+b)/2),  C1 = 1 - 0.5 s^2/(s^2 + 0.33),
-//   C2 = 0.45 s^2/(s^2 + 0.09) (sin a - [(2b/pi)^3 where cos(dphi) < 0]),
+//   C2 = 0.45 s^2/(s^2 + 0.09) (sin a - [(2b/pi)^3 if cos(dphi) < 0]),
 //   C3 = 0.125 s^2/(s^2 + 0.09) (4ab/pi^2)^2,  L2 = 0.17 s^2/(s^2 + 0.13) (1 - cos(dphi) (2b/pi)^2).
 // Domain: sigma 0..pi/2.
 // Symmetry: isotropic, reciprocal.
-// Known violations: energy up to 1.0510 at rho 1 (sigma .304); L1 is negative towards double grazing for
-// sigma > .664, so f is negative there for small rho.
+// Known violations: energy, up to 1.0510 at rho 1 (sigma 0.304). For sigma > 0.664 L1 is negative when both
+// directions graze; f is then negative for small rho.
 struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr std::string_view name = "oren_nayar_full";
   static constexpr std::string_view family = "oren_nayar";
@@ -75,11 +77,11 @@ struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
       Violation{"non_negative", "the direct term is negative towards double grazing for sigma > .664",
                 "rho=0.41 sigma=1.5707963267948966", 89.5, -0.01723}};
 
-  // What f needs of the directions, free of cancellation.
+  // The terms of f that depend on the directions, computed without cancellation.
   template <class G>
   struct Angles {
-    G facing;    // C2's factor over B: cos(dphi) tan b (sin a - ...)
-    G sideways;  // C3's factor over B/8: (4ab/pi^2)^2 (1 - |cos dphi|) tan((a+b)/2)
+    G facing;    // factor of C2 over B: cos(dphi) tan b (sin a - ...)
+    G sideways;  // factor of C3 over B/8: (4ab/pi^2)^2 (1 - |cos dphi|) tan((a+b)/2)
     G multiple;  // cos(dphi) (2b/pi)^2
   };
   template <class G>
@@ -93,14 +95,15 @@ struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
     const G s = tangential_product(g);
     const G cos_phi = s / at_least(sin_i * sin_o, tiny);
 
-    // sin a - b^3, over cos b: near grazing both are near 1, so their distances to 1 are subtracted.
+    // sin a - b^3, divided by cos b. Both are near 1 near grazing; their distances to 1 are therefore
+    // subtracted.
     const G b_left = G(2 / kPi) * math::angle(cos_b, sin_b);
     const G steep = b_left * (G(1) + b + b * b) - square(cos_a) / (G(1) + sin_a);
     const G back = select(sin_a < G(0.5), sin_a - b * b * b, steep);
     const G away = s / (at_least(sin_a, tiny) * cos_b) * back;
 
-    // 1 - |cos dphi| = sin^2/(1 + |cos|); the cross product from sum and difference stays exact where the
-    // azimuths nearly agree, which is where tan((a+b)/2) is large.
+    // 1 - |cos dphi| = sin^2/(1 + |cos|). The cross product, computed from sum and difference, is exact if
+    // the azimuths nearly agree; tan((a+b)/2) is large in that case.
     const Vec3<G> d = g.wo - g.wi;
     const G sin_phi = G(0.5) * (g.h.x * d.y - g.h.y * d.x) / at_least(sin_i * sin_o, tiny);
     const G aside = square(sin_phi) / (G(1) + larger(cos_phi, -cos_phi));
@@ -119,7 +122,7 @@ struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
   }
 };
 
-// Not a weight: with light reflected again and again, more than 1 has no meaning.
+// rho is not a weight: light is reflected repeatedly, and values above 1 have no meaning.
 template <class T>
 struct Reflectivity {
   T rho;
@@ -141,12 +144,13 @@ struct UnitRoughness {
 
 // Fujii's form with the energy-preserving term: Portsmouth, Kutz and Hill 2024 (EON), r = roughness,
 //   f = rho/pi A (1 + r s/t) + rho_ms/pi (1 - E_i)(1 - E_o)/(1 - E_avg),  A = 1/(1 + c1 r),
-//   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r), rho_ms = rho^2 E_avg/(1 - rho (1 -
-//   E_avg)),
-// s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) where s > 0, else 1; E the exact albedo of the first term.
-// 1 - E = A r (c1 - G/pi) and 1 + s are formed without cancellation: nothing is 0/0.
+//   c1 = 1/2 - 2/(3 pi), c2 = 2/3 - 28/(15 pi), E_avg = A (1 + c2 r),
+//   rho_ms = rho^2 E_avg/(1 - rho (1 - E_avg)),
+//   s = wi.wo - cos_i cos_o, t = max(cos_i, cos_o) if s > 0, else 1.
+// E is the exact albedo of the first term. 1 - E = A r (c1 - G/pi) and 1 + s are computed without
+// cancellation; 0/0 does not occur.
 // Domain: roughness 0..1, rho 0..1.
-// Symmetry: isotropic, reciprocal. Albedo 1 at rho 1.
+// Symmetry: isotropic, reciprocal. The albedo is 1 at rho 1.
 // Known violations: none.
 struct oren_nayar_energy : Takes<Reflectivity, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_energy";
@@ -160,7 +164,8 @@ struct oren_nayar_energy : Takes<Reflectivity, UnitRoughness> {
   static constexpr double kC1 = 0.5 - 2 / (3 * kPi);
   static constexpr double kC2 = 2.0 / 3 - 28 / (15 * kPi);
 
-  // pi c1 - G(theta): what the first term loses at that angle; proportional to the cosine towards grazing.
+  // Returns pi c1 - G(theta), the loss of the first term at that angle. The result is proportional to the
+  // cosine towards grazing incidence.
   template <class G>
   static G missing(const Vec3<G>& w, const G& c) {
     const G s = sine(w);
@@ -193,12 +198,12 @@ struct LinearAlbedo {
   static constexpr LinearAlbedo from_linear(const std::array<T, 1>& w) { return {w[0]}; }
 };
 
-// The thesis's listing, with s = roughness^2: f = albedo/pi (C1 + C2)(1 + roughness/2),
-// C1 = 1 - 0.5 s^2/(s^2 + 0.33), C2 = 0.45 s^2/(s^2 + 0.09) c (1/max(cos_i, cos_o) where c >= 0),
+// The listing of the thesis, with s = roughness^2: f = albedo/pi (C1 + C2)(1 + roughness/2),
+// C1 = 1 - 0.5 s^2/(s^2 + 0.33), C2 = 0.45 s^2/(s^2 + 0.09) c (times 1/max(cos_i, cos_o) if c >= 0),
 // c = wi.wo - cos_i cos_o.
 // Domain: roughness 0..1.
 // Symmetry: isotropic, reciprocal.
-// Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness .5).
+// Known violations: energy, by the factor 1 + roughness/2: 1.15 at normal incidence (roughness 0.5).
 struct oren_nayar_as_coded : Takes<LinearAlbedo, UnitRoughness> {
   static constexpr std::string_view name = "oren_nayar_as_coded";
   static constexpr std::string_view family = "oren_nayar";

@@ -1,3 +1,4 @@
+// The Phong form with several normalisations.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 
 namespace brdf {
 
-// Albedo of the lobe at grazing, n = shape[0].
+// Returns the albedo of the lobe at grazing incidence, n = shape[0].
 inline double phong_grazing_albedo(std::span<const double> shape, double) {
   const double n = shape[0];
   return (n + 2) * std::exp(std::lgamma((n + 1) / 2) - std::lgamma(n / 2 + 2)) / (4 * std::sqrt(kPi));
@@ -17,7 +18,8 @@ inline double phong_grazing_albedo(std::span<const double> shape, double) {
 // Phong 1975 as modified by Lewis 1994 (Lafortune and Willems 1994): f = kd/pi + ks (n+2)/(2 pi) (r.o)^n.
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, reciprocal (r.o is symmetric).
-// Known violations: none for kd + ks <= 1; it loses energy towards grazing (ks cos(theta) for large n).
+// Known violations: only for kd + ks > 1. The lobe loses energy towards grazing incidence (ks cos(theta)
+// for large n).
 struct phong : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong";
   static constexpr std::string_view family = "phong";
@@ -37,10 +39,10 @@ struct phong : Takes<LobeWeights, Exponent> {
   }
 };
 
-// As the thesis prints it: f = kd/pi + ks (r.o)^n, without normalisation of the lobe.
+// Phong as printed in the thesis: f = kd/pi + ks (r.o)^n, without normalisation of the lobe.
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, reciprocal (r.o is symmetric).
-// Known violations: energy; the lobe reflects 2 pi/(n+2) at normal incidence, above 1 for n < 4.28.
+// Known violations: energy. The lobe reflects 2 pi/(n+2) at normal incidence, which exceeds 1 for n < 4.28.
 struct phong_unnormalised : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong_unnormalised";
   static constexpr std::string_view family = "phong";
@@ -58,12 +60,12 @@ struct phong_unnormalised : Takes<LobeWeights, Exponent> {
   }
 };
 
-// Phong's 1975 shading as a BRDF: its lobe is not times the cosine, so f is the lobe over cos_i:
-// f = kd/pi + ks (n+1)/(2 pi) (r.o)^n / cos_i (Lewis 1994 discusses it).
+// Phong's shading of 1975 as a BRDF. The shading does not multiply the lobe by the cosine; f is therefore
+// the lobe divided by cos_i: f = kd/pi + ks (n+1)/(2 pi) (r.o)^n / cos_i (discussed by Lewis 1994).
 // Domain: exponent 0..1e6.
 // Symmetry: isotropic, not reciprocal.
 // Known violations: reciprocity; energy with the light fixed: (n+1)/(n+2) at normal incidence, then growing
-// as 1/cos_i. (With the viewer fixed the albedo is 1 at normal incidence and 1/2 at grazing.)
+// as 1/cos_i. (With the viewer fixed the albedo is 1 at normal incidence and 1/2 at grazing incidence.)
 struct phong_classic : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "phong_classic";
   static constexpr std::string_view family = "phong";
@@ -84,8 +86,8 @@ struct phong_classic : Takes<LobeWeights, Exponent> {
   }
 };
 
-// The thesis's listing: f cos_i = albedo/pi + (n.r)^15 F0 cos_i. n.r is n.l, so the "highlight" does not
-// depend on the viewer, and the diffuse term has no cosine.
+// The listing of the thesis: f cos_i = albedo/pi + (n.r)^15 F0 cos_i. n.r equals n.l; the "highlight" thus
+// does not depend on the viewer. The diffuse term has no cosine.
 // Domain: albedo and metallic 0..1.
 // Symmetry: isotropic, not reciprocal.
 // Known violations: reciprocity; energy: (albedo + pi F0 cos_i^16)/cos_i with the light fixed, 2 albedo + 2

@@ -1,3 +1,4 @@
+// The Ward form and its energy-corrected successors.
 #pragma once
 
 #include <cmath>
@@ -9,12 +10,12 @@
 
 namespace brdf {
 
-// Ward 1992 eq. 5a: f = kd/pi + ks exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2)
-// / (4 pi alpha_x alpha_y sqrt(cos_i cos_o)).
+// Ward 1992 eq. 5a:
+// f = kd/pi + ks exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (4 pi alpha_x alpha_y sqrt(cos_i cos_o)).
 // Domain: alpha 1e-4..1.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: energy, beyond 89.4 degrees (the albedo
-// grows as 1/sqrt(cos)); below, it loses up to 74 %.
+// Known violations: energy beyond 89.4 degrees (the albedo grows as 1/sqrt(cos)). At smaller angles the
+// lobe loses up to 74 %.
 struct ward : Takes<LobeWeights, Roughness> {
   static constexpr std::string_view name = "ward";
   static constexpr std::string_view family = "ward";
@@ -34,7 +35,7 @@ struct ward : Takes<LobeWeights, Roughness> {
   }
 };
 
-// Duer 2005: Ward's lobe over cos_i cos_o in place of its square root:
+// Duer 2005: Ward's lobe divided by cos_i cos_o instead of the square root of the product:
 // f = kd/pi + ks exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (4 pi alpha_x alpha_y cos_i cos_o).
 // Domain: alpha 1e-4..1.
 // Symmetry: anisotropic, reciprocal.
@@ -68,7 +69,8 @@ inline double ward_bounded_albedo(std::span<const double> shape, double) {
 // f = kd/pi + ks |h|^2 exp(-((h_x/alpha_x)^2 + (h_y/alpha_y)^2)/h_z^2) / (pi alpha_x alpha_y h_z^4).
 // Domain: alpha 1e-4..1.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none. Albedo at normal incidence, isotropic: 1 - alpha^2 (1 - e^(-1/alpha^2)).
+// Known violations: none. The albedo of an isotropic lobe at normal incidence is
+// 1 - alpha^2 (1 - e^(-1/alpha^2)).
 struct ward_bounded : Takes<LobeWeights, Roughness> {
   static constexpr std::string_view name = "ward_bounded";
   static constexpr std::string_view family = "ward";
@@ -102,10 +104,10 @@ struct MetallicWard {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// The thesis's listing: f cos_i = kD albedo/pi + F0 sqrt(cos_i cos_o)
-// exp(-2 ((h.t/alpha_x)^2 + (h.b/alpha_y)^2)/(1 + h.n)) cos_i, h normalised, kD = (1 - F)(1 - metallic) of
-// the red channel. It multiplies by the square root where Ward divides and lacks 1/(4 pi alpha_x alpha_y);
-// its diffuse term has no cosine.
+// The listing of the thesis:
+// f cos_i = kD albedo/pi + F0 sqrt(cos_i cos_o) exp(-2 ((h.t/alpha_x)^2 + (h.b/alpha_y)^2)/(1 + h.n)) cos_i,
+// with h normalised and kD = (1 - F)(1 - metallic) of the red channel. The listing multiplies by the square
+// root instead of dividing by it, and lacks 1/(4 pi alpha_x alpha_y). Its diffuse term has no cosine.
 // Domain: alpha 1e-4..1 (the listing: 1).
 // Symmetry: anisotropic, not reciprocal.
 // Known violations: reciprocity; energy, growing as 1/cos_i.
@@ -128,7 +130,7 @@ struct ward_as_coded : Takes<Albedo, MetallicWard> {
   static S value_cos(const Weights<S>& w, const Weights<S>& first, const Shape<S>& shape,
                      const Geometry<G>& g) {
     const Roughness<S> alpha = shape.widths();
-    // 2/(1 + h.n) of the normalised half vector, over |h|^2: 1/d with d = |h| (|h| + h_z)/2.
+    // 2/(1 + h.n) of the normalised half vector, divided by |h|^2. This is 1/d with d = |h| (|h| + h_z)/2.
     const G length = G(2) * g.cos_d, inverse = G(2) / (length * (length + g.h.z));
     const auto x = two_part(value_of(g.h.x), value_of(g.h_rest.x)),
                y = two_part(value_of(g.h.y), value_of(g.h_rest.y)),

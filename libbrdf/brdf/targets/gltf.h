@@ -1,3 +1,4 @@
+// The metallic-roughness model of glTF 2.0 as a target.
 #pragma once
 
 #include "brdf/targets/parts.h"
@@ -24,7 +25,7 @@ struct MetalOrDielectric {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// The same whose dielectric part has a colour.
+// The same parameters, with a colour for the dielectric part.
 template <class T>
 struct MetalOrTintedDielectric {
   T alpha_x, alpha_y, metallic, eta, specular, specular_color;
@@ -39,7 +40,7 @@ struct MetalOrTintedDielectric {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// Smith's V, held at 1 where the widths differ.
+// Smith's V, limited to 1 if the widths differ.
 template <class S, class G>
 Fraction<S> v_held_at_one(const Roughness<S>& a, const Geometry<G>& g) {
   const Fraction<S> v = v_smith_ggx(a, g);
@@ -47,30 +48,26 @@ Fraction<S> v_held_at_one(const Roughness<S>& a, const Geometry<G>& g) {
   return {v.num, at_least(v.den, least * v.num)};
 }
 
-// glTF 2.0, metallic-roughness with KHR_materials_ior, _specular and _anisotropy, per channel: GGX with
-// correlated
-// masking; a metal is base + (1 - base)(1 - cos_d)^5 times that, a dielectric base/pi (1 - F) + F times that,
-// F = specular (f0 + (1 - f0)(1 - cos_d)^5), f0 = min(((eta - 1)/(eta + 1))^2 specular_color, 1).
+// glTF 2.0, metallic-roughness with KHR_materials_ior, _specular and _anisotropy, per channel. The lobe is
+// GGX with correlated masking. A metal is base + (1 - base)(1 - cos_d)^5 times the lobe. A dielectric is
+// base/pi (1 - F) + F times the lobe, with F = specular (f0 + (1 - f0)(1 - cos_d)^5) and
+// f0 = min(((eta - 1)/(eta + 1))^2 specular_color, 1).
 // Sources, text: KhronosGroup/glTF@0554a7f3, specification/2.0/Specification.adoc, appendix B (D, V, F, the
-// two mixes);
-// extensions KHR_materials_ior and _specular (f0, f90; README.md, implementation); KHR_materials_anisotropy
-// (alpha_x from
-// the strength; V = clamp(V, 0, 1)). Program: Khronos's gltf-viewer 1.1.0 (npm), the same with two exceptions
-// named below.
-// Where they differ: of a coloured lobe the later text of KHR_materials_specular takes 1 - specular max(F_r,
-// F_g, F_b) off
-// the diffuse part, its first draft (05e0f7bb) mixes by colour, and the viewer takes 1 - specular F of each
-// channel, as here:
-// by the text a channel's diffuse part is darker by specular (max F - F) base/pi.
-// Known: at grazing angles f jumps where the widths become equal: then KHR_materials_anisotropy is not
-// written, and the
-// isotropic V of appendix B has no limit. three.js holds nothing.
+// two mixes); extensions KHR_materials_ior and _specular (f0, f90; README.md, implementation);
+// KHR_materials_anisotropy (alpha_x from the strength; V = clamp(V, 0, 1)). Program: Khronos's gltf-viewer
+// 1.1.0 (npm), which is the same with the two exceptions below.
+// Differences: for a coloured lobe the later text of KHR_materials_specular reduces the diffuse part by the
+// factor 1 - specular max(F_r, F_g, F_b). Its first draft (05e0f7bb) mixes by colour. The viewer uses
+// 1 - specular F of each channel, and so does this form. According to the text the diffuse part of a
+// channel is darker by specular (max F - F) base/pi.
+// Known: at grazing angles f is discontinuous at equal widths. KHR_materials_anisotropy is then not
+// written, and the isotropic V of appendix B is not limited. three.js never limits V.
 // Domain: alpha 1e-4..1, eta 1..3.
 // Symmetry: anisotropic, reciprocal.
 struct gltf_metallic_roughness : Takes<BaseColour, MetalOrTintedDielectric> {
   static constexpr std::string_view name = "gltf_metallic_roughness";
   static constexpr std::string_view family = "gltf";
-  static constexpr Kink kink = Kink::unplaced;  // where V reaches 1
+  static constexpr Kink kink = Kink::unplaced;  // at the edge of V = 1
   using Sampler = OfWidths<VisibleGgx>;
   static constexpr NoViolations violations{};
 

@@ -1,3 +1,4 @@
+// The generalized Schlick model of MaterialX as a target.
 #pragma once
 
 #include "brdf/forms/oren_nayar.h"
@@ -5,7 +6,7 @@
 
 namespace brdf {
 
-// A fit of x (the view's cosine) and y (alpha), second degree in each:
+// Returns a fit in x (the cosine of the viewing angle) and y (alpha), of second degree in each:
 // c0 + c1 x + c2 y + c3 x y + c4 x^2 + c5 y^2 + c6 x^2 y + c7 x y^2 + c8 x^2 y^2.
 template <class S, class G>
 S biquadratic(const std::array<double, 9>& c, const G& x, const S& y) {
@@ -15,8 +16,8 @@ S biquadratic(const std::array<double, 9>& c, const G& x, const S& y) {
   return constant + y * linear + square(y) * quadratic;
 }
 
-// What MaterialX takes for the albedo of a white GGX lobe: two fractions, each held within 0..1.
-// mx_ggx_dir_albedo_analytic, which is the generator's default.
+// Returns MaterialX's approximation of the albedo of a white GGX lobe: two fractions, each limited to 0..1.
+// Source: mx_ggx_dir_albedo_analytic, which is the default of the generator.
 template <class S, class G>
 S materialx_white_albedo(const G& x, const S& y) {
   const S a =
@@ -28,7 +29,7 @@ S materialx_white_albedo(const G& x, const S& y) {
   return at_most(at_least(a, S(0)), S(1)) + at_most(at_least(b, S(0)), S(1));
 }
 
-// f0 is no weight here: the lobe is not linear in it.
+// f0 is not a weight here because the lobe is not linear in f0.
 template <class T>
 struct CompensatedSchlick {
   T alpha_x, alpha_y, f0, sigma;
@@ -47,20 +48,18 @@ struct CompensatedSchlick {
 };
 
 // MaterialX 1.39.6: an oren_nayar_diffuse_bsdf (without energy compensation) and a generalized_schlick_bsdf
-// (color82
-// and color90 white, exponent 5), put together by `add`: f = kd ON(sigma)/pi + ks D G F comp/(4 cos_i cos_o).
-// G is the
-// correlated masking of one alpha, the widths' geometric mean; comp = 1 + Fss (1 - E)/E, Fss = f0 + (1 -
-// f0)/21, E the
-// fitted albedo of a white lobe, of the view's direction.
+// (color82 and color90 white, exponent 5), combined by `add`: f = kd ON(sigma)/pi + ks D G F
+// comp/(4 cos_i cos_o). G is the correlated masking of a single alpha, the geometric mean of the widths.
+// comp = 1 + Fss (1 - E)/E and Fss = f0 + (1 - f0)/21. E is the fitted albedo of a white lobe for the view
+// direction.
 // Source: AcademySoftwareFoundation/MaterialX 4177b2cbd (1.39.6),
-// libraries/pbrlib/genglsl/mx_oren_nayar_diffuse_bsdf.glsl,
-// mx_generalized_schlick_bsdf.glsl, mx_add_bsdf.glsl, lib/mx_microfacet_specular.glsl (mx_ggx_smith_G2,
-// mx_ggx_dir_albedo_analytic, mx_ggx_energy_compensation, mx_fresnel_average),
-// lib/mx_microfacet_diffuse.glsl.
-// Earlier snapshots (915650af) had the Fresnel term at wi.h in place of Fss.
-// Domain: alpha 1e-4..1 (the node's `roughness` as it stands), sigma 0..1.
-// Symmetry: anisotropic. Not reciprocal.
+// libraries/pbrlib/genglsl/mx_oren_nayar_diffuse_bsdf.glsl, mx_generalized_schlick_bsdf.glsl,
+// mx_add_bsdf.glsl, lib/mx_microfacet_specular.glsl (mx_ggx_smith_G2, mx_ggx_dir_albedo_analytic,
+// mx_ggx_energy_compensation, mx_fresnel_average), lib/mx_microfacet_diffuse.glsl.
+// Earlier snapshots (915650af) had the Fresnel term at wi.h instead of Fss.
+// Domain: alpha 1e-4..1 (the `roughness` of the node, unchanged), sigma 0..1.
+// Symmetry: anisotropic, not reciprocal.
+// Known violations: reciprocity, energy.
 struct materialx_schlick : Takes<LobeWeights, CompensatedSchlick> {
   static constexpr std::string_view name = "materialx_schlick";
   static constexpr std::string_view family = "materialx";

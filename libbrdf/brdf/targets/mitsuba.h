@@ -1,20 +1,19 @@
+// Models of Mitsuba 3 as targets.
 #pragma once
 
 #include "brdf/targets/parts.h"
 
 namespace brdf {
 
-// Mitsuba 3: `roughconductor` of distribution ggx, and `diffuse`, mixed by `blendbsdf`:
-// f = kd/pi + ks D G1(wi) G1(wo) F/(4 cos_i cos_o), F of the complex index n + i k.
+// Mitsuba 3: `roughconductor` with distribution ggx, and `diffuse`, mixed by `blendbsdf`:
+// f = kd/pi + ks D G1(wi) G1(wo) F/(4 cos_i cos_o), with F of the complex index n + i k.
 // Source: Mitsuba 3 b45b0a930, src/bsdfs/roughconductor.cpp:315- (eval), include/mitsuba/render/microfacet.h
-// (G,
-// smith_g1), include/mitsuba/render/fresnel.h (fresnel_conductor), src/bsdfs/diffuse.cpp:139.
-// Left out: the variants that compute spectra, which make them of colours as pbrt does
-// (src/core/properties.cpp:669-698);
-// rgb variants compute by channel.
+// (G, smith_g1), include/mitsuba/render/fresnel.h (fresnel_conductor), src/bsdfs/diffuse.cpp:139.
+// Not covered: the spectral variants, which convert colours to spectra like pbrt
+// (src/core/properties.cpp:669-698). The rgb variants compute by channel.
 // Domain: alpha 1e-4..1, n and k 0..20.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none for kd + ks <= 1.
+// Known violations: only for kd + ks > 1.
 struct mitsuba_roughconductor : Takes<LobeWeights, RoughConductor> {
   static constexpr std::string_view name = "mitsuba_roughconductor";
   static constexpr std::string_view family = "mitsuba";
@@ -29,13 +28,11 @@ struct mitsuba_roughconductor : Takes<LobeWeights, RoughConductor> {
   }
 };
 
-// Mitsuba 3: `principled` without tint, transmission, sheen, clearcoat and flatness: Burley's diffuse term of
-// the base
-// colour where it is no metal, and GGX with G1(wi) G1(wo) times
+// Mitsuba 3: `principled` without tint, transmission, sheen, clearcoat and flatness. The dielectric part
+// has Burley's diffuse term of the base colour. The lobe is GGX with G1(wi) G1(wo), times
 // F = (1 - metallic) F_dielectric(eta) + metallic (base + (1 - base)(1 - cos_d)^5).
 // Source: Mitsuba 3 b45b0a930, src/bsdfs/principled.cpp:493- (eval), principledhelpers.h:239
-// (principled_fresnel), :320
-// (calc_dist_params: the widths are at least .001).
+// (principled_fresnel), :320 (calc_dist_params: the widths are at least 0.001).
 // Domain: alpha 1e-4..1, eta 1..3.
 // Symmetry: anisotropic, reciprocal.
 struct mitsuba_principled : Takes<BaseColour, Principled> {

@@ -1,3 +1,4 @@
+// Closures of OSL as targets.
 #pragma once
 
 #include "brdf/forms/cook_torrance.h"
@@ -7,7 +8,7 @@
 
 namespace brdf {
 
-// OSL's closures that are forms of ours, value by value, as its testrender shades them
+// Closures of OSL that equal forms of the catalogue value by value, as shaded by OSL's testrender
 // (src/testrender/shading.cpp and src/shaders/stdosl.h of OpenShadingLanguage ad63273a).
 using osl_microfacet = cook_torrance_dielectric;
 using osl_ward = ward;

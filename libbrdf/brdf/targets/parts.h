@@ -1,4 +1,5 @@
-// What targets share: parameter sets, and the masking and the diffuse term that none of our forms has.
+// Common parts of targets: parameter sets, and a masking and a diffuse term that no form of the catalogue
+// has.
 #pragma once
 
 #include "brdf/form.h"
@@ -9,13 +10,13 @@
 namespace brdf {
 
 // Smith's masking and shadowing as a product, G1(wi) G1(wo), for GGX: Walter et al. 2007 eq. 23 and 34. With
-// G1 = 2 c/(c + l), l the stretched length, V = G/(4 cos_i cos_o) is 1/((cos_i + l_i)(cos_o + l_o)).
+// G1 = 2 c/(c + l) and l the stretched length, V = G/(4 cos_i cos_o) is 1/((cos_i + l_i)(cos_o + l_o)).
 template <class S, class G>
 Fraction<S> v_separable_ggx(const Roughness<S>& a, const Geometry<G>& g) {
   return {S(1), (g.cos_i + stretched_length(a, g.wi)) * (g.cos_o + stretched_length(a, g.wo))};
 }
 
-// Burley 2012 (course notes, 5.3) as Cycles and Mitsuba split it, times pi and over the base colour:
+// Burley 2012 (course notes, 5.3) as split by Cycles and Mitsuba, times pi and divided by the base colour:
 // (1 - Fi/2)(1 - Fo/2) + R (Fi + Fo + Fi Fo (R - 1)), R = 2 roughness cos_d^2, roughness^4 = alpha_x alpha_y.
 template <class S, class G>
 S burley_diffuse(const Roughness<S>& a, const Geometry<G>& g) {
@@ -24,13 +25,13 @@ S burley_diffuse(const Roughness<S>& a, const Geometry<G>& g) {
   return (G(1) - G(0.5) * fi) * (G(1) - G(0.5) * fo) + r * (fi + fo + both * (r - S(1)));
 }
 
-// ((eta - 1)/(eta + 1))^2
+// Returns ((eta - 1)/(eta + 1))^2.
 template <class S>
 S f0_of_index(const S& eta) {
   return square((eta - S(1)) / (eta + S(1)));
 }
 
-// Of models with one colour: what it does not scale has the weight 1 and no other.
+// Weights of models with one colour. The part that this colour does not scale has the fixed weight 1.
 template <class T>
 struct BaseColour {
   T base_color, rest;
@@ -45,7 +46,7 @@ struct BaseColour {
   static constexpr BaseColour from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }
 };
 
-// The dielectric part of principled models.
+// The index of the dielectric part of principled models.
 inline constexpr ParameterInfo kPrincipledIndexInfo{
     "eta", 1, 3, 1.5, 2, "", false, "relative index of refraction of the dielectric part", Role::index};
 

@@ -1,3 +1,4 @@
+// The physical material of three.js as a target.
 #pragma once
 
 #include "brdf/targets/gltf.h"
@@ -5,8 +6,8 @@
 
 namespace brdf {
 
-// The model is quadratic in its one colour, which therefore stands with the shape; what is linear is the
-// whole.
+// The model is quadratic in its one colour; the colour is therefore a parameter of the shape. The model is
+// linear in the weight of the whole.
 template <class T>
 struct WholeWeight {
   T whole;
@@ -39,15 +40,15 @@ struct ThreePhysical {
 };
 
 // three.js 0.187, MeshPhysicalMaterial under a directional light: glTF's metallic-roughness with
-// F = f0 + (f90 - f0) 2^((-5.55473 c - 6.98316) c), and the lobe times 1 + f0 (1/E - 1), f0 the colour along
-// the normal,
-// E the tabulated albedo of a white lobe at the view's cosine and the roughness (of the narrower axis).
+// F = f0 + (f90 - f0) 2^((-5.55473 c - 6.98316) c). The lobe is multiplied by 1 + f0 (1/E - 1), with f0 the
+// colour at normal incidence and E the tabulated albedo of a white lobe at the cosine of the viewing angle
+// and the roughness (of the narrower axis).
 // Source: three 0.187.0 (npm), src/renderers/shaders/ShaderChunk/lights_physical_pars_fragment.glsl.js
-// (RE_Direct_Physical,
-// BRDF_GGX), lights_physical_fragment.glsl.js, lights_fragment_begin.glsl.js, common.glsl.js (F_Schlick),
-// DFGLUTData.js.
+// (RE_Direct_Physical, BRDF_GGX), lights_physical_fragment.glsl.js, lights_fragment_begin.glsl.js,
+// common.glsl.js (F_Schlick), DFGLUTData.js.
 // Domain: alpha 0.002025..1, eta 1..3.
-// Symmetry: anisotropic. Not reciprocal.
+// Symmetry: anisotropic, not reciprocal.
+// Known violations: reciprocity, energy.
 struct three_physical : Takes<WholeWeight, ThreePhysical> {
   static constexpr std::string_view name = "three_physical";
   static constexpr std::string_view family = "three";

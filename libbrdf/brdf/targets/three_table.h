@@ -1,9 +1,8 @@
-// What three.js takes for the albedo of a white GGX lobe: its texture of 16 x 16, both columns added, in
-// ten-thousandths.
-// Rows: the view's cosine; columns: roughness; of texel k at (k + 0.5)/16, between them linear. It was
-// sampled there:
-// against the integral it is off by up to 0.015 in the first rows, 0.003 in the others
-// (tests/libbrdf/targets_test.cpp).
+// The albedo of a white GGX lobe as approximated by three.js: its texture of 16 x 16 texels with both
+// columns added, in ten-thousandths.
+// Rows are the cosine of the viewing angle, columns are the roughness. Texel k lies at (k + 0.5)/16; values
+// between texels are interpolated linearly. The texture was sampled at these positions. Its largest error
+// against the integral is 0.015 in the first rows and 0.003 in the others (tests/libbrdf/targets_test.cpp).
 // Source: three 0.187.0 (npm), src/renderers/shaders/DFGLUTData.js.
 #pragma once
 
@@ -36,7 +35,7 @@ inline constexpr std::array<int, kThreeSide * kThreeSide> kThreeAlbedo{
 };
 // clang-format on
 
-// The share of each of the 16 texels at a coordinate in 0..1, the ends held.
+// Returns the share of each of the 16 texels at a coordinate in 0..1. The end texels extend to the border.
 template <class T>
 std::array<T, kThreeSide> three_shares(const T& u) {
   const T x = at_most(at_least(u * T(16) - T(0.5), T(0)), T(15));

@@ -1,5 +1,5 @@
-// The catalogue's models are compiled in parts, dealt out
-// by their places so that all parts take about as long.
+// Compiles the models of the catalogue in parts. Forms are assigned to the parts by their position; all
+// parts therefore take about the same time.
 #pragma once
 
 #include <array>
@@ -9,7 +9,8 @@
 
 namespace brdf {
 
-// By the forms' places. Functions, so that the compiler must keep them for everyone who names the form.
+// One function per form, by position. A table of functions forces the compiler to keep them for all callers
+// that name the form.
 using ModelTable = std::array<const ReflectanceModel& (*)(), kFormCount>;
 
 template <std::size_t shard, std::size_t shards>

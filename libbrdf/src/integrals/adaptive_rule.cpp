@@ -1,8 +1,9 @@
-// Bisection of cells in (t, phi), elevation = pi/2 t^2, phi from the mirror plane: each cell by a product
-// Gauss-Legendre rule, its error by rules of fewer points, one kind of which looks at the cell's edges and
-// corners too (Lobatto): a kink that cuts off a part in which no Gauss node lies does not hide. Two rules may
-// agree on a kink by chance, so a cell is not believed to be much better than the cell that it is half of.
-// The worst cell is halved along its worse direction. The first cells close in on the lobe by its widths.
+// Adaptive bisection of cells in (t, phi), with elevation = pi/2 t^2 and phi measured from the mirror
+// plane. Each cell is integrated by a product Gauss-Legendre rule. Its error is estimated by rules with
+// fewer points. One kind of these (Lobatto) includes the edges and corners of the cell and thereby detects
+// a kink that cuts off a part without Gauss nodes. Two rules may agree on a kink by chance; the estimate
+// for a half is therefore not allowed to be much better than that of its whole cell. The worst cell is
+// halved along its worse direction. The initial cells close in on the lobe according to its widths.
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -14,12 +15,12 @@ namespace brdf::integrals {
 namespace {
 
 constexpr int kFine = 10, kOpen = 7, kClosed = 8;
-// Evaluations of one cell.
+// Evaluations per cell.
 constexpr long kPerCell = kFine * (kFine + 2 * kOpen + 2 * kClosed) + kClosed * kClosed;
-// First cells: as many as the narrowest lobe asks for, and no more evaluations than an integral may take.
+// Upper bound for the number of initial cells, from the evaluations that an integral may use by default.
 constexpr std::size_t kMostFirst = std::size_t(AlbedoOptions().max_evaluations / kPerCell);
-constexpr double kGain = 4;     // no half is believed to be better than its whole was, by more than this
-constexpr double kCaution = 8;  // what all rules miss alike: a lobe's edge through a corner, say
+constexpr double kGain = 4;     // a half may improve on its whole cell by this factor at most
+constexpr double kCaution = 8;  // allows for errors common to all rules, such as a lobe's edge in a corner
 
 struct Cell {
   double t0, t1, phi0, phi1;
@@ -80,7 +81,7 @@ class Adaptive {
 
  private:
   std::vector<AlbedoResult> results(std::priority_queue<Cell>& cells, std::size_t outputs, double tolerance) {
-    // Summed afresh: the running totals carry the rounding of everything subtracted.
+    // Sum again, because the running totals carry the rounding errors of all subtracted terms.
     const std::vector<double> constant = integrand_.constant_outputs();
     std::vector<AlbedoResult> found(outputs);
     for (std::size_t k = 0; k < outputs; ++k) found[k].value = constant[k];
@@ -89,7 +90,8 @@ class Adaptive {
         found[k].value += cells.top().value[k];
         found[k].error_bound += cells.top().error[k];
       }
-    // One evaluation's rounding: elevation and azimuth are the same in many, so that it does not average out.
+    // The rounding of a single evaluation: many evaluations share elevation and azimuth, and errors do not
+    // average out.
     const double rounding = rounding_of(integrand_, {elevation_, phi_}, 1);
     for (AlbedoResult& r : found) {
       r.error_bound += rounding * std::abs(r.value);
@@ -100,7 +102,7 @@ class Adaptive {
     return found;
   }
 
-  // The half vector of a point, in units of the lobe's widths (its sines: bounded).
+  // Returns the half vector of a point, in units of the widths of the lobe (its sines, which are bounded).
   std::array<double, 2> in_widths(double t, double phi) const {
     const double e = kPi / 2 * t * t, s = std::cos(e), azimuth = phi_ + kPi + phi;
     const Vec3<double> h = Vec3<double>{s * std::cos(azimuth), s * std::sin(azimuth), std::sin(e)} + fixed_;
@@ -108,9 +110,9 @@ class Adaptive {
     return {h.x / length / integrand_.features().width_x, h.y / length / integrand_.features().width_y};
   }
 
-  // Halves a cell until it is small beside the lobe's width or its distance from the lobe: then no lobe is
-  // missed, however narrow, nor the wide one that grazing light draws together.
-  // Where that takes more than `most` cells the rest stays coarse, and no error of it is believed.
+  // Halves a cell until it is small compared with the width of the lobe or with its distance from the lobe.
+  // This finds any lobe, however narrow, and also the wide lobe that grazing light contracts. If more than
+  // `most` cells are needed the remaining cells stay coarse, and the result is not marked as converged.
   void cover(Cell cell, int depth, std::size_t most, std::vector<Cell>& cells) {
     const double t = (cell.t0 + cell.t1) / 2, phi = (cell.phi0 + cell.phi1) / 2;
     const auto apart = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
@@ -186,8 +188,9 @@ class Adaptive {
     return cell;
   }
 
-  // At the pole the cell's solid angle vanishes and no rule sees the value there. What it departs by from the
-  // polynomial through the nodes, over the cap beyond the last of them.
+  // The solid angle of the cell vanishes at the pole, and no rule samples the value there. Returns the
+  // deviation of that value from the polynomial through the nodes, times the solid angle of the cap beyond
+  // the last node.
   std::vector<double> hidden_at_pole(const Cell& c) {
     const GaussRule& rule = gauss_legendre(kFine);
     std::array<double, kFine + 1> x, y, z, weight;
@@ -219,7 +222,7 @@ class Adaptive {
   const double elevation_, phi_;
   Vec3<double> fixed_{};
   long evaluations_ = 0;
-  bool coarse_ = false;  // the first cells do not close in on the lobe
+  bool coarse_ = false;  // the initial cells do not close in on the lobe
 };
 
 }  // namespace

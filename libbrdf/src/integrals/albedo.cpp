@@ -1,3 +1,4 @@
+// Directional albedos and average albedos: selection of the rule, and error control.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,7 +20,7 @@ double distance(double a, double b) {
   return std::abs(a - b);
 }
 
-// The last values of one output, the newest first, as many as there are.
+// The most recent values of one output, the newest first.
 class History {
  public:
   void add(double value) {
@@ -27,8 +28,8 @@ class History {
     values_[0] = value;
     count_ = std::min(count_ + 1, values_.size());
   }
-  // Distance to the value before: of the newest (0), of
-  // the one before (1), ...; infinite where there is none.
+  // Returns the distance between value k and the value before it, with 0 for the newest value. The result
+  // is infinite if there are too few values.
   double change(std::size_t k) const {
     return k + 1 < count_ ? distance(values_[k], values_[k + 1]) : HUGE_VAL;
   }
@@ -38,18 +39,18 @@ class History {
   std::size_t count_ = 0;
 };
 
-// How the error falls from order to order.
+// Decrease of the error from one order to the next.
 enum class Fall {
-  fast,  // by much more than four, once the rule resolves it
-  slow,  // as fast in the end, but unevenly: two small changes in a row may be chance
+  fast,  // by much more than a factor of four once the lobe is resolved
+  slow,  // eventually as fast, but unevenly: two small changes in a row may be chance
 };
 
-// Above the error in each of 120 000 random integrals, for 1.2 times the evaluations of an estimate that was
-// up to 160 times too small in one of 2000.
+// Returns an estimate that was above the error in each of 120 000 random integrals. It costs 1.2 times the
+// evaluations of a simpler estimate, which was up to 160 times too small in one of 2000 integrals.
 double truncation_error(const History& history, Fall fall, double rounding) {
   const double last = history.change(0), earlier = history.change(1);
   const double change = last < earlier / 4 || last < 10 * rounding ? last : 4 * last;
-  const bool third = !std::isfinite(history.change(2));  // order: little better than the second
+  const bool third = !std::isfinite(history.change(2));  // third order: little better than the second
   if (fall == Fall::fast) return std::max(change, (third ? 0.4 : 0.1) * earlier);
   return std::max({change, (third ? 0.8 : 0.4) * earlier, third ? 0 : 0.01 * history.change(2)});
 }
@@ -78,7 +79,7 @@ std::vector<AlbedoResult> escalate(PanelRule rule, Rule name, const Integrand& i
       if (values[k] == 0 && error == 0) results[k].converged = true;
       all = all && results[k].converged;
     }
-    // The next order costs about twice as much.
+    // The next order costs about twice as many evaluations.
     if (all || evaluations + 2 * sums.evaluations > options.max_evaluations) break;
   }
   return results;
@@ -93,9 +94,9 @@ std::vector<AlbedoResult> fixed_order(PanelRule rule, Rule name, const Integrand
   return results;
 }
 
-// The rule that can do what is asked for. `pole` knows isotropic lobes (at the horizon itself those of the
-// half vector want `slope`, too: a row's width goes to 0 with its elevation), `slope` lobes of the half
-// vector, and a kink that no rule is told of wants bisection.
+// Returns the requested rule or a rule that can replace it. `pole` requires isotropic lobes. At the horizon
+// itself lobes of the half vector also need `slope`, because the width of a row goes to 0 with its
+// elevation. `slope` requires lobes of the half vector. A kink at an unknown location requires bisection.
 Rule applicable(const Features& features, const FixedDirection& fixed, Rule asked) {
   if (asked == Rule::adaptive || features.kink == Kink::unplaced) return Rule::adaptive;
   const bool half_vector = features.about_half_vector();
@@ -106,10 +107,11 @@ Rule applicable(const Features& features, const FixedDirection& fixed, Rule aske
 
 }  // namespace
 
-// Directions are stored in double precision: near grazing a lobe of width a spans a cos (at the horizon a^2)
-// of the half vector's components, each rounded to 1e-16; over many points that averages out.
+// Directions are stored in double precision. Near grazing, a lobe of width a covers a range of a cos
+// (at the horizon a^2) in the components of the half vector, each rounded to 1e-16. The errors average out
+// over many points.
 double rounding_of(const Integrand& integrand, const FixedDirection& fixed, long evaluations) {
-  constexpr double kRounding = 4e-15;  // of a sum of ten thousand terms of one sign
+  constexpr double kRounding = 4e-15;  // of a sum of ten thousand terms with one sign
   const double width = std::min(integrand.features().width_x, integrand.features().width_y);
   const double stored =
       1e-15 / (width * std::max(std::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
@@ -137,7 +139,7 @@ FixedDirection fixed_direction(Angle theta, Angle phi) {
   return {std::max(kPi / 2 - theta.radians(), 0.0), phi.radians()};
 }
 
-// Adds the term's albedo to the results of its channels.
+// Adds the albedo of the term to the results of its channels.
 void add_term(const Term& term, Angle theta, Angle phi, const AlbedoOptions& options,
               std::vector<AlbedoResult>& results) {
   const std::size_t n = term.weights.size();
@@ -198,8 +200,8 @@ AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoO
     double sum = 0, bound = 0;
     bool converged = true;
     for (std::size_t k = 0; k < rule.node.size(); ++k) {
-      // Elevation e = pi/2 v^2: the albedo varies like a root of the cosine at the horizon. Four quadrants
-      // are alike for every form of the catalogue, so that one quarter turn of azimuths is enough.
+      // Elevation e = pi/2 v^2: the albedo varies like a root of the cosine at the horizon. For every form
+      // of the catalogue the four quadrants are equal; a quarter turn of azimuths is therefore sufficient.
       const double v = rule.node[k], e = kPi / 2 * v * v;
       const double weight = 2 * std::sin(e) * std::cos(e) * kPi * v * rule.weight[k];
       const int turns = anisotropic ? n : 1;

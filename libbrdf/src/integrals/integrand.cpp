@@ -6,7 +6,7 @@
 namespace brdf::integrals {
 namespace {
 
-// Moving direction whose half vector with the normal has this slope.
+// Returns the moving direction that has a half vector of this slope together with the normal.
 Vec3<double> at_slope(double slope) {
   const double angle = 2 * std::atan(slope);
   return {std::sin(angle), 0, std::cos(angle)};
@@ -30,7 +30,7 @@ Integrand::Integrand(const Reflectance& form, std::span<const double> shape, Fix
   if (columns_ > 0) look();
 }
 
-// Sum of the varying columns' magnitudes, f without cosine.
+// Returns the sum of the magnitudes of the varying columns, f without the cosine.
 double Integrand::sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) const {
   std::vector<double> out(columns_);
   evaluate(fixed, 1, &moving.x, &moving.y, &moving.z, out.data());
@@ -40,7 +40,7 @@ double Integrand::sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) 
   return sum / moving.z;
 }
 
-// A column that has one and the same value at seven unrelated pairs of directions is taken for constant.
+// A column with the same value at seven unrelated pairs of directions is treated as constant.
 void Integrand::find_constants() {
   constants_.assign(columns_, NAN);
   if (info(form_).outside) return;
@@ -66,7 +66,8 @@ void Integrand::find_constants() {
     if (same[c]) constants_[c] = first[c];
 }
 
-// The slope at which the form has fallen to 1/e of the way from its peak to its floor, at normal incidence.
+// Returns the slope at which the form has fallen to 1/e of the difference between its peak and its floor,
+// at normal incidence.
 double Integrand::measured_width() const {
   const Vec3<double> normal{0, 0, 1};
   const double peak = sum_at(normal, normal), floor = sum_at(normal, at_slope(0.999));
@@ -76,9 +77,9 @@ double Integrand::measured_width() const {
   return 1;
 }
 
-// f cos of one column goes as sqrt(cos) where its logarithmic slope near the horizon is a half. (A lobe
-// beside it may go as cos, so the columns are looked at one by one.) Both directions within the lobe's width
-// of grazing, so that an exponential lobe is not 0 there.
+// Returns true if f cos of some column behaves like sqrt(cos), which means a logarithmic slope of 1/2 near
+// the horizon. Columns are tested one by one because another lobe may behave like cos. Both directions are
+// within the width of the lobe from grazing, to keep an exponential lobe above 0 there.
 bool Integrand::measured_root() const {
   const double z_fixed = 0.25 * std::min(features_.width_x, features_.width_y);
   const auto at = [&](double z) {
@@ -93,7 +94,7 @@ bool Integrand::measured_root() const {
   return false;
 }
 
-// A quarter turn of both directions, which rounds nothing, changes the value.
+// Returns true if rotating both directions by a quarter turn, which causes no rounding, changes the value.
 bool Integrand::measured_orientation() const {
   for (const auto& [theta_f, phi_f, theta_m, phi_m] :
        {std::array{0.7, 0.4, 0.75, 3.4}, std::array{0.2, 1.2, 0.9, 2.6}, std::array{1.1, 5.9, 1.2, 2.9}}) {
@@ -125,11 +126,11 @@ void Integrand::look() {
   features_.oriented =
       f.all_round || (f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation());
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
-  // x^n at the edge of a narrow lobe is smooth to more orders than a rule can see.
+  // x^n at the edge of a narrow lobe is smooth to a higher order than a rule can resolve.
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;
   const double reach = kReach * std::max(features_.width_x, features_.width_y);
   const Vec3<double> normal{0, 0, 1};
-  // Along either axis: a power of many widths of the smaller one is small, too.
+  // Both axes are tested: a power at many times the smaller width is small, too.
   const Vec3<double> x = at_slope(kReach * features_.width_x), y = at_slope(kReach * features_.width_y);
   features_.compact = reach < 0.9 && std::max(sum_at(normal, x), sum_at(normal, {y.y, y.x, y.z})) <
                                          1e-24 * sum_at(normal, normal);
@@ -153,7 +154,8 @@ std::vector<double> Integrand::constant_outputs() const {
   return combine(std::vector<double>(columns_, 0.0));
 }
 
-// Outputs from columns: the lobes themselves, or the channels' sums of weight times lobe.
+// Returns the outputs computed from the columns: the lobes themselves, or the sums of weight times lobe of
+// the channels.
 std::vector<double> Integrand::weigh(std::vector<double> columns) const {
   const std::span<const LobeWeight> lobes = info(form_).lobes;
   if (lobes_only_ || lobes.empty()) return columns;
@@ -180,7 +182,8 @@ void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double*
   if (info(form_).fittable()) {
     form_->lobes(shape_, Partial::none, pairs, {out, n});
   } else {
-    // f cos_i of the moving light is a form's own; of the viewer f is multiplied below.
+    // If the light moves, the form itself computes f cos_i. If the viewer moves, f is multiplied by the
+    // cosine below.
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const ParameterValues<double> values{weights_[c], weights_.back(), shape_, channels_[c]};
       if (light_fixed)

@@ -1,4 +1,4 @@
-// What is integrated: f_r cos of one form's channels (or lobes) with one direction fixed.
+// The integrand: f_r cos of the channels (or lobes) of one form, with one direction fixed.
 #pragma once
 
 #include <array>
@@ -19,18 +19,19 @@ using quadrature::sinh_cosh;
 using quadrature::unit_node;
 using quadrature::UnitNode;
 
-// Where the integrand varies fast. Widths are those of the parameters with that role; a form without them is
-// measured at normal incidence. Kinks are what the form says.
+// Regions of fast variation. The widths are the parameters with that role; the width of a form without such
+// parameters is measured at normal incidence. The kink is the one that the form declares.
 struct Features {
   double width_x = 1, width_y = 1;  // of the lobe, in the half vector's slope
   bool root_at_horizon = false;     // f cos behaves as sqrt(cos) there
   bool mirror_lobe = false;         // about the mirror direction, not about the half vector
-  // Nothing but constants beyond kReach widths: an exponential tail, which the rules cut off there.
+  // Apart from constants, the integrand is negligible beyond kReach widths. This holds for an exponential
+  // tail, which the rules cut off at that distance.
   bool compact = false;
   Kink kink = Kink::none;
-  bool oriented = false;  // sees the tangent, though it has no two widths
+  bool oriented = false;  // depends on the tangent without having two widths
   bool anisotropic() const { return oriented || width_x != width_y; }
-  // Whether the slopes of the half vector are the right variables.
+  // Returns true if the slopes of the half vector are suitable variables.
   bool about_half_vector() const {
     return !mirror_lobe && kink != Kink::azimuth && kink != Kink::mirror_edge;
   }
@@ -38,36 +39,36 @@ struct Features {
 
 // exp(-kReach^2) = 9e-27.
 inline constexpr double kReach = 7.745966692414834;
-inline constexpr double kLeastWidth = 1e-5;  // a lobe is never taken for narrower
+inline constexpr double kLeastWidth = 1e-5;  // a lobe is never assumed to be narrower
 
-// The fixed direction. The elevation, not the polar angle, because accuracy is needed near grazing.
+// The fixed direction. It is given by its elevation, not its polar angle, for accuracy near grazing.
 struct FixedDirection {
   double elevation, phi;
 };
-inline constexpr double kGrazing = 1e-11;  // elevations below this are the limit
+inline constexpr double kGrazing = 1e-11;  // elevations below this are treated as the limit
 
 class Integrand {
  public:
-  static constexpr std::size_t kBlock = 256;  // directions evaluated at a time
+  static constexpr std::size_t kBlock = 256;  // directions per evaluation
 
-  // Channels of a term whose shapes are equal.
+  // Integrates channels of a term that have the same shape.
   Integrand(const Term& term, std::vector<std::size_t> channels, Fixed fixed);
-  // The lobes of a linear form.
+  // Integrates the lobes of a linear form.
   Integrand(const Reflectance& form, std::span<const double> shape, Fixed fixed);
 
   const Features& features() const { return features_; }
-  std::size_t columns() const { return columns_; }  // integrals done side by side
+  std::size_t columns() const { return columns_; }  // integrals computed together
   std::size_t outputs() const { return lobes_only_ ? columns_ : channels_.size(); }
-  // Outputs from the integrals of the columns over the hemisphere. A column that does not vary is pi times
-  // its value, exactly.
+  // Returns the outputs, computed from the integrals of the columns over the hemisphere. The integral of a
+  // constant column is exactly pi times its value.
   std::vector<double> combine(std::span<const double> columns) const;
-  // The same in two parts, for rules that add up the hemisphere piece by piece: what the columns that vary
-  // contribute to a piece, and what the others contribute to the whole.
+  // Return the same in two parts, for rules that sum the hemisphere piece by piece: the contribution of the
+  // varying columns to a piece, and the contribution of the constant columns to the whole.
   std::vector<double> combine_varying(std::span<const double> columns) const;
   std::vector<double> constant_outputs() const;
 
-  // f cos of column c at n <= kBlock moving unit directions: out[c n + j]. `fixed` in the tangent's frame.
-  // Through the forms' batches.
+  // Computes f cos of column c at n <= kBlock moving unit directions: out[c n + j]. `fixed` is given in the
+  // frame of the tangent. Uses the batches of the forms.
   void evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y, const double* z,
                 double* out) const;
 
@@ -79,7 +80,7 @@ class Integrand {
   Fixed fixed_;
   bool lobes_only_ = false;
   std::size_t columns_ = 0;
-  std::vector<double> constants_;  // of the columns that do not vary, else NaN
+  std::vector<double> constants_;  // of the constant columns; NaN for the others
   Features features_;
 
   void look();
@@ -91,7 +92,7 @@ class Integrand {
   bool measured_orientation() const;
 };
 
-// Collects weighted directions and sums the integrand over them, a block at a time.
+// Collects weighted directions and sums the integrand over them, one block at a time.
 class NodeSum {
  public:
   NodeSum(const Integrand& integrand, const Vec3<double>& fixed)
@@ -128,17 +129,18 @@ class NodeSum {
 struct Sums {
   std::vector<double> columns;
   long evaluations;
-  double folds = 0;  // e-folds of distance that the longest panel's points are spread over, where that counts
+  // e-folds of distance that the points of the longest panel cover; 0 for rules that do not use it.
+  double folds = 0;
 };
 
-// The integrals with n points per panel and dimension.
+// Compute the integrals with n points per panel and dimension.
 Sums pole_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
 Sums slope_rule(const Integrand& integrand, const FixedDirection& fixed, int n);
 
-// What rounding may have done to a sum of so many evaluations, relative.
+// Returns the largest relative error that rounding may cause in a sum of so many evaluations.
 double rounding_of(const Integrand& integrand, const FixedDirection& fixed, long evaluations);
 
-// One result per output.
+// Return one result per output.
 std::vector<AlbedoResult> adaptive_rule(const Integrand& integrand, const FixedDirection& fixed,
                                         double tolerance, long max_evaluations);
 std::vector<AlbedoResult> integrate(const Integrand& integrand, const FixedDirection& fixed,

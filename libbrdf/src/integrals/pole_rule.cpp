@@ -1,8 +1,8 @@
-// Polar angle and azimuth about the mirror direction, phi = 0 the mirror plane.
+// The pole rule: polar angle and azimuth about the mirror direction, with phi = 0 in the mirror plane.
 //
 // With D = theta - theta_o, the denominator of a lobe of width a is d + 4 sin sin_o sin^2(phi/2),
-// d = 4 cos^2((theta + theta_o)/2) (sin^2(D/2) + a^2 cos^2(D/2)): poles at phi = +-i eta and at
-// tan(D/2) = +-i a. Smith's root lies at tan(elevation) = +-i a; d and the correlated denominator also
+// d = 4 cos^2((theta + theta_o)/2) (sin^2(D/2) + a^2 cos^2(D/2)). Its poles are at phi = +-i eta and at
+// tan(D/2) = +-i a. Smith's root lies at tan(elevation) = +-i a. d and the correlated denominator also
 // vanish at theta = pi - theta_o. A map x = scale sinh(s) moves a pole at +-i scale to s = +-i pi/2.
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,15 @@
 namespace brdf::integrals {
 namespace {
 
-// A point of the outer integral, with the difference to the fixed polar angle where that is known exactly.
+// A point of the outer integral, with the difference from the fixed polar angle. The maps about the mirror
+// direction compute the difference without cancellation.
 struct Polar {
   double elevation, delta;
 };
 
-// The azimuth in (0, pi) at which the integrand has a kink, or pi where it has none. Positive `gap` on one
-// side of the outer break points, negative on the other.
+// The kink of a row, given by the cosine of its azimuth in (0, pi).
 struct RowKink {
-  double cosine;  // of the azimuth; outside (-1, 1) where this row has no kink
+  double cosine;  // of the azimuth; outside (-1, 1) if this row has no kink
   bool present() const { return cosine > -1 && cosine < 1; }
 };
 
@@ -56,15 +56,15 @@ class PoleRule {
   Sums run() {
     const double theta_o = kPi / 2 - e_o_;
     const bool limit = e_o_ < kGrazing;
-    // No part of a compact lobe is farther than this from theta_o.
+    // No part of a compact lobe is farther from theta_o than this.
     const double reach = features_.compact ? 2 * std::atan(kReach * a_) : kPi;
     // From the normal to theta_o.
     const double b = limit ? a_ : std::min(a_, std::tan(e_o_));
-    const bool root = limit && features_.kink == Kink::mirror_edge;  // the row goes as sin^n
+    const bool root = limit && features_.kink == Kink::mirror_edge;  // the row behaves like sin^n
     outer(-std::asinh(std::tan(std::min(theta_o, reach) / 2) / b), 0, root,
           [&](double s, double& jacobian) { return from_mirror(b, s, jacobian); });
     if (limit) return {sum_.sums(), sum_.evaluations()};
-    // From theta_o half way to the horizon, and from the horizon up to there.
+    // From theta_o half way to the horizon, and from the horizon up to the same point.
     outer(0, std::asinh(std::tan(std::min(e_o_ / 2, reach) / 2) / a_), false,
           [&](double s, double& jacobian) { return from_mirror(a_, s, jacobian); });
     const double lowest = std::max(e_o_ - reach, 0.0);
@@ -86,7 +86,7 @@ class PoleRule {
     return {e_o_ - delta, delta};
   }
 
-  // Integrates over s in [low, high], split where the rows' kinks appear or vanish.
+  // Integrates over s in [low, high], split at the points at which the kinks of the rows appear or vanish.
   template <class Map>
   void outer(double low, double high, bool root_low, Map&& map) {
     if (!(high > low)) return;
@@ -106,7 +106,8 @@ class PoleRule {
     }
   }
 
-  // Where the kink's azimuth reaches 0 or pi: sign changes of cosine -+ 1, bracketed on a grid and bisected.
+  // Finds the points at which the azimuth of the kink reaches 0 or pi. These are sign changes of
+  // cosine -+ 1, which are bracketed on a grid and bisected.
   template <class Map>
   void add_breaks(double low, double high, Map&& map, std::vector<double>& breaks) const {
     const auto excess = [&](double s, double target) {
@@ -146,21 +147,21 @@ class PoleRule {
     const double tilt = features_.mirror_lobe ? 1 : std::sin((p.elevation + e_o_) / 2);
     const double d = 4 * square(tilt) * (sd * sd + a_ * a_ * cd * cd);
     const double ratio = std::sqrt(d / std::max(4 * sin_i * sin_o_, 1e-300));
-    const double eta = std::min(2 * std::asinh(ratio), 1e6);  // theta_o = 0: every azimuth is alike
+    const double eta = std::min(2 * std::asinh(ratio), 1e6);  // theta_o = 0: all azimuths are equivalent
     double s_end = std::asinh(kPi / eta);
-    if (features_.compact) {  // the exponent grows from (tan(D/2)/a)^2 by (phi/eta)^2 times one more
+    if (features_.compact) {  // the exponent is t^2 + (1 + t^2)(phi/eta)^2, t = tan(D/2)/a
       const double steepness = 1 + square(sd / (a_ * cd));
       s_end = std::min(s_end, std::asinh(std::sqrt((kReach * kReach + 1) / steepness)));
     }
     const RowKink kink = row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_);
     const double s_kink = kink.present() ? std::min(std::asinh(std::acos(kink.cosine) / eta), s_end) : s_end;
-    // The row is even in phi: twice [0, pi].
+    // The row is even in phi; twice the integral over [0, pi].
     panel(0, s_kink, eta, sin_i, cos_i, 2 * weight * sin_i);
     if (s_kink < s_end) panel(s_kink, s_end, eta, sin_i, cos_i, 2 * weight * sin_i);
   }
 
   void panel(double s0, double s1, double eta, double sin_i, double cos_i, double weight) {
-    // At the edge of a cosine lobe x^n is no polynomial: five powers more make it nearly one.
+    // At the edge of a cosine lobe x^n is not a polynomial. Five more powers make it nearly one.
     const bool edge = features_.kink == Kink::mirror_edge;
     std::array<double, kRow> s, w, sinh, cosh, phi, sine, cosine;
     for (std::size_t first = 0; first < rule_.node.size(); first += kRow) {

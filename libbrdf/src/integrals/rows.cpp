@@ -9,7 +9,7 @@
 namespace brdf {
 namespace {
 
-// 1/n! of Taylor's series.
+// The coefficients 1/n! of Taylor's series.
 constexpr std::array kSinh{1.0,          1.0 / 6,        1.0 / 120,        1.0 / 5040,
                            1.0 / 362880, 1.0 / 39916800, 1.0 / 6227020800, 1.0 / 1307674368000};
 constexpr std::array kSin{1.0,          -1.0 / 6,        1.0 / 120,        -1.0 / 5040,
@@ -37,7 +37,8 @@ void quadrature::sinh_cosh(std::size_t count, const double* s, double* sinh, dou
 }
 
 void integrals::sin_cos(std::size_t count, const double* angle, double* sine, double* cosine) {
-  // Of half the angle's distance to the nearer end; then 1 - 2 sin^2 is rounded once where it is near 1.
+  // Sine and cosine of half the distance to the nearer end. 1 - 2 sin^2 is then rounded only once if it is
+  // near 1.
   const auto body = [=](std::size_t k) {
     const double x = angle[k], rest = kPi - x;
     const double t = 0.5 * smaller(x, rest), t2 = t * t;

@@ -1,10 +1,10 @@
-// The slopes (p, q) of the half vector (p, q, 1): a lobe of the half vector stands at the origin, and the
-// directions above the horizon fill the disc around (o_x, o_y)/o_z with radius 1/o_z.
+// The slope rule integrates over the slopes (p, q) of the half vector (p, q, 1). A lobe of the half vector
+// lies at the origin. The directions above the horizon fill the disc around (o_x, o_y)/o_z with radius 1/o_z.
 //
-// The outer variable p is the axis of the smaller width. At fixed p a lobe's poles are at
-// q = +-i width_q sqrt(1 + (p/width_p)^2), afterwards at p = +-i width_p; Smith's root lies within the width
-// of the horizon, and where the horizon's circle crosses the ridge q = 0 the outer integrand has another near
-// pole. Each is an end of a panel, mapped by sinh with its scale.
+// The outer variable p is the axis of the smaller width. At fixed p the poles of a lobe are at
+// q = +-i width_q sqrt(1 + (p/width_p)^2), afterwards at p = +-i width_p. Smith's root lies within one width
+// of the horizon. Another near pole of the outer integrand lies at the crossing of the horizon's circle with
+// the ridge q = 0. Each of these points is the end of a panel and is mapped by sinh with its scale.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,7 +50,7 @@ class SlopeRule {
     return {s * std::cos(d.phi), s * std::sin(d.phi), std::sin(d.elevation)};
   }
 
-  // visit(x, x - low, high - x, weight), the distances without cancellation.
+  // Calls visit(x, x - low, high - x, weight). The distances are computed without cancellation.
   template <class Visit>
   void segment(const End& low, const End& high, Visit&& visit) {
     const double length = high.at - low.at, half = length / 2;
@@ -62,12 +62,13 @@ class SlopeRule {
     longest_ = std::max({longest_, at_low, at_high});
   }
 
-  // Width of the lobe along q at this p, never beyond the scale on which the half vector itself turns.
+  // Returns the width of the lobe along q at this p, limited to the scale on which the half vector itself
+  // varies.
   double ridge_width(double p) const {
     return std::min(wq_ * std::sqrt(1 + square(p / wp_)), std::sqrt(1 + p * p));
   }
 
-  // The cosine on which masking varies at the horizon, for the moving direction of slopes (p, q).
+  // Returns the cosine on which masking varies at the horizon, for the moving direction with slopes (p, q).
   double horizon_cosine(double p, double q) const {
     const double scale = 2 * (oz_ + ox_ * p + oy_ * q) / (1 + p * p + q * q);
     const double x = scale * p - ox_, y = scale * q - oy_;
@@ -80,7 +81,7 @@ class SlopeRule {
     if (!features_.compact) return ends;
     const double reach = kReach * wp_;
     std::erase_if(ends, [&](const End& end) { return std::abs(end.at) >= reach; });
-    // Beyond the reach there is nothing: the new ends have no feature of their own.
+    // The integrand is negligible beyond the reach; the new ends have no feature of their own.
     const auto insert = [&](double p) {
       if (p > disc_low_ && p < disc_high_) ends.push_back({p, 1e300, false});
     };
@@ -89,7 +90,7 @@ class SlopeRule {
     return sorted(std::move(ends));
   }
 
-  // An integrand cannot vary more slowly at one end than the distance to another end's pole.
+  // At one end an integrand cannot vary more slowly than the distance to the pole of another end.
   void limit_scales(std::vector<End>& ends) {
     limited_.clear();
     for (const End& end : ends) {
@@ -106,7 +107,7 @@ class SlopeRule {
   }
 
   std::vector<End> disc_ends() {
-    // The disc's extent, by the stable one of the two forms of each root.
+    // The extent of the disc. Each root is computed by the stable one of its two formulas.
     const double across = oy_ * oy_ + oz_ * oz_;
     const double p_low = ox_ <= 0 ? -(1 - ox_) / oz_ : -(across / (1 + ox_)) / oz_;
     const double p_high = ox_ >= 0 ? (1 + ox_) / oz_ : (across / (1 - ox_)) / oz_;
@@ -128,9 +129,9 @@ class SlopeRule {
     return sorted(std::move(ends));
   }
 
-  // A row's kinks appear and vanish at breaks, as a root of the distance. A crossing is felt as far as the
-  // kink's curve moves in p while q passes the ridge. Where it stands beside a break (the curve turns back at
-  // the ridge) both are one end.
+  // The kinks of a row appear and vanish at breaks, as a square root of the distance. A crossing affects
+  // the range in p that the curve of the kink covers while q passes the ridge. If a crossing is close to a
+  // break (the curve turns back at the ridge) both become one end.
   void add_v_cavity_ends(double p_low, double p_high, std::vector<End>& ends) const {
     const std::size_t first = ends.size();
     for (const double p : v_cavity_breaks(ox_, oy_, oz_, p_low, p_high)) ends.push_back({p, 1e300, true});
@@ -150,7 +151,8 @@ class SlopeRule {
     }
   }
 
-  // At the disc's left and right ends a row's length goes as the square root of the distance d.
+  // At the left and right ends of the disc the length of a row is proportional to the square root of the
+  // distance d.
   double edge_scale(double p) const {
     const double q = oy_ / oz_;
     const double lobe = (square(ridge_width(p)) + q * q) * oz_ / 2;
@@ -178,7 +180,7 @@ class SlopeRule {
       if (q != q_low && q != q_high) return End{q, 1e300, false};
       const double slope = oz_ * length / (1 + p * p + q * q);  // of the moving cosine, at the horizon
       double scale = std::max(horizon_cosine(p, q) / slope, 1e-14 * length);
-      // Where the ridge lies outside, nothing varies faster than the distance to it.
+      // If the ridge lies outside, the integrand varies on the distance to the ridge at the fastest.
       if (from > 0 || to < 0) scale = std::min(scale, std::hypot(q, ridge));
       return End{q, scale, features_.root_at_horizon};
     };
@@ -198,10 +200,11 @@ class SlopeRule {
     }
   }
 
-  // The moving direction is the fixed one mirrored at the half vector; its solid angle is 4 o.h times h's.
+  // The moving direction is the fixed direction mirrored at the half vector. Its solid angle is 4 o.h times
+  // that of h.
   void node(double p, double q, double from_low, double to_high, double weight) {
     const double hz2 = 1 / (1 + p * p + q * q);
-    const double oh = oz_ + ox_ * p + oy_ * q;  // over h_z
+    const double oh = oz_ + ox_ * p + oy_ * q;  // divided by h_z
     const double scale = 2 * hz2 * oh;
     const double x = scale * p - ox_, y = scale * q - oy_;
     const double z = oz_ * hz2 * from_low * to_high;
@@ -212,7 +215,7 @@ class SlopeRule {
   const bool swapped_;
   const double wp_, wq_, oz_;
   double ox_ = 0, oy_ = 0, disc_low_ = 0, disc_high_ = 0;
-  double longest_ = 0;  // panel, in e-folds
+  double longest_ = 0;  // length of the longest panel, in e-folds
   const GaussRule& rule_;
   NodeSum sum_;
   std::vector<End> row_ends_;

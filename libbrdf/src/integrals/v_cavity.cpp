@@ -16,7 +16,7 @@ void add_quadratic_roots(double a, double b, double c, std::vector<double>& root
   if (t != 0) roots.push_back(c / t);
 }
 
-// Real roots of a x^3 + b x^2 + c x + d.
+// Adds the real roots of a x^3 + b x^2 + c x + d.
 void add_cubic_roots(double a, double b, double c, double d, std::vector<double>& roots) {
   if (std::abs(a) < 1e-13 * (std::abs(b) + std::abs(c) + std::abs(d)))
     return add_quadratic_roots(b, c, d, roots);
@@ -43,7 +43,7 @@ void add_cubic_roots(double a, double b, double c, double d, std::vector<double>
 struct Branches {
   double fixed, moving;  // 2 h_z cos/(o.h) for the two directions
 
-  // The branch that is the minimum: 0 none, 1 fixed, 2 moving.
+  // Returns the branch that is the minimum: 0 for G = 1, 1 for fixed, 2 for moving.
   int taken() const { return fixed >= 1 && moving >= 1 ? 0 : fixed < moving ? 1 : 2; }
 };
 
@@ -52,7 +52,7 @@ Branches branches(double ox, double oy, double oz, double p, double q) {
   return {2 * oz / w, 4 / (1 + p * p + q * q) - 2 * oz / w};
 }
 
-// The kinks of a row, and its branches in order as the digits of one number.
+// The kinks of a row, and its sequence of branches as the base-4 digits of one number.
 struct Row {
   std::vector<double> kinks;
   int branches = 0;
@@ -98,7 +98,8 @@ std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_lo
     const double t = oy + std::copysign(std::sqrt(d), oy);
     return row_of(ox, oy, oz, p, std::min(t / oz, c / t), std::max(t / oz, c / t)).branches;
   };
-  // The slopes span decades when the fixed direction grazes, from o_z to 1/o_z: a grid in asinh.
+  // The slopes span decades, from o_z to 1/o_z, if the fixed direction grazes. The grid is therefore
+  // uniform in asinh.
   constexpr int kGrid = 400;
   const double s_low = std::asinh(p_low / scale), s_high = std::asinh(p_high / scale);
   std::vector<double> breaks;
@@ -122,7 +123,8 @@ std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_lo
 }
 
 std::vector<Crossing> v_cavity_crossings(double ox, double oy, double oz) {
-  // The curves' gradients and second derivatives at q = 0; w = o_z + o_x p + o_y q, m = 1 + p^2 + q^2.
+  // Gradients and second derivatives of the curves at q = 0, with w = o_z + o_x p + o_y q and
+  // m = 1 + p^2 + q^2.
   std::vector<double> roots;
   if (ox != 0) roots = {oz / ox, ox / oz};           // fixed = 1: w = 2 o_z; fixed = moving: w = o_z m
   add_cubic_roots(-ox, -3 * oz, 3 * ox, oz, roots);  // moving = 1: 4 w = 2 o_z m + w m
