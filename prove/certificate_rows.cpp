@@ -1,4 +1,4 @@
-// Proofs as certificates.
+// Writes proofs as certificates.
 #include <algorithm>
 
 #include "prove/check/certificate.h"
@@ -11,7 +11,7 @@ namespace {
 
 using io::Json;
 
-// Leaves of an albedo's cover have the accuracy of their cells beside their bounds.
+// Returns a cover as a tree. A leaf of an albedo's cover has the accuracy of its cells after its bounds.
 Json tree(const Domain& domain, const Cover& cover, bool of_albedo = false) {
   Json json = Json::array();
   for (const Cover::Node& n : cover.nodes) {
@@ -59,7 +59,7 @@ Json start_of(const Proof& p) {
   return row;
 }
 
-// Null: there is nothing in it that a check could repeat.
+// Returns null if the proof has nothing that a check could repeat.
 Json row_of_form(const Proof& p) {
   const bool reciprocal = p.claim.property == Property::reciprocity && p.verdict == Verdict::proved;
   const bool refuted = p.verdict == Verdict::refuted && p.witness && p.witness->violation >= 0;

@@ -8,7 +8,7 @@
 namespace brdf::prove {
 namespace {
 
-constexpr double kGap = 0.08;  // relative, above what is reached
+constexpr double kGap = 0.08;  // relative, above the value that is reached
 
 }  // namespace
 

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Of a grid of views, the one that is likely to reflect most.
+// Returns the view of a grid that is likely to reflect most.
 Views brightest(const SumOfAlbedos& albedo) {
   constexpr std::size_t kTurns = 64, kAzimuths = 4;
   constexpr double kGlance = 0.01;
@@ -30,11 +30,11 @@ Views brightest(const SumOfAlbedos& albedo) {
   return view(std::size_t(std::ranges::max_element(likely) - likely.begin()));
 }
 
-// How well ever finer cells know the albedo of one view.
+// The accuracy of the albedo of one view with finer and finer cells.
 struct Steps {
   static constexpr auto accuracies = SumOfAlbedos::kAccuracies;
   std::array<double, accuracies.size()> widths{};
-  double low = 0;  // that it reflects at least
+  double low = 0;  // a lower bound of the albedo
 
   Steps(const SumOfAlbedos& albedo, const Views& view) {
     io::parallel_for(accuracies.size(), [&](std::size_t k) {
@@ -48,17 +48,17 @@ struct Steps {
 struct Region {
   Box box;
   Bounds bounds{};
-  std::size_t cut = 0;  // the variable that more of its width is of
+  std::size_t cut = 0;  // the variable that contributes more to the width
   double accuracy = 0;
   std::size_t node = 0;  // of the tree
   bool operator<(const Region& other) const { return bounds.hi < other.bounds.hi; }
 };
 
-// A tree of regions that grows wherever its leaves are cut; in the order of a cover only when it is done.
+// A tree of regions that grows at any leaf. It is put into the order of a cover only at the end.
 struct GrowingTree {
   struct Node {
     Cover::Node node;
-    std::size_t first = 0;  // of its halves, where it was cut: the second follows
+    std::size_t first = 0;  // index of its first half if it was cut; the second half follows
   };
   std::vector<Node> nodes{Node{}};
 
@@ -76,8 +76,8 @@ struct GrowingTree {
   }
 };
 
-// As few cells as it takes to decide, or to see that finer ones would not: a step gains less than the one
-// before it.
+// Examines a box with as few cells as suffice to decide, or to see that finer cells would not decide: each
+// step gains less than the step before.
 Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box box) {
   constexpr double kMostlyCells = 3, kNear = 0.1, kSmall = 1.0 / 64;
   const auto size = [&](std::size_t k) { return box[k].hi - box[k].lo; };
@@ -111,7 +111,7 @@ LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const Se
   const double most = found.low + 2 * half_width;
 
   std::priority_queue<Region> open;
-  double decided = 0;  // the most of what needs no more
+  double decided = 0;  // the largest upper bound of the decided regions
   GrowingTree tree;
   const auto keep = [&](Region r) {
     ++found.cover.boxes;

@@ -6,14 +6,15 @@
 
 namespace brdf::prove {
 
-// Leaves of `cover` have their accuracies; its range begins at `low`.
+// The leaves of `cover` have their accuracies. The range of `cover` begins at `low`.
 struct LargestAlbedo {
   Domain domain;
-  double low = 0;  // the view `low_at` has at least that
+  double low = 0;  // a lower bound, reached at the view `low_at`
   Views low_at;
-  Cover cover;  // none exceeds the end of its range
+  Cover cover;  // no view exceeds the upper end of its range
 };
-// Looks where it may be largest first, until it is known to +-half_width. The albedo is known.
+// Searches the views with the largest upper bounds first, until the largest albedo is known to
+// +-half_width. Precondition: the albedo is known.
 LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const SearchOptions& options);
 
 }  // namespace brdf::prove

@@ -14,7 +14,7 @@
 namespace brdf::prove {
 namespace {
 
-constexpr double kHalfWidth = 1e-3;  // of the largest albedo's interval
+constexpr double kHalfWidth = 1e-3;  // of the interval of the largest albedo
 
 void at_parameters(Proof& p, const Channel& c, const Options& options) {
   p.domain = domain_at(c, p.claim);
@@ -29,9 +29,10 @@ void at_parameters(Proof& p, const Channel& c, const Options& options) {
   if (p.cover.open > 0) p.statement = std::to_string(p.cover.open) + " boxes are open: not known there";
 }
 
-// A direction for which the integrals of `brdf albedo` are above 1 by more than their error bounds.
+// Returns a direction for which the integrals of `brdf albedo` exceed 1 by more than their error bounds.
 std::optional<Witness> gain_of(const Channels& terms, const std::string& file) {
-  std::vector<double> angles{89, 89.9, 89.99, 89.999, 89.9999, 89.999999};  // where Ward's lobes grow
+  // Ward's lobes grow near these angles.
+  std::vector<double> angles{89, 89.9, 89.99, 89.999, 89.9999, 89.999999};
   for (int theta = 0; theta < 89; theta += 3) angles.push_back(theta);
   const bool turns = std::ranges::any_of(terms, [](const Channel& c) {
     const auto axes = c.term.form.info().axes();
@@ -105,7 +106,7 @@ Proof of_term(const Channel& c, const Claim& claim, const Options& options) {
   return p;
 }
 
-// What is known of every term: all that is computed beside the terms is their sum.
+// Combines the proofs of the terms. Apart from the terms, only their sum is computed.
 Proof of_sum(std::vector<Proof> parts) {
   if (parts.size() == 1) {
     Proof alone = parts.front();
@@ -158,7 +159,7 @@ std::vector<Proof> prove(const Material& material, const std::string& file, cons
   std::vector<std::function<Proof()>> asked;
   for (const Property property : options.properties) {
     const bool rounded = is_of_a_precision(property);
-    // Reciprocity is of every channel at once.
+    // Reciprocity is proved for all channels at once.
     const std::size_t channels = property == Property::reciprocity ? 1 : material.channels.size();
     for (std::size_t k = 0; k < channels; ++k)
       for (const Precision precision : {Precision::float_type, Precision::double_type})

@@ -53,7 +53,7 @@ Proof non_negative(const Reflectance& form, const Claim& claim, const Options& o
   if (auto witness = find_negative(form)) {
     p.verdict = Verdict::refuted;
     p.statement = "f is negative";
-    p.high = witness->value;  // the least value is at most that
+    p.high = witness->value;  // an upper bound of the least value
     p.witness = std::move(witness);
   }
   return p;
@@ -80,7 +80,8 @@ std::string in_words(const Growth& g) {
          io::short_number(g.low, 3) + ", " + io::short_number(g.high, 3) + "]";
 }
 
-// An albedo of at most 1, or, where more is declared, of at most what its witness shows and the gap.
+// Proves that the albedo is at most 1. If a violation is declared, the bound is the witness's albedo plus
+// the gap.
 Proof energy(const Reflectance& form, const Claim& claim, const Options& options) {
   const EnergyMethod* method = energy_method(claim.form);
   auto witness = find_gain(form);

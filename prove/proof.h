@@ -1,4 +1,4 @@
-// Statements about forms over their whole domain, and the search for them.
+// Statements about forms over their whole domain, and the search for their proofs.
 #pragma once
 
 #include <optional>
@@ -15,50 +15,53 @@
 
 namespace brdf::prove {
 
-// Where the property fails, as the program's other verbs show it.
+// A place at which the property fails, with the command of this program that shows the failure.
 struct Witness {
   std::vector<std::pair<std::string, double>> parameters;  // of one channel, by name
   std::vector<std::pair<std::string, double>> angles;      // degrees, by name
-  double value = 0;                                        // what `command` prints there
+  double value = 0;                                        // the value that `command` prints there
   std::string command;
-  int violation = -1;  // of a form of the catalogue: which of those that it declares
+  int violation = -1;  // for a form of the catalogue: the index of the declared violation
 };
 
 struct Proof {
   Claim claim{};
   std::string form{};
-  std::string material{}, channel{};  // the file, of a material's proof
+  std::string material{}, channel{};  // for the proof of a material: its file
   Verdict verdict = Verdict::no_method;
-  std::string arithmetic{};  // in which numbers it holds
+  std::string arithmetic{};  // the kind of numbers for which the property holds
   std::string statement{};   // one sentence
   double low = 0, high = 0;
   std::optional<Domain> domain{};
   Cover cover{};
   std::optional<Witness> witness{};
-  std::vector<LobeRounding> lobes{};  // of rounding
-  std::optional<Growth> growth{};     // of a refuted energy
-  std::vector<Proof> terms{};         // of a material: each term alone
-  std::optional<Views> low_at{};      // of a material's energy: the view that has `low`
+  std::vector<LobeRounding> lobes{};  // for rounding
+  std::optional<Growth> growth{};     // for a refuted energy
+  std::vector<Proof> terms{};         // for a material: each term alone
+  std::optional<Views> low_at{};      // for the energy of a material: the view that reaches `low`
   double seconds = 0;
 };
 
 struct Options {
   SearchOptions search;
-  double gap = 1e-5;  // between a witness of energy and the bound that is searched for
+  // The gap between a witness of energy and the bound that is searched for.
+  double gap = 1e-5;
   std::vector<Property> properties{kAll.begin(), kAll.end()};
   static constexpr std::array kAll{Property::finite, Property::non_negative, Property::reciprocity,
                                    Property::energy, Property::rounding};
 };
 
-// All that is asked for of a form of the catalogue; finite, non_negative and rounding in float and in double.
+// Proves all requested properties of a form of the catalogue: finite, non_negative and rounding in float
+// and in double, the others once.
 std::vector<Proof> prove(const Reflectance& form, const Options& options);
 
-// The same of a material's channels at their parameters; energy: its largest directional albedo to 1e-3,
-// where the integral is known. `file` is named in what is said.
+// Proves the properties of the channels of a material at their parameters. For energy, this is the largest
+// directional albedo to 1e-3, if the integral is known. `file` is named in the statements.
 std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options);
 
-// Where a declared violation shows: a direction in which f is negative, an albedo above 1 by more than the
-// integral's error bound. None where none is declared or found.
+// Returns a place that shows a declared violation: a direction in which f is negative, or an albedo that
+// exceeds 1 by more than the error bound of the integral. Returns std::nullopt if no violation is declared
+// or found.
 std::optional<Witness> find_negative(const Reflectance& form);
 std::optional<Witness> find_gain(const Reflectance& form);
 

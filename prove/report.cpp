@@ -29,7 +29,7 @@ Json rounding(const LobeRounding& lobe) {
       {"error", finite_or_null(lobe.error)}, {"beside", name_of(lobe.beside)}, {"underflow", lobe.underflow}};
 }
 
-// Whether low and high say anything.
+// Returns whether low and high carry information.
 bool has_range(const Proof& p) {
   if (p.verdict == Verdict::no_method) return false;
   if (p.claim.property == Property::rounding) return p.verdict == Verdict::proved;

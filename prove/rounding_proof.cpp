@@ -9,15 +9,15 @@
 namespace brdf::prove {
 namespace {
 
-constexpr long kLeaves = 64;  // where more are needed nothing is shown
+constexpr long kLeaves = 64;  // if more are needed, nothing is shown
 
-// The worse of two boxes' statements of one lobe.
+// Returns the worse of the results of two boxes for one lobe.
 LobeRounding worse(const LobeRounding& a, const LobeRounding& b) {
   return {std::max(a.beside, b.beside), std::max(a.error, b.error), std::max(a.underflow, b.underflow),
           std::max(a.peak, b.peak)};
 }
 
-// Walks a cover's leaves: visit(box).
+// Walks the leaves of a cover and calls visit(box) for each.
 template <class Visit>
 void for_each_leaf(const Cover& cover, std::size_t& at, Box& box, const Visit& visit) {
   const Cover::Node& node = cover.nodes[at++];
@@ -31,7 +31,8 @@ void for_each_leaf(const Cover& cover, std::size_t& at, Box& box, const Visit& v
   box[k] = whole;
 }
 
-// A cover in which `error` is known everywhere, then with ever smaller ones while boxes suffice.
+// Starts with a cover in which `error` is known everywhere. Lowers the limit of the error as long as the
+// boxes suffice, and returns the last cover.
 Cover smallest(const Proof& p, const std::function<Bounds(const Box&)>& error, const SearchOptions& search) {
   const auto at_most = [&](double most) {
     return cover(
@@ -46,7 +47,7 @@ Cover smallest(const Proof& p, const std::function<Bounds(const Box&)>& error, c
   return found;
 }
 
-// With errors relative to the lobes themselves where those can be had.
+// Prefers a cover with errors relative to the lobes themselves, if there is one.
 Cover smallest(const Proof& p, const SearchOptions& search) {
   const auto error = [&](const Box& box) { return enclose(p.claim, box); };
   const auto relative = [&](const Box& box) {

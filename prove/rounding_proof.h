@@ -1,11 +1,11 @@
-// Rounding errors of a form's lobes as a proof.
+// Proves the rounding errors of a form's lobes.
 #pragma once
 
 #include "prove/proof.h"
 
 namespace brdf::prove {
 
-// Fills in what is proved of p's form and precision on p.domain, by the search that p's options allow.
+// Fills in the proved errors for the form and precision of p on p.domain, by a search within these limits.
 void prove_rounding(Proof& p, const SearchOptions& search);
 
 }  // namespace brdf::prove

@@ -43,8 +43,8 @@ struct Search {
     result.nodes.push_back(node);
   }
 
-  // The cut that gains most: halves that are decided, then halves that are bounded, then how far the lower
-  // bounds rise; where nothing gains, the variable that was cut least.
+  // The cut that gains most: first by halves that are decided, then by halves that become bounded, then by
+  // the rise of the lower bounds. If nothing gains, the variable that was cut least often is chosen.
   struct Choice {
     int variable = -1;
     double cut = 0, score = -1;
@@ -66,7 +66,7 @@ struct Search {
       const Bounds first = bounds_of(half);
       half[k] = {at, box[k].hi};
       const Bounds second = bounds_of(half);
-      // Halving a weight halves what is below 0 with it, for ever.
+      // Halving a weight halves the negative part with it, without end.
       const double score = (gain(first, parent) + gain(second, parent) + 1e-3 / (1 + cuts[k])) *
                            (domain.variables[k].weight ? 1e-6 : 1);
       if (score > best.score) best = {int(k), at, score, first, second};

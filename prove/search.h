@@ -15,9 +15,9 @@ struct Cover {
   struct Node {
     int variable = -1;
     double cut = 0;
-    Bounds bounds{};      // of a leaf: what was enclosed there
+    Bounds bounds{};      // of a leaf: the enclosure
     bool open = false;    // a leaf that is not decided
-    double accuracy = 0;  // of a material's albedo: that of the cells its bounds are from
+    double accuracy = 0;  // for the albedo of a material: the accuracy of the cells that gave the bounds
   };
   std::vector<Node> nodes;
   long boxes = 0;  // evaluated
@@ -32,10 +32,12 @@ struct SearchOptions {
   double seconds = 20;
 };
 
-// `enclose` bounds the quantity on a box; `decided` says whether those bounds settle the question there.
+// Cuts the domain until every box is decided or a limit of the options is reached. `enclose` bounds the
+// quantity on a box; `decided` returns whether these bounds settle the question there.
 Cover cover(const Domain& domain, const std::function<Bounds(const Box&)>& enclose,
             const std::function<bool(Bounds)>& decided, const SearchOptions& options);
 
+// Returns the box of the whole domain.
 Box whole(const Domain& domain);
 
 }  // namespace brdf::prove

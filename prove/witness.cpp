@@ -40,7 +40,8 @@ double value_at(const Material& material, const Angles& at) {
   return f;
 }
 
-// Where the value is least between these angles: a grid that is made finer round its least value.
+// Returns the place of the least value between these angles, by a grid that is refined around its least
+// value.
 Angles least(const Material& material, const Angles& low, const Angles& high) {
   constexpr int kSteps = 12, kRounds = 8;
   Angles best = low, from = low, to = high;

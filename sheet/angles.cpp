@@ -1,5 +1,6 @@
-// Angles in another unit or convention than the table format's: degrees, polar angles from the normal, the
-// mirror direction at phi_o = phi_i + 180. Each is told by what no surface does in these coordinates.
+// Detects angles in a unit or convention that differs from the table format. The format has degrees, polar
+// angles from the normal, and the mirror direction at phi_o = phi_i + 180. Each check looks for behaviour
+// that no surface shows in these coordinates.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,13 +25,13 @@ double sum_of_channels(const io::SampleTable& t, std::size_t k) {
   return sum;
 }
 
-// What the light from one angle shows in the plane of incidence, all channels together.
+// Values in the plane of incidence under one light, summed over all channels.
 struct Highlight {
   double theta_i;
-  double mirror = -1,
-         back = -1;      // largest value within reach of theta_o = theta_i on either side; -1: no row
+  // The largest value near theta_o = theta_i on either side; -1: no row.
+  double mirror = -1, back = -1;
   double exact = -1;     // value at theta_o = theta_i on the mirror side
-  double shoulder = -1;  // the same towards the light, 20 to 30 degrees nearer the normal
+  double shoulder = -1;  // largest value on the light's side, 20 to 30 degrees nearer to the normal
   double middle = 0;     // median of all rows
   double peak = 0, peak_theta = 0;  // on the mirror side
 };
@@ -64,9 +65,10 @@ std::vector<Highlight> highlights(const View& view) {
   return found;
 }
 
-// How much the logarithm of the values varies with the azimuth on the ring of rows at a polar angle, median
-// over the lights of middling angles; none where no such light has two azimuths a right angle apart on it.
-// One row at a pole (where the azimuth means nothing) is a ring without variation.
+// Returns the variation of the logarithm of the values with the azimuth, on the ring of rows at a polar
+// angle: the median over the lights at 25 to 65 degrees. Returns std::nullopt if no such light has azimuths
+// more than 90 degrees apart on the ring. One row at a pole (where the azimuth has no meaning) is a ring
+// without variation.
 std::optional<double> variation(const View& view, double theta, bool pole) {
   const io::SampleTable& t = view.table();
   std::vector<double> found;
@@ -90,9 +92,9 @@ std::optional<double> variation(const View& view, double theta, bool pole) {
   return io::quantile(std::move(found), 0.49);  // the lower of two
 }
 
-// Where the peak on the mirror side lies, if a light's angle is an elevation and the viewer's is not, or the
-// reverse: at 90 degrees less the light's. True where that explains the peaks of several lights and the
-// mirror does not.
+// Returns whether the peaks on the mirror side lie at 90 degrees minus the light's angle. They lie there if
+// one of the two angles is an elevation and the other is not. Returns true if this explains the peaks of
+// several lights and the mirror direction does not.
 bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
   std::vector<double> mirror, complement;
   std::set<double> angles;
@@ -105,8 +107,8 @@ bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
   return angles.size() >= 3 && io::median(mirror) > 12 && io::median(complement) < 6;
 }
 
-// A highlight that stands out less and less as the light goes from the smallest stated angle to the largest,
-// by half at least: Fresnel's and the facets' laws make it grow.
+// Returns whether the highlight loses contrast steadily, by half or more in total, from the smallest stated
+// angle of the light to the largest. The laws of Fresnel and of microfacets make a highlight grow.
 bool fades_with_theta(const std::vector<Highlight>& lights) {
   std::map<double, std::vector<double>> contrasts;
   for (const Highlight& h : lights)
@@ -118,8 +120,9 @@ bool fades_with_theta(const std::vector<Highlight>& lights) {
          series.end();
 }
 
-// The logarithm of how wide a highlight is across the plane of incidence over how wide it is in it, between
-// the places where the value falls to half; none where the rows do not reach these places.
+// Returns the logarithm of the width of a highlight across the plane of incidence over its width in that
+// plane, each between the places at which the value falls to half. Returns std::nullopt if the rows do not
+// reach these places.
 std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   const io::SampleTable& t = view.table();
   constexpr double kNear = 6, kFew = 0.3, kSide = 60;  // degrees
@@ -134,8 +137,8 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   for (const Row k : scan.rows)
     if (!std::isnan(view.level(k))) levels.push_back(view.level(k));
   const double floor = io::median(std::move(levels)) + std::log(1.5);
-  // The first place along a series of rows where the level falls below half: from the top a parabola leads
-  // there, unless the next row lies beyond the highlight already.
+  // Returns the first place along a series of rows at which the level falls below half. From the top a
+  // parabola leads to that place, unless the next row already lies beyond the highlight.
   const auto reach = [&](std::vector<std::pair<double, double>> series) {
     std::sort(series.begin(), series.end());
     double at = 0, level = view.level(*top);
@@ -162,9 +165,10 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   return std::log(width / depth);
 }
 
-// A highlight is as wide across as along where it surrounds the mirror direction, and narrower the steeper
-// the light where it surrounds the half vector (as the cosine). Read with elevations for polar angles it
-// grows wider, as the tangent or faster.
+// Returns whether the highlight grows wider across the plane as the stated angle of the light grows. A
+// highlight that surrounds the mirror direction is as wide across as along. A highlight that surrounds the
+// half vector becomes narrower across with steeper light (as the cosine). If elevations are read as polar
+// angles, it grows wider instead, as the tangent or faster.
 bool widens_with_theta(const View& view) {
   constexpr double kApart = 15, kGrows = 0.03;  // degrees; per degree
   std::vector<std::pair<double, double>> shapes;
@@ -180,19 +184,19 @@ bool widens_with_theta(const View& view) {
   return io::median(slopes) > kGrows && io::quantile(slopes, 0.25) > 0.7 * kGrows;
 }
 
-// The numbers of one angle's column, as the file holds them.
+// The numbers in the column of one angle, as in the file.
 struct AngleColumn {
   std::string name;
   bool is_polar;
   double largest = 0;
-  std::vector<double> sizes;  // distinct magnitudes but 0, at most 1000
+  std::vector<double> sizes;  // distinct magnitudes except 0, at most 1000
 
   bool fits_radians() const { return largest <= (is_polar ? 0.5 : 2) * kPi + 0.01; }
   std::size_t hundredths() const {
     return std::size_t(
         std::count_if(sizes.begin(), sizes.end(), [](double x) { return round_to(x, 0.01, 1e-9); }));
   }
-  // Quarters of a degree, once they are turned into degrees.
+  // Counts the magnitudes that are quarters of a degree after conversion to degrees.
   std::size_t round_in_degrees() const {
     return std::size_t(std::count_if(sizes.begin(), sizes.end(),
                                      [](double x) { return round_to(radians(x).degrees(), 0.25, 0.02); }));
@@ -201,7 +205,7 @@ struct AngleColumn {
     if (!fits_radians() || sizes.empty()) return false;
     if (!is_polar && largest > 1 && round_to(largest, kPi / 2, 2e-3)) return true;
     if (2 * round_in_degrees() > sizes.size() && round_in_degrees() > hundredths()) return true;
-    // A scan within a degree and a half has round set points.
+    // A scan within a degree and a half of the normal has round set points.
     constexpr double kWide = 0.7;
     return is_polar && largest > kWide && sizes.size() >= 4 && 4 * hundredths() < sizes.size();
   }
@@ -220,8 +224,8 @@ AngleColumn column_of(std::string name, bool is_polar, const std::vector<double>
   return c;
 }
 
-// By the cells of the file where its reader kept them: signs and conventions hide a unit. A column whose unit
-// the file states is none.
+// Returns the angle columns. If the reader kept the cells of the file, they are used, since signs and
+// conventions hide a unit. A column with a stated unit is omitted.
 std::vector<AngleColumn> angle_columns(const io::SampleTable& t) {
   const std::pair<const char*, const std::vector<double>*> of_table[] = {
       {"theta_i", &t.theta_i}, {"phi_i", &t.phi_i}, {"theta_o", &t.theta_o}, {"phi_o", &t.phi_o}};
@@ -269,7 +273,7 @@ Finding angle_unit(const Evidence& e) {
   if (polar == 0) return not_applicable(t.source, "angle_unit", "every direction is the normal");
   const bool polar_fits = std::all_of(columns.begin(), columns.end(),
                                       [](const AngleColumn& c) { return !c.is_polar || c.fits_radians(); });
-  // An azimuth of 3 beside polar angles of 60 is 3 degrees.
+  // An azimuth of 3 next to polar angles of 60 is 3 degrees.
   if (!polar_fits) std::erase_if(radian, [](const AngleColumn* c) { return !c->is_polar; });
   Finding f = start(t, "angle_unit");
   f.value = polar;
@@ -290,7 +294,7 @@ Finding angle_unit(const Evidence& e) {
 }
 
 Finding polar_angle(const Evidence& e) {
-  const View& view = e.whole;  // 90 degrees are what matters here
+  const View& view = e.whole;  // the rows near 90 degrees matter here
   const io::SampleTable& t = view.table();
   const double low = *std::min_element(t.theta_o.begin(), t.theta_o.end());
   const double high = *std::max_element(t.theta_o.begin(), t.theta_o.end());
@@ -302,8 +306,8 @@ Finding polar_angle(const Evidence& e) {
     return f;
   };
   const std::vector<Highlight> lights = highlights(view);
-  const bool has_cosine =
-      e.causes.found && e.causes.found->cause == Cause::cosine;  // which makes highlights fade, too
+  // A cosine factor makes highlights fade too.
+  const bool has_cosine = e.causes.found && e.causes.found->cause == Cause::cosine;
   if (!has_cosine && fades_with_theta(lights)) return fail("the highlight fades as the light's angle grows");
   if (widens_with_theta(view))
     return fail("the highlight grows wider across the plane of incidence as the light's angle grows");
@@ -327,7 +331,7 @@ Finding polar_angle(const Evidence& e) {
 Finding azimuth(const Evidence& e) {
   const View& view = e.view;
   const io::SampleTable& t = view.table();
-  constexpr double kHighlight = 3;  // over the median of the rows
+  constexpr double kHighlight = 3;  // relative to the median of the rows
   std::vector<double> ratios, contrasts;
   struct Back {
     double theta_i, value, ratio, contrast, shoulder;
@@ -347,8 +351,8 @@ Finding azimuth(const Evidence& e) {
   f.value = io::median(ratios);
   f.bound = kHighlight;
   std::sort(back.begin(), back.end(), [](const Back& a, const Back& b) { return a.theta_i < b.theta_i; });
-  // A faint highlight stands out where the light is steep. There rough surfaces are bright towards the light
-  // as well, but broadly: to 0.5 of it within 25 degrees.
+  // A faint highlight is visible if the light is steep. There rough surfaces are bright towards the light
+  // as well, but broadly: the value falls only to half within 25 degrees.
   const Back& steepest = back.back();
   const bool narrow = steepest.shoulder >= 0 && steepest.shoulder < 0.3 * steepest.value;
   if (f.value > 1.2 && narrow && steepest.ratio > kHighlight && steepest.contrast > kHighlight)
@@ -363,8 +367,8 @@ Finding azimuth(const Evidence& e) {
       "values are " + io::short_number(f.value, 3) +
       " times as large at phi_o = phi_i, towards the light, as at phi_o = phi_i + 180, the "
       "mirror direction";
-  // A mirror's highlight grows towards grazing, or stays; a retro-reflector's fades, a rough surface's is
-  // broad.
+  // The highlight of a mirror grows or stays towards grazing incidence. That of a retroreflector fades, and
+  // that of a rough surface is broad.
   const bool fades = steepest.value < 0.5 * back.front().value;
   const bool stands_out = std::max(io::median(contrasts), steepest.contrast) >= kHighlight;
   f.outcome = stands_out && narrow && !fades ? Outcome::fail : Outcome::undecided;

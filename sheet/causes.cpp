@@ -10,7 +10,8 @@
 namespace brdf::sheet {
 namespace {
 
-// How a cause acts on each pair: log_ratio = size * lever. Levers below the least tell nothing of the size.
+// The effect of a cause on each pair: log_ratio = size * lever. Pairs with a lever below `least` carry no
+// information on the size.
 struct Levers {
   std::vector<double> of_pairs;
   double least;
@@ -63,7 +64,8 @@ class Search {
     });
   }
 
-  // By the size that removes most of the differences; none of fewer than four pairs with a lever.
+  // Estimates the size that removes most of the differences. Returns std::nullopt for fewer than four pairs
+  // with a lever.
   std::optional<Explanation> explain(Cause cause, const Levers& levers,
                                      const std::vector<double>& before = {}) const {
     std::vector<Weighted> slopes;
@@ -117,7 +119,7 @@ class Search {
     return io::median(std::move(levels));
   }
 
-  // Weighted sum of the absolute differences that are left.
+  // Returns the weighted sum of the absolute differences that remain.
   double remainder(const std::vector<double>& levers, double size,
                    const std::vector<double>& before = {}) const {
     double sum = 0;
@@ -134,9 +136,10 @@ class Search {
   double difference_, nothing_;
 };
 
-// The light whose gain explains most, and how much another light explains of the rest.
+// Returns the light with the gain that explains most, with the share of the rest that another light
+// explains.
 std::optional<Explanation> one_light(const Search& search, const std::vector<Pair>& pairs) {
-  constexpr std::size_t kFewestLights = 3;  // of two nobody can tell which one is wrong
+  constexpr std::size_t kFewestLights = 3;  // with two lights, the wrong one cannot be identified
   std::set<std::size_t> scans;
   for (const Pair& p : pairs) scans.insert({p.scan_a, p.scan_b});
   std::optional<Explanation> best;
@@ -164,7 +167,7 @@ bool excludes_0(const Explanation& e) {
   return std::min(sign * e.low, sign * e.high) > kShare * std::abs(e.size);
 }
 
-// Each cause by its own rule: the least size that matters, and how the quartiles must lie.
+// Applies the rule of each cause: the least size that matters, and the position of the quartiles.
 bool holds(const Explanation& e) {
   constexpr double kCertain = 3;  // standard errors
   if (!excludes_0(e) || std::abs(e.size) < kCertain * e.standard_error) return false;
@@ -205,7 +208,7 @@ Causes causes_of(const View& view, const std::vector<Pair>& pairs) {
   if (!view.scans().empty()) add(one_light(search, pairs));
   std::stable_sort(out.tried.begin(), out.tried.end(),
                    [](const Explanation& a, const Explanation& b) { return a.share > b.share; });
-  // A dark level acts as a weak cosine does: it must explain clearly more than a cause that is more common.
+  // A dark level acts like a weak cosine: it must explain clearly more than a cause that is more common.
   constexpr double kClearly = 0.8;
   if (out.tried.size() > 1 && out.tried[0].cause == Cause::dark_level &&
       1 - out.tried[0].share > kClearly * (1 - out.tried[1].share))

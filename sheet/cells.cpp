@@ -1,5 +1,5 @@
-// The sheet of a MERL file. A million cells have no common lights, so that the checks of scans say nothing;
-// but every cell knows its neighbours, and integrals look values up.
+// The data sheet of a MERL file. A million cells have no common lights, so that the checks of scans do not
+// apply. But every cell has known neighbours, and integrals look values up.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ struct CellEvidence {
   const View& view;
   const Cells& cells;
   double max_theta;                    // degrees
-  std::vector<MeasuredAlbedo> albedo;  // of some angles of the light
+  std::vector<MeasuredAlbedo> albedo;  // for some angles of the light
 };
 
 // The row of each cell.
@@ -36,7 +36,8 @@ class CellEvidence::Cells {
     return rows_[io::merl::find_cell(theta_i, 0, theta_o, phi)];
   }
 
-  // Rows of the cells on either side of a cell along the three angles; the azimuth goes round.
+  // Finds the rows of the cells on either side of a cell along the three angles. The azimuth is periodic.
+  // Returns their number.
   std::size_t around(std::size_t cell, std::array<std::uint32_t, 6>& found) const {
     using namespace io::merl;
     const int k = int(cell % kPhiDifference), j = int(cell / kPhiDifference % kThetaDifference),
@@ -61,7 +62,8 @@ class CellEvidence::Cells {
   std::vector<std::uint32_t> rows_;
 };
 
-// Values that depart from all neighbours by more than a factor of two and by more than these differ.
+// Finds values that lie outside the range of their neighbours (without the two extreme ones) by more than a
+// factor of two times the cube of that range's ratio.
 Finding outliers(const CellEvidence& e) {
   const io::SampleTable& t = e.view.table();
   constexpr std::size_t kFewest = 4;
@@ -105,10 +107,10 @@ Finding coverage(const CellEvidence& e) {
 
 namespace {
 
-// The integral by the midpoints of rings and sectors of equal projected solid angle.
+// Integrates by the midpoints of rings and sectors of equal projected solid angle.
 MeasuredAlbedo integrate_cells(const io::SampleTable& t, const CellEvidence::Cells& cells, double theta_i,
                                int rings) {
-  const int sectors = 2 * rings;  // of the half that the mirror image doubles
+  const int sectors = 2 * rings;  // of one half, which the mirror image doubles
   const std::vector<double> zero(t.channels.size());
   MeasuredAlbedo m{theta_i, 0, 0, zero, zero, zero, {}};
   const double weight = kPi / (double(rings) * sectors);
@@ -124,7 +126,8 @@ MeasuredAlbedo integrate_cells(const io::SampleTable& t, const CellEvidence::Cel
   return m;
 }
 
-// The bound: what a rule of half the steps differs by, and as much again for each share that no cell covers.
+// Integrates the cells. The bound is the difference from a rule with half as many rings and sectors, plus
+// the value for the share of the hemisphere that no cell covers.
 MeasuredAlbedo albedo_of_cells(const io::SampleTable& t, const CellEvidence::Cells& cells, double theta_i) {
   const MeasuredAlbedo coarse = integrate_cells(t, cells, theta_i, 60);
   MeasuredAlbedo fine = integrate_cells(t, cells, theta_i, 120);

@@ -1,4 +1,4 @@
-// The checks of a table of measurements: the one list of them, what they look at, and what they share.
+// The checks of a table of measurements: their list, their input and the functions that they share.
 #pragma once
 
 #include <map>
@@ -19,36 +19,39 @@
 
 namespace brdf::sheet {
 
-// All that the checks of a scanned table look at, found once.
+// The input of the checks of a scanned table. Each part is computed once.
 struct Evidence {
-  const io::SampleTable& read;         // the table as it was read
-  double max_theta;                    // degrees: rows beyond it are set apart
-  const View& all;                     // without those
-  std::vector<FillValue> fill;         // of `all`
-  const View& view;                    // without rows of fill values, too
-  const View& whole;                   // without rows of fill values, but with those beyond max_theta
-  io::Noise neighbours;                // of `view`
-  Turns turns;                         // of the sample
-  std::vector<Pair> pairs;             // reciprocal ones of `view`
-  Causes causes;                       // of their differences
-  Scatter scatter;                     // of `view`
+  const io::SampleTable& read;         // the table as read
+  double max_theta;                    // degrees: rows beyond it are reported separately
+  const View& all;                     // without the rows beyond max_theta
+  std::vector<FillValue> fill;         // fill values of `all`
+  const View& view;                    // also without rows of fill values
+  const View& whole;                   // without rows of fill values, but with the rows beyond max_theta
+  io::Noise neighbours;                // noise of `view`
+  Turns turns;                         // rotations of the sample
+  std::vector<Pair> pairs;             // reciprocal pairs of `view`
+  Causes causes;                       // causes of their differences
+  Scatter scatter;                     // noise of `view`, from all kinds of rows that should agree
   std::vector<MeasuredAlbedo> albedo;  // for some of the lights
 };
 
-// The cells of a MERL file, which have neighbours by their numbers and symmetries by their format.
+// The input of the checks of a MERL file. Its cells have neighbours by their numbers and symmetries by
+// their format.
 struct CellEvidence;
 
 struct Check {
   std::string_view name;
-  std::string_view meaning;  // for a page's glossary: what the check asks
+  std::string_view meaning;  // for the glossary of a page: the question that the check answers
   Finding (*run)(const Evidence&);
-  // Of a MERL file: another function, or else why the check says nothing of its cells.
+  // For a MERL file: either the function that checks its cells, or the reason why the check does not apply
+  // to cells.
   Finding (*run_cells)(const CellEvidence&);
   std::string_view not_of_cells;
 };
-// In the order in which a sheet lists them.
+// The checks, in the order in which a data sheet lists them.
 std::span<const Check> checks();
 
+// The checks of scanned tables. Each returns the finding of the check with its name.
 Finding negative(const Evidence& evidence);
 Finding missing(const Evidence& evidence);
 Finding fill(const Evidence& evidence);
@@ -73,6 +76,7 @@ Finding isotropy(const Evidence& evidence);
 Finding coverage(const Evidence& evidence);
 Finding energy(const Evidence& evidence);
 
+// The checks of the cells of MERL files.
 Finding missing(const CellEvidence& evidence);
 Finding negative(const CellEvidence& evidence);
 Finding outliers(const CellEvidence& evidence);
@@ -80,51 +84,60 @@ Finding saturation(const CellEvidence& evidence);
 Finding quantity(const CellEvidence& evidence);
 Finding coverage(const CellEvidence& evidence);
 Finding energy(const CellEvidence& evidence);
+// Runs the checks of a MERL file. max_theta: degrees.
 DataSheet sheet_of_cells(const io::SampleTable& table, double max_theta);
-// The values of a MERL file in the plane of incidence against the viewer's angle (mirror side positive),
-// light at theta_i.
+// Returns the values of a MERL file in the plane of incidence over the viewing angle, which is positive on
+// the mirror side. The light is at theta_i (degrees).
 io::Series cells_in_plane(const io::SampleTable& table, double theta_i);
 
 // --- Shared by scans and cells ---------------------------------------------------------------------------
 
-inline constexpr double kEnoughCoverage = 0.6;  // of the projected hemisphere, for an integral
+// The least coverage of the projected hemisphere for an integral.
+inline constexpr double kEnoughCoverage = 0.6;
 
+// Check for values below 0, and for entries without a value.
 Finding negative_of(const View& view);
 Finding missing_of(const io::SampleTable& table);
-// What the plane of incidence reflects beside its highlight, if it stood for all azimuths: over the lights of
-// the channel that reflects most the median, and of the highlight's side alone the least, since there even
-// half of the weight may be bright.
+// The fraction that the plane of incidence would reflect, without its highlight, if all azimuths were like
+// it. The fraction is taken from the channel that reflects most. With both sides of the plane measured, it
+// is the median over the lights. With the highlight's side alone it is the least over the lights, since on
+// that side even half of the weight may be bright.
 struct Plane {
-  double reflected;  // 0 where no light covers enough of the plane
+  double reflected;  // 0 if no light covers enough of the plane
   bool is_half;
 };
+// Returns that fraction from the albedos of the lights.
 Plane plane_of(const std::vector<MeasuredAlbedo>& albedo);
 
-// `scatter`: relative, 0 where it is not known.
+// `scatter`: relative noise of one value; 0 if the noise is unknown.
 Finding saturation_of(const View& view, double scatter);
 Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo);
-// The rows far from their neighbours, those beyond max_theta apart.
+// Judges the rows that are far from their neighbours. Rows beyond max_theta (degrees) are named, but are no
+// fault.
 Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_theta);
 Finding energy_of(const io::SampleTable& table, const std::vector<MeasuredAlbedo>& albedo);
 
 // --- Tools -----------------------------------------------------------------------------------------------
 
 using io::plural;
-// The first places of a list, for people, each line once.
+// Returns the places of the first five rows for a message. Each line of the file is named once.
 std::string places(const View& view, std::span<const Row> rows);
+// Returns a row of the view for a finding, alone or with the value of a channel.
 NamedRow named_row(const View& view, Row row);
 NamedRow named_row(const View& view, Row row, std::size_t channel);
+// Return a finding that passes and has no statement yet, or an undecided finding with its reason.
 Finding start(const io::SampleTable& table, std::string_view check);
 Finding undecided(const io::SampleTable& table, std::string_view check, std::string why);
-// `fail` where there are rows, naming the first of them.
+// Returns a failed finding that names the first rows if there are any rows; otherwise a finding that
+// passes.
 Finding counted(const View& view, std::string_view check, const std::vector<Row>& rows,
                 const std::string& clean, const std::string& fault);
-// Of each row whether both polar angles are at most max_theta, in degrees.
+// Returns for each row whether both polar angles are at most max_theta (degrees).
 std::vector<bool> within(const io::SampleTable& table, double max_theta);
 
-// The power of ten that all values are multiples of; 0 where they have more than 12 decimals.
+// Returns the power of ten of which all values are multiples; 0 if the values have more than 12 decimals.
 double resolution(const std::vector<double>& values);
-// Whether the rows are cells of a MERL file.
+// Returns whether the rows are cells of a MERL file.
 bool is_of_cells(const io::SampleTable& table);
 
 }  // namespace brdf::sheet

@@ -19,7 +19,7 @@ std::vector<double> each_once(std::vector<double> angles) {
 std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable& t) {
   std::vector<std::pair<std::string, std::string>> facts{{"rows", std::to_string(t.rows())}};
   facts.emplace_back("channels", io::joined(t.channels));
-  if (!is_of_cells(t)) {  // which have no common lights
+  if (!is_of_cells(t)) {  // cells have no common lights
     const std::vector<double> lights = each_once(t.theta_i);
     facts.emplace_back("angles of the light", std::to_string(lights.size()) + " from " +
                                                   io::to_text(lights.front()) + " to " +
@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable&
   return facts;
 }
 
-// A fault that makes other checks say something false.
+// A fault that makes the results of other checks false.
 struct Misleading {
   std::string_view fault;
   std::vector<std::string_view> misled;
@@ -70,7 +70,8 @@ const std::vector<Misleading>& misleading() {
   return all;
 }
 
-// A check that did not apply keeps its own reason.
+// Makes the named checks not_applicable with this reason. A check that already did not apply keeps its own
+// reason.
 void mislead(std::vector<Finding>& findings, const std::vector<std::string_view>& checks,
              const std::string& why) {
   for (Finding& f : findings)
@@ -79,7 +80,7 @@ void mislead(std::vector<Finding>& findings, const std::vector<std::string_view>
       f = not_applicable(f.subject, f.check, why);
 }
 
-// One fault, one name: what follows from it is not judged, and does not mislead in its turn.
+// Reports each fault once: its consequences are not judged, and do not mislead further checks.
 void name_once(std::vector<Finding>& findings) {
   for (const Misleading& m : misleading()) {
     const bool failed = std::any_of(findings.begin(), findings.end(), [&](const Finding& f) {
@@ -89,14 +90,14 @@ void name_once(std::vector<Finding>& findings) {
   }
 }
 
-// Those within max_theta; all where no row is.
+// Returns the rows within max_theta; all rows if there are no such rows.
 std::vector<bool> rows_to_judge(const io::SampleTable& t, double max_theta) {
   std::vector<bool> inside = within(t, max_theta);
   if (std::find(inside.begin(), inside.end(), true) == inside.end()) inside.assign(t.rows(), true);
   return inside;
 }
 
-// Of each row of the file whether it holds a fill value; empty where no row does.
+// Returns for each row of the file whether it holds a fill value; empty if no row does.
 std::vector<bool> marked(const View& view, const std::vector<FillValue>& fill, std::size_t rows) {
   std::vector<bool> out;
   for (const FillValue& f : fill) {

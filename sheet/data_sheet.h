@@ -1,4 +1,4 @@
-// What a table of measurements is worth, before anything is fitted to it.
+// Checks the quality of a table of measurements before anything is fitted to it.
 #pragma once
 
 #include <optional>
@@ -13,63 +13,68 @@
 
 namespace brdf::sheet {
 
-// Rows beyond this polar angle (of light or viewer) are set apart: near grazing every error of an angle is
-// large.
+// Rows beyond this polar angle (of the light or the viewer) are judged separately: near grazing incidence
+// every error of an angle has a large effect.
 inline constexpr double kMaxTheta = 89.5;  // degrees
 
 struct SheetOptions {
   double max_theta = kMaxTheta;  // degrees
-  bool keep_fill = false;        // rows of fill values are judged like others
+  bool keep_fill = false;        // judge rows of fill values like other rows
 };
 
 // The reflected fraction of light from one direction, integrated over the samples.
 struct MeasuredAlbedo {
-  double theta_i;                    // degrees
-  double coverage;                   // fraction of the projected hemisphere that lies between samples
-  double plane_coverage = 0;         // the same of the plane of incidence, in which azimuths have no weight
+  double theta_i;             // degrees
+  double coverage;            // fraction of the projected hemisphere that lies between samples
+  double plane_coverage = 0;  // the same fraction of the plane of incidence, where azimuths have no weight
   std::vector<double> value, bound;  // per channel
-  std::vector<double> least;  // a lower bound: what is reflected between samples that agree, per channel
-  std::vector<double>
-      in_plane;  // per channel: if the plane of incidence stood for all azimuths, without the highlight
+  std::vector<double> least;  // per channel: a lower bound, the fraction reflected between samples that agree
+  // Per channel: the fraction without the highlight, if all azimuths were like the plane of incidence.
+  std::vector<double> in_plane;
 };
 
 struct DataSheet {
   std::vector<Finding> findings;
   std::vector<MeasuredAlbedo> albedo;
   std::vector<std::pair<std::string, std::string>> facts;  // rows, channels, angles, ...
-  std::vector<bool> not_measured;  // of each row: it holds a fill value; empty where no row does
+  std::vector<bool> not_measured;  // for each row whether it holds a fill value; empty if no row does
   Scatter scatter;
-  bool is_anisotropic = false;  // turns of the sample show it
+  bool is_anisotropic = false;  // shown by rotations of the sample
 
-  // What a fit must say before it says anything else: the findings that fail, then the quantity where it is
-  // in doubt.
+  // Returns the findings that a fit must report before its own results: first the failed findings, then the
+  // findings that are undecided and name a suspected fault.
   std::vector<const Finding*> faults() const;
-  // Whether the check of this name fails.
+  // Returns whether the check of this name fails.
   bool has_failed(std::string_view check) const;
 };
 
-// Every check of sheet/checks.cpp, once. A check that the table says nothing about is not_applicable, and
-// says why; one that would not have seen its fault is undecided. A fault is named once: the checks that it
-// would mislead are then not_applicable. Large tables take as long as their file takes to read, small ones
-// some tens of milliseconds (bench_sheet FILE).
+// Runs every check of sheet/checks.cpp once. A check that the table does not permit is not_applicable and
+// gives the reason; a check that could not have seen its fault is undecided. Each fault is reported once:
+// the checks that it would mislead are then not_applicable. A large table takes as long as reading its
+// file, a small one some tens of milliseconds (bench_sheet FILE).
 DataSheet data_sheet(const io::SampleTable& table, const SheetOptions& options = {});
 
-// Of each row whether it holds a fill value: the same as DataSheet::not_measured, without the other checks.
+// Returns for each row whether it holds a fill value: the same as DataSheet::not_measured, without the
+// other checks. max_theta: degrees.
 std::vector<bool> not_measured(const io::SampleTable& table, double max_theta = kMaxTheta);
 
-// Makes checks not_applicable, with this reason.
+// Makes the named checks not_applicable, with this reason. Checks that are not_applicable already keep
+// their own.
 void set_apart(DataSheet& sheet, const std::vector<std::string_view>& checks, const std::string& why);
 
-// Leaves out the marked rows, if any, and adds a warning that says so. `rows`: of each row, or empty.
+// Removes the marked rows, if any, and adds a warning with their number. `rows`: one entry per row, or
+// empty.
 void leave_out(const std::vector<bool>& rows, io::SampleTable& table);
 
-// Of a table whose reader refused it because columns are exchanged, and said why.
+// Returns the data sheet of a table that the reader refused because columns are exchanged. `why`: the
+// reader's reason.
 DataSheet exchanged_columns(const io::SampleTable& table, const std::string& why);
 
-// The names of its checks, and what each asks; empty of another name.
+// Returns the names of the checks, and the question that each check answers; empty for an unknown name.
 std::vector<std::string> data_sheet_names();
 std::string_view check_meaning(std::string_view check);
 
+// Adds a table of the facts and plots of the values and of the reflected fractions to the report.
 void add_to_report(io::HtmlReport& report, const io::SampleTable& table, const DataSheet& sheet);
 
 }  // namespace brdf::sheet

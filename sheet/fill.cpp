@@ -10,9 +10,9 @@
 namespace brdf::sheet {
 namespace {
 
-constexpr std::size_t kFewestFilled = 3;  // rows that hold a fill value
+constexpr std::size_t kFewestFilled = 3;  // the fewest rows that hold a fill value
 
-// What may be a fill value: 0, the least and the largest value, and those that occur often.
+// Returns the candidates for a fill value: 0, the least and the largest value, and frequent values.
 std::vector<double> candidates(const std::vector<double>& values) {
   constexpr std::size_t kLooked = 20000, kMost = 8;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -34,8 +34,8 @@ std::vector<double> candidates(const std::vector<double>& values) {
   return found;
 }
 
-// Whether no other value comes near this one: a flat curve, or the last digit, repeats a value among others
-// of its size, and a saturated detector its largest one.
+// Returns whether no other value is close to this one. A flat curve, or the last digit, repeats a value
+// among others of its size, and a saturated detector repeats its largest value.
 bool is_alone(const std::vector<double>& values, double value) {
   constexpr double kNear = 1.25, kBeyondSaturation = 20;
   const double largest = *std::max_element(values.begin(), values.end());
@@ -44,8 +44,8 @@ bool is_alone(const std::vector<double>& values, double value) {
                       [&](double v) { return v != value && v < value * near && v * near > value; });
 }
 
-// Whether the rows have one half vector, or one angle between light and viewer: a peak that is as high under
-// every light.
+// Returns whether the rows share one half vector, or one angle between light and viewer: a peak of the same
+// height under every light.
 bool are_one_feature(const View& view, const std::vector<Row>& rows) {
   constexpr double kSame = 0.02;
   const io::SampleTable& t = view.table();
@@ -63,12 +63,12 @@ bool are_one_feature(const View& view, const std::vector<Row>& rows) {
   return half_high - half_low < kSame || phase_high - phase_low < kSame;
 }
 
-// What the rows around those of one value say.
+// The values in the rows around the rows of one value.
 class Surroundings {
  public:
   Surroundings(const View& view, const std::vector<double>& values, double resolution, double value)
       : view_(view), values_(values), value_(value) {
-    // A lobe that vanishes reaches 0, and a number below its last digit is written as 0.
+    // A vanishing lobe reaches 0, and a number below the last digit is written as 0.
     constexpr double kDynamicRange = 1e-7, kDigits = 5;
     least_ = std::max(kDynamicRange * *std::max_element(values.begin(), values.end()), kDigits * resolution);
   }
@@ -93,8 +93,8 @@ class Surroundings {
   }
 
  private:
-  // Noise about 0 that was cut at 0 leaves values of any smallness beside the zeros; where values were
-  // replaced there is a gap.
+  // Noise about 0 that was cut at 0 leaves arbitrarily small values next to the zeros. If values were
+  // replaced, there is a gap.
   bool are_noise_about_0() const {
     constexpr double kFarBelow = 0.12, kGap = 0.25;
     if (double(far_below_) <= kFarBelow * double(all_.size())) return false;
@@ -105,7 +105,7 @@ class Surroundings {
   const std::vector<double>& values_;
   double value_, least_;
   std::size_t judged_ = 0, contradicted_ = 0, far_below_ = 0;
-  std::vector<double> all_;  // around the rows that were looked at
+  std::vector<double> all_;  // around the rows examined
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Values that stand for "not measured": what an instrument writes where its detector saw nothing.
+// Fill values: numbers that an instrument writes for directions that were not measured.
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ struct FillValue {
   std::vector<Row> rows;
 };
 
-// Sought are the values that occur most often in a channel, its least and its largest one and 0. A value is a
-// fill value where three rows or more hold it, and where nearly all of them contradict the rows beside them:
-// these agree on another value, by more than a factor of two. Zeros among noise of their own size, below the
-// resolution of the digits, or at the foot of a lobe that vanishes are values like others. The rows are those
-// of view.table().
+// Finds the fill values of each channel. Candidates are the values that occur most often, the least and the
+// largest value, and 0. A candidate is a fill value if at least three rows hold it and nearly all of them
+// contradict the rows around them: these agree on another value, which differs by more than a factor of
+// two. Zeros among noise of their own size, below the resolution of the digits, or at the foot of a lobe
+// that vanishes are ordinary values. The rows are rows of view.table().
 std::vector<FillValue> fill_values(const View& view);
 
 }  // namespace brdf::sheet

@@ -1,3 +1,4 @@
+// The result of one check of a subject: outcome, numbers, statement, and the place of the worst value.
 #pragma once
 
 #include <cmath>
@@ -12,20 +13,20 @@
 
 namespace brdf::sheet {
 
-// undecided: the check applies, and the data could not have shown the fault, or suggest it without proving
-// it.
+// undecided: the check applies, but the data could not have shown the fault, or suggest the fault without
+// proving it.
 enum class Outcome { pass, known_violation, fail, not_applicable, undecided };
 
-// Where the worst value was found, so that `brdf eval` or `brdf albedo` reproduces it.
+// The place of the worst value, with which `brdf eval` or `brdf albedo` reproduces the value. The angles
+// are in degrees: theta_i, phi_i, theta_o, phi_o or theta, phi.
 struct Witness {
-  std::vector<std::pair<std::string, double>> parameters;  // empty for a material: its own
-  std::vector<std::pair<std::string, double>>
-      angles;  // degrees: theta_i, phi_i, theta_o, phi_o or theta, phi
+  std::vector<std::pair<std::string, double>> parameters;  // empty for a material, which has its own
+  std::vector<std::pair<std::string, double>> angles;      // degrees
   std::string channel;
-  std::string command;  // empty where no command knows the subject
+  std::string command;  // empty if no command knows the subject
 };
 
-// The worst of a search that was restricted to part of the parameters.
+// The worst value of a search that was restricted to part of the parameters.
 struct Restricted {
   double value;
   Witness witness;
@@ -34,55 +35,58 @@ struct Restricted {
 // A row of a table that a finding is about.
 struct NamedRow {
   std::size_t row;                        // from 0
-  std::uint32_t line = 0;                 // in the file, from 1; 0 where the format has none
+  std::uint32_t line = 0;                 // in the file, from 1; 0 if the format has no lines
   double theta_i, phi_i, theta_o, phi_o;  // degrees
   std::string channel;                    // empty: the row as a whole
   double value = 0, expected = 0;         // 1/sr, of that channel
-  bool apart = false;                     // beyond --max-theta: named, and no fault
+  bool apart = false;                     // beyond --max-theta: the row is named, but is no fault
 };
 
-// What one check found out about one subject.
+// The result of one check of one subject.
 struct Finding {
   std::string subject, check;
   Outcome outcome = Outcome::pass;
-  double value = 0;  // the worst found
-  double bound = 0;  // what it may be
+  double value = 0;  // the worst value found
+  double bound = 0;  // the limit of the value
   std::string statement;
   std::optional<Witness> witness = {};
-  std::optional<Restricted> tied = {};                        // of an anisotropic form's energy: equal widths
-  long evaluations = 0;                                       // of the subject's f
-  std::vector<NamedRow> rows = {};                            // of a table: all of them
-  std::vector<std::pair<std::string, double>> channels = {};  // the value of each, judged by channels
-  std::string proof = {};  // "proved" or "sampled", where somebody who can prove has looked
-  // Of the pairs inside the hemisphere: at how many a shader's value has the fault, from 0 to 1.
+  std::optional<Restricted> tied = {};  // for the energy of an anisotropic form: with equal roughnesses
+  long evaluations = 0;                 // evaluations of the subject's f
+  std::vector<NamedRow> rows = {};      // for a table: all rows concerned
+  // The value of each channel, if channels are judged separately.
+  std::vector<std::pair<std::string, double>> channels = {};
+  std::string proof = {};  // "proved" or "sampled", if the caller can prove; else empty
+  // The share of the pairs inside the hemisphere at which a shader's value has the fault, from 0 to 1.
   double share = 0;
-  bool is_suspicion = false;  // of an undecided one: it names the fault that the data suggest
+  bool is_suspicion = false;  // for an undecided finding: names the fault that the data suggest
 
-  // Passes or fails, and says why.
+  // Sets the outcome to pass or fail, and the statement that belongs to it.
   void conclude(bool good, const std::string& if_good, const std::string& if_not) {
     outcome = good ? Outcome::pass : Outcome::fail;
     statement = good ? if_good : if_not;
   }
 };
 
-// Whether a report shows where it was found: of what does not hold.
+// Returns whether a report shows the place of the worst value: only if the property does not hold.
 inline bool shows_witness(const Finding& f) {
   return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
 
-// The statement, and whether it is proved.
+// Returns the statement, followed by "proved" or "sampled" if that is known.
 inline std::string said(const Finding& f) {
   return f.proof.empty() ? f.statement : f.statement + (f.proof == "proved" ? "; proved" : "; sampled");
 }
 
-// Whether this value is worse than the worst so far; one that is no number is the worst of all, and stays.
+// Returns whether this value is worse than the worst so far. NaN is the worst of all and is never replaced.
 inline bool is_worst(double value, double worst) {
   return !std::isnan(worst) && !(value < worst);
 }
 
+// Returns findings as JSON.
 io::Json to_json(const Finding& finding);
 io::Json to_json(const std::vector<Finding>& findings);
 
+// Returns the finding of a check that does not apply, with the reason `why`.
 inline Finding not_applicable(std::string subject, std::string check, std::string why) {
   return {.subject = std::move(subject),
           .check = std::move(check),

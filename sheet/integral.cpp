@@ -25,8 +25,8 @@ struct Neighbour {
   bool exists() const { return std::isfinite(distance); }
 };
 
-// The nearest sample in each quadrant about a direction: first towards the horizon or the normal, then to
-// either side.
+// The nearest sample in each quadrant around a direction. The quadrants are divided first towards the
+// horizon or the normal, then to either side.
 struct Around {
   std::array<Neighbour, 4> quadrants;
   double nearest = HUGE_VAL;      // squared
@@ -41,8 +41,8 @@ struct Around {
   }
 };
 
-// `reach`: the square of the distance from which on a sample says nothing; `cell`: of the distance that the
-// direction stands for.
+// Finds the samples around a direction. `reach`: the square of the distance beyond which samples are
+// ignored. `cell`: the square of the radius that the direction represents.
 Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double reach, double cell) {
   const double s = std::hypot(d.x, d.y);
   const Vec3<double> along{d.z * d.x / s, d.z * d.y / s, -s}, across{-d.y / s, d.x / s, 0};
@@ -60,14 +60,15 @@ Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double 
 
 struct Samples {
   std::vector<Sample> all;
-  bool are_mirrored = false;  // one side of the plane of incidence was measured, and is put to the other, too
+  // Whether only one side of the plane of incidence was measured; it is then used for the other side too.
+  bool are_mirrored = false;
 };
 
 Samples samples_of(const View& view, const Scan& scan) {
   Samples out;
   std::vector<Sample>& samples = out.all;
   double low = 360, high = -360;
-  // Of very many some, spread by the golden ratio: grids have periods.
+  // Very many samples are thinned by the golden ratio, since grids have periods.
   constexpr double kMost = 8000, kGolden = 0.6180339887498949;
   const double share = kMost / double(scan.rows.size());
   for (std::size_t j = 0; j < scan.rows.size(); ++j) {
@@ -80,7 +81,7 @@ Samples samples_of(const View& view, const Scan& scan) {
     }
     samples.push_back({direction(degrees(theta), degrees(phi)), k});
   }
-  // Measured on one side of the plane of incidence only: the other side is its mirror image.
+  // If only one side of the plane of incidence was measured, the other side is its mirror image.
   out.are_mirrored = low >= 0 || high <= 0;
   if (out.are_mirrored) {
     const std::size_t n = samples.size();
@@ -91,8 +92,8 @@ Samples samples_of(const View& view, const Scan& scan) {
   return out;
 }
 
-// The distance between neighbouring samples as the grid has it, squared: nine of ten have a neighbour within
-// it.
+// Returns the squared distance between neighbouring samples of the grid: nine of ten samples have a
+// neighbour within it.
 double squared_step(const View& view, const Scan& scan) {
   const io::SampleTable& t = view.table();
   std::vector<double> steps;
@@ -110,17 +111,17 @@ double squared_step(const View& view, const Scan& scan) {
   return steps.empty() ? 0 : io::quantile(std::move(steps), 0.9);
 }
 
-// Inverse squares of the distances as weights. The bound: what no sample is near to, half of what the samples
-// around a direction differ by, and half the scatter. A lower bound counts only directions that samples
-// enclose, and of these the least value: a highlight on a line of samples says nothing of the directions
-// beside the line.
+// Integrates a scan with the inverse squares of the distances as weights. The bound adds up the values in
+// parts without a sample nearby, half of the differences between the samples around a direction, and half
+// of the noise. The lower bound counts only directions that samples enclose, with the least of these
+// samples: a highlight on a line of samples gives no information on the directions next to that line.
 MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
   const io::SampleTable& t = view.table();
   const double near = 2 - 2 * std::cos(degrees(8).radians()),
                widest = 2 - 2 * std::cos(degrees(25).radians());
   const auto [samples, are_mirrored] = samples_of(view, scan);
   const int sectors = are_mirrored ? kSectors / 2 : kSectors;
-  // Four steps of the grid reach its own diagonal twice over; a coarse grid is no hemisphere.
+  // Three steps of the grid exceed twice its diagonal. A coarse grid does not cover a hemisphere.
   const double reach = std::min(std::max(near, 9 * squared_step(view, scan)), widest);
   const std::size_t channels = t.channels.size();
   const std::vector<double> zero(channels);
@@ -130,7 +131,8 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
     for (int sector = 0; sector < sectors; ++sector) {
       const double s = std::sqrt((ring + 0.5) / kRings), phi = 2 * kPi * (sector + 0.5) / kSectors;
       const Vec3<double> d{s * std::cos(phi), s * std::sin(phi), std::sqrt(1 - s * s)};
-      // Farther than the corner of an equal share of the disc that the hemisphere is seen as.
+      // The square of a distance beyond the corner of an equal share of the disc onto which the hemisphere
+      // projects.
       const double cell = 2.0 / (kRings * kSectors * d.z);
       Around found = around(samples, d, reach, cell);
       const bool covered = found.nearest < near && found.is_between_sides();
@@ -161,13 +163,12 @@ MeasuredAlbedo integrate(const View& view, const Scan& scan, double scatter) {
   return m;
 }
 
-// The plane of incidence alone: read as if it stood for all azimuths, each row counts with cos sin of its
-// angle. The value below which half of that weight lies leaves a highlight out, pi times it is the reflected
-// fraction of the rest.
+// Integrates the plane of incidence alone, as if all azimuths were like it. Each row counts with cos sin of
+// its angle. The value below which half of that weight lies excludes a highlight; pi times this value is
+// the reflected fraction of the rest.
 void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
-  constexpr double kReach = 8,
-                   kSteepest =
-                       60;  // degrees: of steeper light even a rough metal's plane is bright everywhere
+  // In degrees. Under light steeper than kSteepest even the plane of a rough metal is bright everywhere.
+  constexpr double kReach = 8, kSteepest = 60;
   m.in_plane.assign(view.table().channels.size(), 0);
   if (scan.theta_i > kSteepest) return;
   std::vector<InPlane> line = in_plane(view, scan);
@@ -201,7 +202,8 @@ void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
   }
 }
 
-// One number for many angles of the light: "reflects at most 0.8 +- 0.1 (light at 60 degrees, channel r)".
+// The extreme value over many angles of the light: "reflects at most 0.8 +- 0.1 (light at 60 degrees,
+// channel r)".
 struct Worst {
   const MeasuredAlbedo* albedo = nullptr;
   std::size_t channel = 0;
@@ -243,8 +245,8 @@ Finding coverage(const Evidence& e) {
 }
 
 Plane plane_of(const std::vector<MeasuredAlbedo>& albedo) {
-  constexpr double kEnough = 0.45,
-                   kWhole = 0.75;  // of the plane of incidence: the side of the highlight, and both sides
+  // Least coverage of the plane of incidence: for the side of the highlight, and for both sides.
+  constexpr double kEnough = 0.45, kWhole = 0.75;
   std::vector<const MeasuredAlbedo*> planes;
   double coverage = 0;
   for (const MeasuredAlbedo& a : albedo)
@@ -263,7 +265,8 @@ Plane plane_of(const std::vector<MeasuredAlbedo>& albedo) {
   return plane;
 }
 
-// Without a hemisphere: what the plane of incidence would reflect if it stood for all azimuths.
+// Judges the energy without a hemisphere: from the fraction that the plane of incidence would reflect if
+// all azimuths were like it.
 Finding energy_in_plane(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kMargin = 1.03;
   Finding f = undecided(t, "energy", "too little of the hemisphere is covered for an integral");

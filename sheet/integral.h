@@ -9,8 +9,9 @@
 
 namespace brdf::sheet {
 
-// Of up to 60 scans, evenly chosen. `scatter`: relative, of one value; half of it is added to the bound,
-// since noise that is common to the samples does not average out.
+// Integrates up to 60 scans, chosen evenly. `scatter`: relative noise of one value, taken as 10 % if
+// unknown. Half of the noise is added to the bound, since noise that the samples have in common does not
+// average out.
 std::vector<MeasuredAlbedo> albedos(const View& view, std::optional<double> scatter);
 
 }  // namespace brdf::sheet

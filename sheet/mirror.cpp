@@ -1,5 +1,5 @@
-// Whether highlights stand at the mirror direction. A zero error of an arm shifts them under every light, a
-// wrong label under one.
+// Checks whether highlights lie at the mirror direction. A zero error of an arm shifts them under every
+// light, a wrong label under one light.
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,14 @@ struct Peak {
   const Scan* scan;
   double theta_i, offset;  // degrees: offset beyond the mirror direction
   double contrast;         // logarithm of the largest value over the median
-  double noise;            // its standard error by the scatter of the values, degrees
-  double bias;  // by the shape of a highlight that is no parabola: the same for all lights of a grid, degrees
+  double noise;            // standard error due to the noise of the values, degrees
+  // The error due to a highlight that is not a parabola, degrees; the same for all lights of a grid.
+  double bias;
   bool is_one_row;  // no other row reaches half of the largest value
 };
 
-// Least squares of a parabola through (x, y): the place of its top and its curvature there; none where it has
-// no top.
+// Fits a parabola through (x, y) by least squares. Returns the place of its top and the curvature there;
+// std::nullopt if the parabola has no top.
 struct Top {
   double place, curvature;
 };
@@ -39,9 +40,9 @@ std::optional<Top> top_of(std::span<const std::pair<double, double>> dots) {
   return Top{x0 - p[1] / (2 * p[2]), 2 * p[2]};
 }
 
-// The highlight of a scan in the darkest channel, where it stands out most: the parabola through the
-// logarithms of the dots above half of the largest value. None where nothing stands out, or where the largest
-// value is the last of the curve.
+// Finds the highlight of a scan in the darkest channel, in which a highlight has the most contrast. Fits a
+// parabola to the logarithms of the dots above half of the largest value. Returns std::nullopt if the
+// contrast is too small, or if the largest value is the last of the curve.
 std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) {
   constexpr double kStandsOut = 2, kHalf = 0.5;
   constexpr std::size_t kFewest = 5;
@@ -66,15 +67,15 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
   while (last + 1 < dots.size() && dots[last + 1].second > half) ++last;
   const std::span<const std::pair<double, double>> near(dots.data() + first, last - first + 1);
   const auto top = top_of(near);
-  constexpr double kFarthest = 25;  // degrees: no highlight of the mirror direction stands farther off
+  constexpr double kFarthest = 25;  // degrees: no highlight of the mirror direction is farther off
   if (!top || top->place < near.front().first || top->place > near.back().first ||
       std::abs(top->place - scan.theta_i) > kFarthest)
     return std::nullopt;
   const double step = (near.back().first - near.front().first) / double(near.size() - 1);
-  // Of the slope at the top, over the curvature.
+  // The error of the slope at the top, over the curvature.
   const double spread = step * std::sqrt(std::pow(double(near.size()), 3) / 12);
   const double noise = scatter / (std::abs(top->curvature) * spread);
-  // A top on a row is where it seems to be; between rows the shape decides.
+  // A top on a row is well located; between rows its place depends on the shape of the highlight.
   double between = HUGE_VAL;
   for (const auto& [angle, level] : near) between = std::min(between, std::abs(angle - top->place));
   return Peak{&scan,
@@ -86,8 +87,8 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
               last - first == 2 && dots[first].second < half && dots[last].second < half};
 }
 
-// Those of the turn of the sample under which most stand: an anisotropic sample's peaks move differently
-// under each.
+// Keeps the peaks under the rotation of the sample that has the most peaks: the peaks of an anisotropic
+// sample move differently under each rotation.
 std::vector<Peak> of_one_turn(std::vector<Peak> peaks) {
   std::map<double, std::size_t> count;
   for (const Peak& p : peaks) ++count[p.scan->phi_i];
@@ -104,15 +105,15 @@ std::vector<Peak> peaks_of(const View& view, double scatter) {
     if (scan.theta_i >= kLeast && scan.theta_i <= kSteepest)
       if (const auto peak = peak_of(view, scan, scatter)) peaks.push_back(*peak);
   peaks = of_one_turn(std::move(peaks));
-  // Beside wide highlights a peak of one row is an outlier.
+  // Among wide highlights a peak of a single row is an outlier.
   const auto narrow =
       std::size_t(std::count_if(peaks.begin(), peaks.end(), [](const Peak& p) { return p.is_one_row; }));
   if (2 * narrow < peaks.size()) std::erase_if(peaks, [](const Peak& p) { return p.is_one_row; });
   return peaks;
 }
 
-// offset = zero + slope * lever: the peaks of rough surfaces move off the mirror direction as the light grows
-// steeper, from 0 along the normal; a zero error stays there.
+// offset = zero + slope * lever. The peaks of rough surfaces move off the mirror direction as the light
+// becomes steeper, from 0 along the normal. A zero error remains at the normal.
 enum class Lever { angle, tangent };  // of theta_i
 
 double lever_of(const Peak& p, Lever lever) {
@@ -123,10 +124,11 @@ double lever_of(const Peak& p, Lever lever) {
 struct Trend {
   Lever lever;
   double zero, slope, error;  // error: of the zero
-  double spread;              // of the offsets about the line, robustly
+  double spread;              // of the offsets about the line, robust
 };
 
-// Medians of the slopes of all pairs (Theil 1950, Sen 1968), and of what is left.
+// Estimates the slope by the median of the slopes of all pairs (Theil 1950, Sen 1968), and the zero by the
+// median of the residuals.
 std::optional<Trend> trend_of(const std::vector<Peak>& peaks, Lever lever) {
   constexpr double kLeastLever = 0.02;
   std::vector<double> slopes, zeros, left, noises, biases;
@@ -151,21 +153,21 @@ std::optional<Trend> trend_of(const std::vector<Peak>& peaks, Lever lever) {
   t.spread = 1.4826 * io::median(std::move(left));
   const double n = double(peaks.size()), mean = sum / n, width = squares / n - mean * mean;
   const double noise = std::max(t.spread, io::median(std::move(noises)));
-  // The peaks do not move along this line to the last.
+  // The peaks do not follow this line exactly.
   constexpr double kBent = 0.25;
   t.error = std::hypot(noise * std::sqrt(1 / n + mean * mean / (n * width)), io::median(std::move(biases)),
                        kBent * t.slope * mean);
   return t;
 }
 
-// The peaks but one.
+// Returns the peaks except one.
 std::vector<Peak> without(std::vector<Peak> peaks, std::size_t k) {
   peaks.erase(peaks.begin() + std::ptrdiff_t(k));
   return peaks;
 }
 
-// Whether a scan has a top of its own where one is expected, about as high as those of the other lights: then
-// another one is no sign of a wrong label, but an outlier.
+// Returns whether a scan has a peak at the expected angle, about as high as the peaks of the other lights.
+// In that case another peak is an outlier and no sign of a wrong label.
 bool has_highlight_at(const View& view, const Scan& scan, double angle, double contrast) {
   constexpr double kNear = 3, kAsHigh = 0.5;  // degrees; of the logarithm
   const std::vector<double>& values = view.table().values[view.darkest()];
@@ -183,7 +185,8 @@ bool has_highlight_at(const View& view, const Scan& scan, double angle, double c
   return false;
 }
 
-// The one light whose highlight stands where another light's would, as the others see it.
+// Finds the one light with its highlight at the place of another light's highlight, according to the other
+// lights.
 struct Misplaced {
   std::size_t peak;
   double apart, spread;
@@ -208,7 +211,7 @@ std::optional<Misplaced> one_misplaced(const View& view, const std::vector<Peak>
     const auto expected = [&](const Peak& p) { return trend.zero + trend.slope * lever_of(p, trend.lever); };
     const auto off_by = [&](const Peak& p) { return p.offset - expected(p); };
     for (const Peak& p : others) apart.push_back(std::abs(off_by(p)));
-    // Of three lights the two others must agree; of more, most.
+    // Up to three other lights must all agree; of more lights, most must agree.
     const double spread = std::max(
         others.size() > kFewest ? 1.4826 * io::median(apart) : *std::max_element(apart.begin(), apart.end()),
         0.3);

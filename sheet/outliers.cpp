@@ -1,8 +1,10 @@
-// A value is an outlier where it departs from what its neighbours say: by more than a factor two, and by much
-// more than they differ among themselves. Two kinds of neighbours are asked. Those of the viewer under the
-// same light know nothing of a highlight narrower than the detector's steps; those of the half vector, under
-// any light, know it from other angles of the light, from the mirrored direction and from the reciprocal one.
-// A value that either kind explains is no outlier.
+// Finds outliers. A value is an outlier if it differs from the value that its neighbours predict by more
+// than a factor of two, and by much more than the neighbours differ from each other.
+//
+// Two kinds of neighbours are used. Rows with nearby viewing directions under the same light do not show a
+// highlight that is narrower than the detector's steps. Rows with nearby half vectors, under any light,
+// show such a highlight from other angles of the light, from the mirrored direction and from the reciprocal
+// direction. A value that either kind of neighbours explains is not an outlier.
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
@@ -19,10 +21,11 @@ namespace {
 
 constexpr std::size_t kMostRows = 60000;
 constexpr std::size_t kNeighbours = 8;
-// Rows near a row, none where it has too few.
+// Rows near a row; empty if the row has too few.
 using Near = std::vector<Row>;
 
-// Slopes of a lobe count in the half vector's angle, in degrees; along the difference angle a lobe is broad.
+// A lobe is steep in the angle of the half vector and broad in the difference angle. All members are in
+// degrees.
 struct HalfVector {
   double theta, x, y, difference;
 };
@@ -33,20 +36,21 @@ HalfVector half_vector(const io::SampleTable& t, std::size_t k, bool turned) {
   const double across = std::hypot(h.x, h.y), theta = radians(std::atan2(across, h.z)).degrees();
   const double length = std::sqrt(dot(h, h)) / 2;
   const double difference = radians(std::acos(std::min(length, 1.0))).degrees();
-  // Of a sample that was not turned only the angle is known to matter.
+  // For a sample that was not rotated, only the angle is known to matter.
   if (!turned || across == 0) return {theta, theta, 0, difference};
   return {theta, theta * h.x / across, theta * h.y / across, difference};
 }
 
-// A half turn of the sample changes no form: h and -h are alike.
+// Returns the squared distance of two half vectors. A half turn of the sample changes no form, so that h
+// and -h are equivalent.
 double squared_apart(const HalfVector& a, const HalfVector& b) {
   const double minus = (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y),
                plus = (a.x + b.x) * (a.x + b.x) + (a.y + b.y) * (a.y + b.y);
   return std::min(minus, plus);
 }
 
-// The rows nearest to each, and those of (nearly) the same half vector that are nearest in the difference
-// angle: a peak narrower than the steps has no others of its height.
+// The rows nearest to each row, and the rows of (nearly) the same half vector that are nearest in the
+// difference angle. A peak that is narrower than the steps has no other rows of its height.
 struct HalfNeighbours {
   std::vector<Near> near, same;
 };
@@ -74,7 +78,8 @@ HalfNeighbours near_half_vector(const io::SampleTable& t) {
     std::array<Candidate, kMostSame> same;
     best.fill({HUGE_VAL, 0});
     same.fill({HUGE_VAL, 0});
-    // Outwards in theta, which is never more than the distance; false where nothing nearer can follow.
+    // Visits rows outwards in theta, which is never more than the distance. Returns false if no nearer row
+    // can follow.
     const auto visit = [&](std::size_t k) {
       const double theta = std::abs(h[k].theta - here.theta);
       if (theta * theta >= best.back().first && theta >= kSame) return false;
@@ -95,7 +100,7 @@ HalfNeighbours near_half_vector(const io::SampleTable& t) {
   return found;
 }
 
-// What neighbours say of the logarithm of a value.
+// The prediction that neighbours give for the logarithm of a value.
 struct Say {
   double median = 0, spread = HUGE_VAL;
   bool known = false;
@@ -113,9 +118,9 @@ Say say(const std::vector<double>& values, std::span<const Row> near, std::size_
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
 
-// The smooth surface through the logarithms of the rows around a row, at that row: a + b x + c y + d (x^2 +
-// y^2) in the plane that touches the sphere of directions there. On the slope of a lobe neighbours differ
-// among themselves, and yet say well what the row must be.
+// The smooth surface through the logarithms of the rows around a row, evaluated at that row:
+// a + b x + c y + d (x^2 + y^2) in the plane that touches the sphere of directions there. On the slope of a
+// lobe the neighbours differ from each other, and yet predict the row well.
 class Surface {
  public:
   Surface(const View& view, Row k) : near_(view.near(k)) {
@@ -129,7 +134,7 @@ class Surface {
       const double a = dot(to, x), b = dot(to, y);
       terms_.row(Eigen::Index(n)) << 1, a, b, a * a + b * b;
     }
-    // At an edge of the table the surface would be carried on beyond its rows.
+    // At an edge of the table the surface would be an extrapolation.
     if (near_.size() < View::kNeighbours) return;
     const Eigen::Matrix4d normal = terms_.transpose() * terms_;
     solver_.compute(normal + 1e-9 * normal.trace() * Eigen::Matrix4d::Identity());
@@ -146,7 +151,7 @@ class Surface {
     const Eigen::Vector4d p = solver_.solve(terms_.transpose() * levels);
     constexpr double kFreedom = 4, kLeast = 0.02;
     const double deviation = std::sqrt((terms_ * p - levels).squaredNorm() / kFreedom);
-    // The spread of neighbours about the median reaches over some two standard deviations.
+    // The spread of neighbours about the median corresponds to about two standard deviations.
     return {p[0], 2 * std::max(deviation, kLeast), true};
   }
 
@@ -157,13 +162,13 @@ class Surface {
   bool is_between_ = false;
 };
 
-// How far a value of a channel may lie from its neighbours because the dark level is no better known: twice
-// what all but a twentieth depart by, of the tenth of the rows whose neighbours are darkest. A factor of two
-// is nothing where there is no light.
+// Returns the distance that a value of a channel may have from its neighbours because the dark level is
+// uncertain. It is twice the 95 % quantile of the departures, among the tenth of the rows with the darkest
+// neighbours. A factor of two means nothing in the dark.
 double dark_floor(const std::vector<double>& values, const std::vector<Near>& near) {
   constexpr double kDarkest = 0.1, kUsual = 0.95;
   constexpr std::size_t kFewest = 40;
-  std::vector<std::pair<double, double>> rows;  // neighbours' median, departure from it
+  std::vector<std::pair<double, double>> rows;  // median of the neighbours, departure from it
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (near[k].empty()) continue;
     std::vector<double> around;
@@ -179,12 +184,13 @@ double dark_floor(const std::vector<double>& values, const std::vector<Near>& ne
   return 2 * io::quantile(std::move(departures), kUsual);
 }
 
-// One channel against both kinds of neighbours: the median that a value departs from, of values that do.
+// Compares the values of one channel with both kinds of neighbours. contradiction() returns the median from
+// which a value departs, if the value is an outlier.
 class Witnesses {
  public:
   Witnesses(const View& view, const std::vector<double>& values, const HalfNeighbours& half)
       : view_(view), values_(values), half_(half), floor_(dark_floor(values, half.near)) {
-    // Where a tenth of the middle value is not reached there is little light, and much noise.
+    // Below a tenth of the median value there is little light and much noise.
     constexpr double kDark = 0.1;
     floor_ = std::max(floor_, kDark * io::median(values));
   }
@@ -219,8 +225,8 @@ class Witnesses {
     return expected;
   }
 
-  // Between the two rows beside it on its line through the normal, or on its ring: a highlight that is narrow
-  // across the line is a ridge along it.
+  // Returns whether the value agrees with the two adjacent rows on its line through the normal, or on its
+  // ring. A highlight that is narrow across the line is a ridge along it.
   bool lies_on_a_ridge(Row k, double x) const {
     const io::SampleTable& t = view_.table();
     constexpr double kSame = 0.3;  // degrees
@@ -245,7 +251,7 @@ class Witnesses {
     for (const std::size_t which : {0u, 1u}) {
       const bool has_below = std::isfinite(below[which]), has_above = std::isfinite(above[which]);
       if (!has_below && !has_above) continue;
-      // At the end of a line the one row beside it.
+      // At the end of a line, the one adjacent row.
       const double expected = !has_above   ? low[which]
                               : !has_below ? high[which]
                                            : low[which] - below[which] / (above[which] - below[which]) *
@@ -255,7 +261,8 @@ class Witnesses {
     return false;
   }
 
-  // A retroreflector's peak is narrower than the detector's steps: only the row beside the light sees it.
+  // Returns whether the row may be the peak of a retroreflector. Such a peak is narrower than the
+  // detector's steps, so that only the row next to the light shows it.
   bool is_retroreflected(Row k) const {
     const io::SampleTable& t = view_.table();
     const auto towards = [&](double theta, double phi) { return direction(degrees(theta), degrees(phi)); };
@@ -265,7 +272,8 @@ class Witnesses {
     return dot(wi, wo) >= nearest;
   }
 
-  // A narrow highlight is met by one row of its scan, the one whose half vector is nearest to the normal.
+  // Returns whether the row has the half vector nearest to the normal in its neighbourhood. A narrow
+  // highlight appears in only this row of its scan.
   bool is_at_the_mirror(Row k) const {
     const io::SampleTable& t = view_.table();
     const double own = half_vector(t, k, false).theta;
@@ -279,7 +287,7 @@ class Witnesses {
   double floor_;
 };
 
-// So many are a texture, or noise that is no share of the value; an outlier is rare.
+// So many outliers are a texture, or noise that is not proportional to the value; outliers are rare.
 bool are_many(std::size_t outliers, std::size_t rows) {
   constexpr double kRare = 0.01;
   constexpr std::size_t kFew = 3;

@@ -11,8 +11,8 @@
 namespace brdf::sheet {
 namespace {
 
-constexpr double kSameAngle = 0.02;  // degrees: nearer angles are one
-constexpr double kWidestGap = 12;    // degrees, that is interpolated across
+constexpr double kSameAngle = 0.02;  // degrees: angles nearer than this are equal
+constexpr double kWidestGap = 12;    // degrees: the widest gap for interpolation
 constexpr double kWorst = 0.3;       // uncertainty of a logarithm
 constexpr std::size_t kMostScans = 60, kMostPairs = 6000;
 
@@ -27,7 +27,7 @@ struct Read {
   Row row;
 };
 
-// Lagrange's polynomial through some points.
+// Evaluates Lagrange's polynomial through some points.
 double polynomial(std::span<const Point> points, double theta) {
   double sum = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -55,7 +55,7 @@ std::optional<Read> read(const Line& line, double theta) {
   return Read{value, std::max(0.5 * std::abs(value - linear), 1e-6), nearest};
 }
 
-// The lines of a scan by their azimuth in tenths of a millidegree, with its sign; the normal belongs to every
+// Returns the lines of a scan by their signed azimuth in units of 1e-4 degrees. The normal belongs to every
 // line.
 std::map<std::int64_t, Line> lines_of(const View& view, const Scan& scan) {
   std::map<std::int64_t, Line> lines;
@@ -75,7 +75,8 @@ std::map<std::int64_t, Line> lines_of(const View& view, const Scan& scan) {
   return lines;
 }
 
-// The line of the exchanged pair lies at the opposite azimuth; a scan of one side holds its mirror image.
+// Returns the line of the exchanged pair, which lies at the opposite azimuth. A scan of one side contains
+// its mirror image instead.
 const Line* exchanged(const std::map<std::int64_t, Line>& lines, std::int64_t azimuth) {
   constexpr std::int64_t kHalfTurn = 1800000;
   for (const std::int64_t key : {-azimuth, azimuth, azimuth == kHalfTurn ? -kHalfTurn : azimuth})
@@ -110,14 +111,14 @@ std::vector<Pair> scanned_pairs(const View& view) {
   return pairs;
 }
 
-// Whole thousandths of a degree.
+// Angles in thousandths of a degree.
 using Place = std::tuple<std::int32_t, std::int32_t, std::int32_t>;
 
 std::vector<Pair> scattered_pairs(const View& view) {
   const io::SampleTable& t = view.table();
   const auto unit = [](double angle) { return std::int32_t(std::lround(angle * 1e3)); };
   std::vector<std::pair<Place, Row>> places;
-  // Of very many rows some, both partners of a pair or none.
+  // Very many rows are thinned; a pair keeps both partners or loses both.
   constexpr double kMostScattered = 100'000, kGolden = 0.6180339887498949;
   const double share = kMostScattered / double(t.rows());
   for (std::size_t k = 0; k < t.rows(); ++k) {

@@ -9,7 +9,7 @@
 namespace brdf::sheet {
 namespace {
 
-constexpr std::size_t kMostCurves = 8;  // that a legend holds
+constexpr std::size_t kMostCurves = 8;  // the most curves that fit into a legend
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Rows by themselves: values below 0, entries without a value, directions that are listed twice.
+// Checks of single rows: values below 0, entries without a value, directions that are listed twice.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -14,10 +14,11 @@ namespace {
 
 struct AroundNormal {
   double spread;  // of the values, over the largest
-  double jumps;   // mean square of the steps from azimuth to azimuth over twice the variance: 1 for noise
+  // The mean square of the steps from azimuth to azimuth over twice the variance: 1 for noise.
+  double jumps;
 };
 
-// Values along the normal by azimuth, as one table row after the other claims.
+// Compares values along the normal by the azimuth that each row states.
 AroundNormal around_normal(std::vector<std::pair<double, double>> values) {
   std::sort(values.begin(), values.end());
   double mean = 0, variance = 0, steps = 0, low = HUGE_VAL, high = -HUGE_VAL;
@@ -35,9 +36,9 @@ AroundNormal around_normal(std::vector<std::pair<double, double>> values) {
   return {high > 0 ? (high - low) / high : 0, variance > 0 ? steps / (2 * variance) : 1};
 }
 
-// How far dark values scatter about 0, whatever they are worth: of the tenth of the rows whose neighbours are
-// darkest, how far they lie from these, as a standard deviation. Noise that is a share of the value never
-// leads below 0.
+// Returns the standard deviation of dark values about 0, which does not depend on their size: the distance
+// of the values from their neighbours, over the tenth of the rows with the darkest neighbours. Noise that
+// is proportional to the value never leads below 0.
 double dark_noise(const View& view, const std::vector<double>& values) {
   constexpr double kDarkest = 0.1;
   constexpr std::size_t kFewest = 8, kAround = 4;
@@ -55,12 +56,12 @@ double dark_noise(const View& view, const std::vector<double>& values) {
   std::vector<double> distances;
   for (std::size_t k = 0; k < count; ++k) distances.push_back(rows[k].second);
   const double deviation = 1.4826 * io::median(std::move(distances)), level = rows[count / 2].first;
-  // Rows that stay above 0 by many deviations are not dark: what scatters there is a share of the value.
+  // Rows that stay above 0 by many deviations are not dark: their noise is proportional to the value.
   constexpr double kAbove0 = 5;
   return level > kAbove0 * deviation ? 0 : deviation;
 }
 
-// Two rows of one direction: the angles in whole ten-thousandths of a degree, azimuths within a turn.
+// The direction of a row: the angles in units of 1e-4 degrees, with azimuths reduced to one turn.
 using Angles = std::tuple<long, long, long, long>;
 Angles angles_of(const io::SampleTable& t, std::size_t k) {
   const auto unit = [](double angle) { return std::lround(angle * 1e4); };
@@ -147,7 +148,7 @@ Finding duplicates(const Evidence& e) {
 }
 
 Finding directions(const Evidence& e) {
-  constexpr std::size_t kSeries = 5;  // from here on noise and a curve can be told apart
+  constexpr std::size_t kSeries = 5;  // the fewest values that distinguish noise from a curve
   const io::SampleTable& t = e.view.table();
   std::map<std::tuple<double, double, std::size_t>, std::vector<std::pair<double, double>>> poles;
   for (std::size_t k = 0; k < t.rows(); ++k)

@@ -1,5 +1,5 @@
-// Values that no detector read: a reading that stands still, rows that software interpolated, ramped down or
-// copied.
+// Finds values that no detector measured: a reading that does not change, and rows that software
+// interpolated, ramped down or copied.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,14 +11,16 @@
 namespace brdf::sheet {
 namespace {
 
-// --- A reading that stands still ---------------------------------------------------------------------------
+// --- A reading that does not change ------------------------------------------------------------------------
 
 struct Run {
   Row first;
-  std::size_t length, directions;  // directions: that no symmetry of an isotropic surface makes equal
+  // `directions` counts the rows that no symmetry of an isotropic surface makes equal to the row before.
+  std::size_t length, directions;
 };
 
-// Under light or viewer along the normal an isotropic surface knows no azimuth.
+// Returns whether an isotropic surface has the same value in both rows. With the light or the viewer along
+// the normal, the azimuth has no effect.
 bool are_alike(const View& view, Row a, Row b) {
   const io::SampleTable& t = view.table();
   if (t.theta_i[a] != t.theta_i[b] || t.theta_o[a] != t.theta_o[b]) return false;
@@ -26,7 +28,7 @@ bool are_alike(const View& view, Row a, Row b) {
          std::abs(std::abs(view.turn(a)) - std::abs(view.turn(b))) < 1e-6;
 }
 
-// Runs of two rows or more that follow one another in the file and hold one value.
+// Returns runs of two or more rows that follow one another in the file and hold one value.
 std::vector<Run> runs_of(const View& view, const std::vector<double>& values) {
   std::vector<Run> runs;
   for (std::size_t k = 0; k < values.size();) {
@@ -40,7 +42,8 @@ std::vector<Run> runs_of(const View& view, const std::vector<double>& values) {
   return runs;
 }
 
-// Longer than equal neighbours make it by chance: with few digits, or on a flat curve, short runs are common.
+// Returns whether the run is longer than chance explains. With few digits, or on a flat curve, short runs
+// are common.
 bool is_beyond_chance(const Run& run, const std::vector<Run>& all, std::size_t rows) {
   constexpr std::size_t kFewest = 4;
   constexpr double kChance = 1e-3;
@@ -53,7 +56,7 @@ bool is_beyond_chance(const Run& run, const std::vector<Run>& all, std::size_t r
   return double(rows) * std::pow(share, double(run.directions - 1)) < kChance;
 }
 
-// A flat curve comes back to its value elsewhere.
+// Returns whether the value of the run hardly occurs elsewhere. A flat curve returns to its value.
 bool is_the_only_place(const Run& run, const std::vector<double>& values) {
   const auto count = std::size_t(std::count(values.begin(), values.end(), values[run.first]));
   return count <= run.length + std::max<std::size_t>(1, run.length / 10);
@@ -83,7 +86,8 @@ std::vector<Curve> curves_of(const View& view, const Scan& scan, const std::vect
 
 // --- A straight ramp to 0 at 90 degrees --------------------------------------------------------------------
 
-// The relative deviation (root mean square) of the dots from c * law(theta), c being their mean ratio.
+// Returns the relative deviation (root mean square) of the dots from c * law(theta), where c is their mean
+// ratio.
 template <class Law>
 double deviation(std::span<const Dot> dots, Law&& law) {
   double mean = 0, square = 0;
@@ -92,10 +96,12 @@ double deviation(std::span<const Dot> dots, Law&& law) {
   return mean > 0 ? std::sqrt(square) : HUGE_VAL;
 }
 
-constexpr double kNearHorizon = 75;  // degrees: a curve that ends before it says nothing of the horizon
+// In degrees. A curve that ends before this angle gives no information on the horizon.
+constexpr double kNearHorizon = 75;
 
-// Where the straight end of a curve begins, in degrees; none where the curve has none. f_r times a cosine
-// ends in a curve that looks straight over few degrees: the line must fit far better.
+// Returns the angle in degrees at which the straight end of a curve begins; std::nullopt if the curve has
+// no straight end. f_r times a cosine looks straight over few degrees, so that the line must fit far
+// better.
 std::optional<double> ramp_from(const Curve& curve) {
   constexpr double kFewestDegrees = 5, kStraight = 0.01, kBetter = 0.4;
   constexpr std::size_t kFewestDots = 4;
@@ -122,9 +128,9 @@ std::optional<double> ramp_from(const Curve& curve) {
 struct Between {
   std::size_t looked = 0;
   std::vector<Row> straight;   // on the line through both neighbours, to the last digits
-  std::vector<double> others;  // how far the others lie from it, in units of those digits
+  std::vector<double> others;  // distance of the other rows from the line, in units of these digits
 
-  // Steps so fine that every curve is straight between them tell nothing.
+  // If the steps are so fine that every curve is straight between them, straightness is no evidence.
   bool are_apart() const {
     constexpr double kApart = 30;
     return !others.empty() && io::median(others) > kApart;
@@ -161,7 +167,7 @@ std::optional<double> value_at(const std::vector<std::pair<double, double>>& dot
   return std::nullopt;
 }
 
-// Whether the second curve is the first one, shifted by some degrees, to the last digits.
+// Returns whether the second curve is the first one, shifted by some degrees, to the last digits.
 bool is_copy(const PlaneCurve& a, const PlaneCurve& b, double shift) {
   constexpr std::size_t kFewest = 6;
   constexpr double kEqual = 1e-4, kFlat = 0.05;
@@ -238,8 +244,8 @@ Finding invented(const Evidence& e) {
   }
   Finding f = start(t, "invented");
   constexpr std::size_t kMostLights = 60;
-  constexpr double kNoise =
-      5e-4;  // computed values may follow a law that only shifts; noise does not come twice
+  // Computed values may follow a law that only shifts. Noise does not repeat.
+  constexpr double kNoise = 5e-4;
   if (e.neighbours.value.value_or(0) < kNoise) planes.clear();
   for (std::size_t a = 0; a < std::min(planes.size(), kMostLights); ++a)
     for (std::size_t b = a + 1; b < std::min(planes.size(), kMostLights); ++b) {

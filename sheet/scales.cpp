@@ -1,5 +1,5 @@
-// What makes reciprocal pairs differ: a cosine that is left in the values, one light's gain, a drift through
-// the file, a dark level.
+// Judges the causes of the differences of reciprocal pairs: a cosine left in the values, the gain of one
+// light, a drift through the file, a dark level.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,15 +11,15 @@
 namespace brdf::sheet {
 namespace {
 
-constexpr double kSeen = 3;  // standard errors that a size must have to be seen
+constexpr double kSeen = 3;  // the least size that is visible, in standard errors
 
-// What a check says of its cause. `worth_seeing`: the size that matters.
+// The statements of a check about its cause. `worth_seeing`: the size that matters.
 struct Sentences {
   double worth_seeing;
   std::string fault;    // the cause explains the differences
-  std::string clean;    // it would have been seen
-  std::string unclear;  // the pairs show something of the kind, and disagree
-  std::string unseen;   // before the least size that would have been seen
+  std::string clean;    // the cause would have been seen
+  std::string unclear;  // the pairs indicate the cause but disagree
+  std::string unseen;   // precedes the least size that would have been seen
 };
 
 const Explanation* tried(const Evidence& e, Cause cause) {
@@ -56,7 +56,7 @@ Finding too_few_pairs(const Evidence& e, const char* check) {
   return not_applicable(e.view.table().source, check, "too few reciprocal pairs of different angles");
 }
 
-// Quartiles as people read them: "-1 to -0.91 in the middle half of 698 pairs".
+// Returns the quartiles for people: "-1 to -0.91 in the middle half of 698 pairs".
 std::string quartiles(const Explanation& x) {
   return io::short_number(x.low, 2) + " to " + io::short_number(x.high, 2) + " in the middle half of " +
          plural(x.pairs, "pair");
@@ -70,7 +70,7 @@ std::string percent_of(double logarithm) {
   return io::percent(std::abs(std::expm1(logarithm)), 2);
 }
 
-// Sums of a straight line through the logarithms of a value and of the cosines.
+// The sums for a straight line through the logarithms of the values over those of the cosines.
 struct SlopeSums {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   void add(double at, double value) {
@@ -88,10 +88,11 @@ struct GrazingPower {
   double power, low, high;  // median and quartiles
 };
 
-// The power of the cosines that values fall with towards grazing while the half vector keeps its angle, where
-// no highlight stands: reciprocity says nothing of f_r cos_i cos_o. At most 0 for lobes of facets and for
-// diffuse surfaces. Each line of values whose half vectors lie within two degrees of one another counts with
-// its values; none of fewer than 30 values.
+// Estimates the power of the cosines with which values change towards grazing incidence at a constant angle
+// of the half vector, outside of the highlight. Reciprocity gives no information on a factor cos_i cos_o.
+// The power is at most 0 for lobes of microfacets and for diffuse surfaces. Values with half vectors within
+// two degrees of one another form a line; each line counts with the number of its values. Returns
+// std::nullopt for fewer than 30 values.
 std::optional<GrazingPower> grazing_power(const View& view) {
   constexpr double kCell = 2, kHighlight = 20, kSteepest = 85;  // degrees
   constexpr std::size_t kFewestValues = 30, kJudgedRows = 50'000;
@@ -112,7 +113,8 @@ std::optional<GrazingPower> grazing_power(const View& view) {
   return GrazingPower{io::median(slopes), io::quantile(slopes, 0.25), io::quantile(slopes, 0.75)};
 }
 
-// Rough diffuse surfaces fall with the power 0.6 of the cosines, f_r cos_i cos_o of a diffuse surface with 1.
+// Rough diffuse surfaces fall with the power 0.6 of the cosines; f_r cos_i cos_o of a diffuse surface falls
+// with the power 1.
 bool is_both_cosines(const GrazingPower& g) {
   return g.power > 0.75 && g.low > 0.5 && g.high < 1.6;
 }

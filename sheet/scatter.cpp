@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kSteepest = 80;  // degrees
 constexpr std::size_t kFewestPairsOfRows = 8;
-constexpr double kCopies = 1e-6;  // values that agree as well as this were not measured twice
+constexpr double kCopies = 1e-6;  // values that agree this well were not measured twice
 
 using Rows = std::vector<std::pair<Row, Row>>;
 using Direction = std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t>;
 
-// Whole thousandths of a degree.
+// Rounds to thousandths of a degree.
 std::int32_t unit(double angle) {
   return std::int32_t(std::lround(angle * 1e3));
 }
@@ -27,11 +27,11 @@ bool is_far_from_grazing(const io::SampleTable& t, Row k) {
   return t.theta_i[k] <= kSteepest && t.theta_o[k] <= kSteepest;
 }
 
-// The rows by their directions; of rows of the same directions the first.
+// Returns the rows by their directions; for rows of the same directions, the first row.
 std::map<Direction, Row> by_direction(const View& view, Rows& repeated) {
   std::map<Direction, Row> places;
   const io::SampleTable& t = view.table();
-  // Of very many rows some, both partners of a pair or none.
+  // Very many rows are thinned; a pair keeps both partners or loses both.
   constexpr double kMost = 60'000, kGolden = 0.6180339887498949;
   const double share = kMost / double(t.rows());
   for (Row k = 0; k < t.rows(); ++k) {
@@ -47,7 +47,7 @@ std::map<Direction, Row> by_direction(const View& view, Rows& repeated) {
   return places;
 }
 
-// Both sides of the plane of incidence.
+// Returns pairs of rows on both sides of the plane of incidence.
 Rows mirrored_rows(const std::map<Direction, Row>& places) {
   constexpr std::int32_t kHalfTurn = 180000;
   Rows rows;
@@ -76,7 +76,8 @@ void add_agreement(const View& view, std::string_view name, const Rows& rows, bo
       {name, 1.4826 * io::median(std::move(differences)) / std::sqrt(2.0), count, needs_isotropy});
 }
 
-// Reciprocal pairs by interpolation: those whose own uncertainty is a fifth of what pairs usually differ by.
+// Adds interpolated reciprocal pairs with an uncertainty of less than a fifth of the usual difference of
+// pairs.
 void add_interpolated(const View& view, const std::vector<Pair>& pairs, Scatter& s) {
   constexpr double kShare = 0.2;
   std::vector<double> all, sure;
@@ -95,8 +96,8 @@ void add_interpolated(const View& view, const std::vector<Pair>& pairs, Scatter&
 }  // namespace
 
 const Agreement* Scatter::largest(bool isotropic) const {
-  // A standard deviation of n pairs is known to 1.2/sqrt(n) of itself: of several the largest is not to be
-  // chance.
+  // The relative error of a standard deviation from n pairs is 1.2/sqrt(n). The margin is twice that, so
+  // that the largest of several is not due to chance.
   constexpr double kChance = 2.4;
   const auto is_more = [&](const Agreement& a) {
     return a.value > neighbours.value.value_or(0) * (1 + kChance / std::sqrt(double(a.count)));

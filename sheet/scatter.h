@@ -1,4 +1,4 @@
-// How much the values of a table scatter, by every kind of rows that ought to agree.
+// Estimates the noise of a table's values from every kind of rows that should agree.
 #pragma once
 
 #include <optional>
@@ -11,31 +11,32 @@
 
 namespace brdf::sheet {
 
-// Rows that ought to agree: what they differ by, and how many differences tell it.
+// The noise according to one kind of rows that should agree.
 struct Agreement {
   std::string_view rows;  // "mirrored", "reciprocal", "repeated"
   double value;           // relative standard deviation of one value
   std::size_t count;      // pairs of rows
-  bool needs_isotropy;    // an anisotropic sample makes them differ, too
+  bool needs_isotropy;    // these rows also differ if the sample is anisotropic
 };
 
-// A smooth error of an instrument (a drift, a tilt, a table that was smoothed) leaves neighbours in
-// agreement; rows that a symmetry makes equal show it.
+// A smooth error of an instrument (a drift, a tilt, smoothing of the table) leaves neighbours in agreement.
+// Rows that are equal by symmetry reveal such an error.
 struct Scatter {
-  io::Noise neighbours;               // about a law that is smooth in the directions
-  std::vector<Agreement> agreements;  // each of 8 pairs or more whose values are no copies of each other
-  bool is_isotropic = true;           // no turn of the sample shows the opposite
-  // The largest of all; none where nothing is known. `isotropic`: whether the sample may be taken for
-  // isotropic.
+  io::Noise neighbours;  // noise about an interpolant that is smooth in the directions
+  // One entry for each kind with at least 8 pairs of values that are not copies of each other.
+  std::vector<Agreement> agreements;
+  bool is_isotropic = true;  // no rotation of the sample shows the opposite
+  // Returns the largest estimate; std::nullopt if there is no estimate. `isotropic`: whether the sample may
+  // be assumed to be isotropic.
   std::optional<double> value(bool isotropic) const;
   std::optional<double> value() const { return value(is_isotropic); }
-  // The agreement that is largest, if it is larger than the neighbours' scatter by more than so few pairs
-  // allow; else null.
+  // Returns the largest agreement, if it exceeds the noise of the neighbours by more than the uncertainty
+  // that the number of pairs permits; otherwise null.
   const Agreement* largest(bool isotropic) const;
 };
 
-// `pairs`: reciprocal ones; none where a cause makes them differ. Rows beyond 80 degrees are left out of
-// agreements, since errors of an angle grow there.
+// Estimates the noise. `pairs`: reciprocal pairs; pass an empty list if a cause makes the pairs differ.
+// Rows beyond 80 degrees are omitted from the agreements, since errors of an angle grow there.
 Scatter scatter_of(const View& view, io::Noise neighbours, const std::vector<Pair>& pairs, bool is_isotropic);
 
 }  // namespace brdf::sheet

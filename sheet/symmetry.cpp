@@ -1,4 +1,4 @@
-// What exchanging light and viewer, and turning the sample, leaves as it was.
+// Checks the symmetries of the values: exchange of light and viewer, and rotation of the sample.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,7 +17,7 @@ std::string factor(double logarithm) {
   return io::short_number(std::exp(logarithm), 3);
 }
 
-// "mirrored rows differ by 3.8 % (212 pairs)".
+// Returns "the mirrored rows scatter by 3.8 % (212 pairs)".
 std::string in_words(const Agreement& a) {
   return "the " + std::string(a.rows) + " rows scatter by " + io::percent_to_tenths(a.value) + " (" +
          plural(a.count, "pair") + ")";
@@ -26,7 +26,7 @@ std::string in_words(const Agreement& a) {
 }  // namespace
 
 double Turns::noise_of_median() const {
-  return 0.954 * scatter.value_or(kUnknownScatter);  // of the difference of two normal numbers
+  return 0.954 * scatter.value_or(kUnknownScatter);  // the median absolute difference of two normal variables
 }
 
 double Turns::noise_of_far() const {
@@ -34,7 +34,7 @@ double Turns::noise_of_far() const {
 }
 
 bool Turns::is_anisotropic() const {
-  constexpr double kBeyondNoise = 2, kSmooth = 0.05;  // what an instrument's repeatability adds
+  constexpr double kBeyondNoise = 2, kSmooth = 0.05;  // the contribution of an instrument's repeatability
   return differences >= kFewest && (median > kBeyondNoise * noise_of_median() + kSmooth ||
                                     far > kBeyondNoise * noise_of_far() + kSmooth);
 }
@@ -52,8 +52,7 @@ Turns turns_of(const View& view, std::optional<double> scatter) {
     for (const Row k : scan.rows)
       if (scan.theta_i > 0)
         same[{key(t.theta_i[k]), key(t.theta_o[k]), key(view.turn(k))}].push_back(k);
-      else if (t.theta_o[k] >
-               0)  // under light along the normal each azimuth of the viewer is a turn of the sample
+      else if (t.theta_o[k] > 0)  // light along the normal: each azimuth of the viewer is a rotation
         same[{0, key(t.theta_o[k]), 0}].push_back(k);
   std::vector<double> differences;
   for (const auto& [place, rows] : same)

@@ -1,4 +1,4 @@
-// Values that are no f_r: saturated, uncalibrated, or another quantity.
+// Finds values that are not f_r: saturated, uncalibrated, or another quantity.
 #include <algorithm>
 #include <cmath>
 
@@ -9,16 +9,17 @@
 namespace brdf::sheet {
 namespace {
 
-// The half vector's angle from the normal in twentieths of a degree. All directions of one are alike to forms
-// that know nothing else, as to the mirror direction of a highlight.
+// Returns the angle between the half vector and the normal, in units of 1/20 degree. Forms that depend on
+// this angle alone have equal values for all directions with the same angle. For example, all mirror
+// directions have the angle 0.
 long half_angle(const io::SampleTable& t, std::size_t k) {
   const Vec3<double> h =
       io::unit_vector(t.theta_i[k], t.phi_i[k]) + io::unit_vector(t.theta_o[k], t.phi_o[k]);
   return std::lround(20 * radians(std::atan2(std::hypot(h.x, h.y), h.z)).degrees());
 }
 
-// Rows that hold the largest of some values, all of them, where they are too many for chance; else none.
-// `scatter`: relative, 0 where it is not known. Values that scatter are never equal; exact ones are, where
+// Returns all rows that hold the largest of the values if they are too many for chance; otherwise an empty
+// list. `scatter`: relative noise, 0 if unknown. Noisy values are never equal; exact values are equal if
 // their half vectors are.
 std::vector<Row> at_ceiling(const io::SampleTable& t, const std::vector<Row>& rows,
                             const std::vector<double>& values, double scatter) {
@@ -50,8 +51,8 @@ std::vector<Row> at_ceiling(const io::SampleTable& t, const std::vector<Row>& ro
   return enough && top.size() > 3 * longest && top.size() < rows.size() ? top : std::vector<Row>{};
 }
 
-// The largest reflected fraction that the samples prove, the likeliest one of a covered hemisphere, and what
-// the plane of incidence would reflect if it stood for all azimuths.
+// The largest reflected fraction that the samples prove, the likeliest fraction of a covered hemisphere,
+// and the fraction that the plane of incidence would reflect if all azimuths were like it.
 struct Reflected {
   double least = 0, likely = 0;
   bool is_covered = false;
@@ -88,12 +89,13 @@ Range range_of(const io::SampleTable& t) {
 }
 
 constexpr std::string_view kUncalibrated = " (no f_r in 1/sr; `brdf fit --free-scale` fits the shape alone)";
-// The largest fraction that a surface reflects, with a margin; pi times it as a reflectance factor, and 100
-// pi in percent.
+// The largest fraction that a surface reflects, with a margin. As a reflectance factor the limit is pi
+// times this, and 100 pi times in percent.
 constexpr double kWhite = 1.1;
 
-// What values of this scale are, by the fraction of the light that they would reflect as f_r; empty where
-// they may be f_r. A percentage of a black sample and the factor of a bright one have one scale.
+// Returns the name of the quantity that values of this scale are, from the fraction of the light that they
+// would reflect as f_r; empty if they may be f_r. A percentage of a black sample and the factor of a bright
+// one have the same scale.
 std::string scale_named(double fraction) {
   const auto over = [&](double by) { return io::short_number(fraction / by, 3); };
   if (fraction > kWhite * 100 * kPi) return "uncalibrated, like counts";
@@ -105,7 +107,8 @@ std::string scale_named(double fraction) {
   return "";
 }
 
-// Rows in the plane of incidence say nothing of the other azimuths: they suspect, and prove nothing.
+// Judges the scale from the plane of incidence. Its rows give no information on the other azimuths: they
+// can only raise a suspicion, not prove it.
 Finding quantity_in_plane(const io::SampleTable& t, const Reflected& r) {
   constexpr double kSuspicious = 1.35;
   Finding f =
@@ -157,10 +160,10 @@ Finding saturation(const Evidence& e) {
   return saturation_of(e.view, e.neighbours.value.value_or(0));
 }
 
-// The largest reflected fraction tells the scale: 1 of a white f_r, pi of a white reflectance factor, a
-// hundred of a percentage of f_r, 100 pi of a percentage of the factor, and anything of counts. Between 1 and
-// pi the nearer one, in ratio, is meant: up to their geometric mean, and where a white surface cannot be
-// excluded, it is a matter of energy.
+// Judges the scale from the largest reflected fraction, which is 1 for a white f_r, pi for a white
+// reflectance factor, 100 for a percentage of f_r, 100 pi for a percentage of the factor, and arbitrary for
+// counts. Between 1 and pi the nearer scale, in ratio, is assumed, so that f_r extends up to their
+// geometric mean. If a white surface cannot be excluded there, the energy check decides.
 Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kDarkest = 1e-4;  // the blackest coatings reflect 2e-4
   const io::SampleTable& t = view.table();

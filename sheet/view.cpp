@@ -13,7 +13,7 @@
 namespace brdf::sheet {
 namespace {
 
-// Angles are compared in units of 1e-4 degrees, so that 10.0 and 9.9999999 are one.
+// Angles are compared in units of 1e-4 degrees, so that 10.0 and 9.9999999 are equal.
 std::int64_t same(double angle) {
   return std::llround(angle * 1e4);
 }
@@ -40,10 +40,11 @@ io::SampleTable only(const io::SampleTable& t, const std::vector<Row>& rows) {
   return out;
 }
 
-// The rows of each light, by its angles, in the file's order; empty where there are more than `most` lights.
+// Returns the rows of each light, by its angles, in the order of the file; empty if there are more than
+// `most` lights.
 std::vector<std::vector<Row>> rows_of_lights(const io::SampleTable& t, std::size_t most) {
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<Row>> lights;
-  std::vector<Row>* last = nullptr;  // rows of one light stand together in most files
+  std::vector<Row>* last = nullptr;  // in most files the rows of one light are consecutive
   Row of_last = 0;
   for (Row k = 0; k < t.rows(); ++k) {
     if (!last || t.theta_i[k] != t.theta_i[of_last] || t.phi_i[k] != t.phi_i[of_last])
@@ -56,8 +57,8 @@ std::vector<std::vector<Row>> rows_of_lights(const io::SampleTable& t, std::size
   return out;
 }
 
-// Of each of these rows, how many rows of the same direction stand before it. Along the normal every azimuth
-// is one direction, which some grids repeat: that is no second pass.
+// Returns for each of these rows the number of earlier rows with the same direction. Along the normal all
+// azimuths are one direction, which some grids repeat; this is not a second pass.
 std::vector<std::size_t> passes_of(const io::SampleTable& t, const std::vector<Row>& rows) {
   std::vector<std::tuple<std::int64_t, std::int64_t, std::size_t>> order;
   for (std::size_t j = 0; j < rows.size(); ++j) {
@@ -76,7 +77,7 @@ std::vector<std::size_t> passes_of(const io::SampleTable& t, const std::vector<R
 
 }  // namespace
 
-// The directions of a scan's viewers, as nanoflann asks for them.
+// The directions of a scan's viewers, with the interface that nanoflann requires.
 class View::Directions {
  public:
   Directions(const io::SampleTable& t, const std::vector<Row>& rows) : index_(3, *this) {
@@ -95,7 +96,7 @@ class View::Directions {
   bool kdtree_get_bbox(Box&) const {
     return false;
   }
-  // The `count` nearest, the place itself among them; returns how many there are.
+  // Finds the `count` nearest places, including the place itself; returns their number.
   std::size_t nearest(std::size_t place, std::size_t count, std::uint32_t* found) const {
     const std::array<double, 3> at{places_[place].x, places_[place].y, places_[place].z};
     std::array<double, View::kNeighbours + 1> squared;
@@ -114,7 +115,7 @@ View::View(const io::SampleTable& read, const std::vector<bool>& keep) : read_(r
     for (std::size_t k = 0; k < read.rows(); ++k)
       if (keep[k]) origin_.push_back(Row(k));
     kept_ = only(read, origin_);
-    if (origin_.empty()) origin_.push_back(0);  // of an empty table no row is asked for
+    if (origin_.empty()) origin_.push_back(0);  // no row of an empty table is requested
   }
   const io::SampleTable& t = table();
   turns_.resize(t.rows());

@@ -16,8 +16,8 @@ using io::JsonPlace;
 constexpr std::string_view kFormat = "brdf-proof";
 constexpr int kVersion = 2;
 
-// Of the bytes as they stand, without the seal's own digits: a digit that changes no number is one that was
-// changed.
+// Returns the seal of the exact bytes, without the digits of the seal itself. Even a digit that changes no
+// number counts as a change.
 std::string seal_of(std::string_view text, std::string_view seal) {
   const std::size_t at = text.find("\"seal\""), from = at == text.npos ? at : text.find(seal, at);
   if (from == text.npos) return "";
@@ -27,13 +27,13 @@ std::string seal_of(std::string_view text, std::string_view seal) {
   return io::sha256(rest);
 }
 
-// The first version's: a checksum from the results on.
+// Returns the seal of version 1: a checksum from the results on.
 std::string seal_of_first(std::string_view text) {
   const std::size_t from = text.find("\"results\""), last = text.find_last_not_of(" \t\r\n");
   return from == text.npos ? "" : io::fingerprint({text.substr(from, last + 1 - from)});
 }
 
-// The first version had no materials, and called what holds in any precision "double".
+// Version 1 had no materials, and called the scalar of a property that holds in any precision "double".
 void bring_up_to_date(Json& certificate) {
   certificate["materials"] = Json::array();
   for (Json& row : certificate["results"]) {
@@ -45,7 +45,7 @@ void bring_up_to_date(Json& certificate) {
   }
 }
 
-// Whether it is of the first version.
+// Returns whether the certificate has version 1.
 bool check_header(const JsonPlace& root) {
   if (!root.value().is_object()) root.fail("must be an object");
   if (root.at("format").text() != kFormat) root.at("format").fail("must be " + std::string(kFormat));

@@ -10,13 +10,14 @@
 namespace brdf::prove {
 namespace {
 
-// A value as double has it and, for claims of float, as float rounds it.
+// Returns a value in double and, for claims about float, the value rounded to float.
 Bounds as_stored(double x, Precision precision) {
   const double rounded = precision == Precision::float_type ? double(float(x)) : x;
   return {std::min(x, rounded), std::max(x, rounded)};
 }
 
-// Whether the form mixes channels: the first channel's weights are variables of its own, then.
+// Returns whether the form mixes channels. In that case the weights of the first channel are additional
+// variables.
 bool takes_first(const Channel& c) {
   return domain_of(catalogue_index(c.term.form)).variables.size() ==
          c.shape().size() + 2 * c.weights().size() + 4;

@@ -1,4 +1,4 @@
-// Covers as certificates hold them, walked and enclosed again.
+// Walks the covers of certificates and encloses their leaves again.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,9 @@
 
 namespace brdf::prove {
 
-// What is walked: the cover at `cover`, a tree over `domain`. `enclose` gives the bounds on a box, of a leaf
-// whose row is `leaf`; none: the row says of them what cannot be. `settles` says whether bounds suffice.
+// The input of a walk: the cover at `cover`, a tree over `domain`. `enclose` returns the bounds on a box
+// for a leaf with the row `leaf`, or std::nullopt if the row is impossible. `settles` returns whether
+// bounds suffice.
 struct WalkedCover {
   const Domain& domain;
   const io::JsonPlace& cover;
@@ -26,10 +27,11 @@ struct Walked {
   std::string fault;  // empty: the leaves hold, and cover the domain
 };
 
-// Every leaf's box follows from the cuts above it, so that nothing is left out. Adds to `leaves`.
+// Walks the cover. The box of every leaf follows from the cuts above the leaf, so that no part of the
+// domain is left out. Adds the number of leaves to `leaves`.
 Walked walk(const WalkedCover& what, long& leaves);
 
-// Whether the domain that is stated is this one; empty: it is.
+// Returns the difference of the domain in the row from this domain; empty if they are equal.
 std::string other_domain(const Domain& domain, const io::JsonPlace& row);
 
 }  // namespace brdf::prove

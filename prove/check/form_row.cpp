@@ -1,4 +1,4 @@
-// Rows about forms over their whole domain.
+// Checks rows about forms over their whole domain.
 #include <algorithm>
 
 #include "brdf/integrals.h"
@@ -32,7 +32,7 @@ int catalogue_place(const JsonPlace& place) {
   return index;
 }
 
-// The rows that a cover has; low and high are those of its leaves.
+// Checks a row with a cover; low and high must agree with the leaves.
 std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
   const auto domain = domain_of(claim);
   if (!domain) return "is not shown by boxes";
@@ -47,7 +47,7 @@ std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
   return walked.range.lo == low && walked.range.hi == high ? "" : "low and high are not those of the leaves";
 }
 
-// Of the growth of an albedo: `high` over all widths and cosines by the cover, `low` at one width.
+// Checks the growth of an albedo: `high` over all widths and cosines by the cover, `low` at one width.
 void check_growth(CheckedResult& r, int form, const JsonPlace& row, long& leaves) {
   row.allow_keys({"form", "property", "scalar", "arithmetic", "low", "high", "width", "domain", "cover"});
   const GrowthMethod* method = growth_method(form);
@@ -89,8 +89,8 @@ void check_reciprocity(CheckedResult& r, const Claim& claim, const JsonPlace& ro
                      : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
 }
 
-// A violation that the form declares, measured again where the witness says. Empty: nothing violates the
-// property there.
+// Measures a violation that the form declares again, at the angles of the witness. Returns an empty text if
+// the property is not violated there.
 std::string violation_at(const Claim& claim, const JsonPlace& witness) {
   const Reflectance& form = catalogue()[std::size_t(claim.form)];
   const auto declared = form.info().violations;

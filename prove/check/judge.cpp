@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kVerdicts{Verdict::proved, Verdict::bounded, Verdict::refuted};
 
-// A form, or a channel of a material (none: all of them).
+// A form, or a channel of a material (empty: all channels).
 struct Subject {
   std::string name, channel;
   bool operator==(const Subject&) const = default;
@@ -36,7 +36,7 @@ void add_channels(std::vector<Subject>& subjects, const NamedMaterial& m) {
   for (const std::string& channel : m.material.channels) add(subjects, {m.file, channel});
 }
 
-// All that the certificate is about: materials also where no row is of them.
+// Returns all subjects of the certificate, including materials without rows.
 std::vector<Subject> subjects_in(const Checked& checked) {
   std::vector<Subject> subjects;
   for (const NamedMaterial& m : checked.materials) add_channels(subjects, m);
@@ -78,7 +78,7 @@ void require(const Subject& s, Property property, Judged& judged) {
     for (const CheckedResult& r : judged.checked.results)
       if (its(r))
         fault = r.fault.empty() ? std::string(name_of(r.verdict)) + ", not proved: " + r.statement : r.fault;
-    // One proof is enough, unless another row refutes it.
+    // One proof is enough, unless another row refutes the property.
     const auto is = [&](Verdict v) {
       return [&, v](const CheckedResult& r) { return its(r) && r.fault.empty() && r.verdict == v; };
     };
@@ -95,7 +95,7 @@ long count(const Judged& judged, Verdict verdict) {
   });
 }
 
-// Nothing but what is asked about is listed, or decides.
+// Removes all other results, so that they are neither listed nor decisive.
 void keep_asked(std::vector<CheckedResult>& results, const std::vector<Subject>& subjects,
                 const Asked& asked) {
   std::erase_if(results, [&](const CheckedResult& r) {

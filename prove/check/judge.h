@@ -1,4 +1,5 @@
-// What is asked of a certificate, and whether it shows that: shared by `brdf prove --check` and brdf_check.
+// Compares a certificate with the properties that a user requires: shared by `brdf prove --check` and
+// brdf_check.
 #pragma once
 
 #include <ostream>
@@ -11,27 +12,33 @@
 namespace brdf::prove {
 
 struct Asked {
-  std::vector<Property>
-      required;  // each must be there and proved, of every form and channel that is asked about
-  std::vector<Property> properties;  // the same, and of no others is anything said; empty: of all
-  std::vector<std::string>
-      forms;  // that are asked about; with `materials` empty: all that are in the certificate
-  std::vector<NamedMaterial> materials;  // as they are read from their own files
+  // Properties that must be present and proved, for every form and channel requested.
+  std::vector<Property> required;
+  // Properties that are also required. Results of properties in neither list are omitted. Empty: all
+  // properties.
+  std::vector<Property> properties;
+  // The forms requested. If `materials` is empty too: all subjects of the certificate.
+  std::vector<std::string> forms;
+  std::vector<NamedMaterial> materials;  // as read from their own files
 };
 
-// Properties by their names. Throws InputError that begins with `option`.
+// Returns the properties with these names. Throws InputError with a message that begins with `option`.
 std::vector<Property> properties_named(const std::string& option, const std::vector<std::string>& names);
 
 struct Judged {
-  Checked checked;                    // its results are those that are asked about
-  std::vector<std::string> short_of;  // what is asked for and is not shown, one sentence each
-  bool good = false;                  // every row holds and is a proof, and all that is asked for is there
+  Checked checked;  // only the results requested
+  // One sentence for each requirement that is not shown.
+  std::vector<std::string> short_of;
+  // Whether every row holds and is a proof, and everything required is present.
+  bool good = false;
 };
 
+// Checks the certificate and compares its results with the requirements.
 Judged judge(const io::Content& certificate, const Asked& asked);
 
+// Prints the results, the faults and the requirements that are not shown.
 void print(std::ostream& out, const Judged& judged);
-// The member `checked` of docs/prove.schema.json.
+// Returns the member `checked` of docs/prove.schema.json.
 io::Json to_json(const Judged& judged);
 
 }  // namespace brdf::prove

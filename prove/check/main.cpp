@@ -1,4 +1,5 @@
-// brdf_check CERTIFICATE: the check of `brdf prove --check` as a program of its own, which holds no search.
+// brdf_check CERTIFICATE: the check of `brdf prove --check` as a separate program, which contains no
+// search.
 #include <cstring>
 #include <iostream>
 #include <optional>
@@ -45,7 +46,7 @@ void add_names(std::vector<std::string>& names, std::string_view text) {
   names.insert(names.end(), fields.begin(), fields.end());
 }
 
-// Nothing where these are no words of the program.
+// Returns std::nullopt if the words are not valid for this program.
 std::optional<Words> read(int argc, char** argv) {
   Words words;
   for (int k = 1; k < argc; ++k) {

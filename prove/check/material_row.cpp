@@ -1,4 +1,4 @@
-// Rows about materials, each channel at its own parameters.
+// Checks rows about materials, each channel at its own parameters.
 #include <algorithm>
 
 #include "io/files/numbers.h"
@@ -40,7 +40,7 @@ void check_both_orders(CheckedResult& r, const Material& material, const JsonPla
   r.statement = "f(wi, wo) and f(wo, wi) are the same of every term";
 }
 
-// One term's cover at the channel's parameters; adds to `high`.
+// Checks the cover of one term at the channel's parameters; adds its upper end to `sum`.
 std::string term_covers(const Claim& claim, const Channel& c, const JsonPlace& term, double& sum,
                         long& leaves) {
   term.allow_keys({"low", "high", "domain", "cover"});
@@ -82,7 +82,7 @@ void check_terms(CheckedResult& r, const Channels& channels, const JsonPlace& ro
           : std::string(statement_of(claim.property));
 }
 
-// The cover of the largest albedo, and that `low` is reached.
+// Checks the cover of the largest albedo, and that `low` is reached.
 std::string albedo_covers(const SumOfAlbedos& albedo, const JsonPlace& row, long& leaves) {
   const Domain domain = albedo.domain();
   if (std::string fault = other_domain(domain, row); !fault.empty()) return fault;

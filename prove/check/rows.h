@@ -1,4 +1,4 @@
-// One row of a certificate, checked.
+// The check of one row of a certificate.
 #pragma once
 
 #include <span>
@@ -7,14 +7,14 @@
 
 namespace brdf::prove {
 
-// Throws InputError where the row is of no such kind; what does not hold is the result's fault. Adds to
-// `leaves`.
+// Checks the row of a form, or of a material. Throws InputError if the row is not of this kind. A statement
+// that does not hold becomes the fault of the result. Adds the number of leaves to `leaves`.
 CheckedResult check_form_row(const io::JsonPlace& row, long& leaves);
 CheckedResult check_material_row(const io::JsonPlace& row, std::span<const NamedMaterial> materials,
                                  long& leaves);
 
-// The claim that a row makes of the form at this place of the catalogue; its words for the scalar and the
-// numbers must be those of such a proof, else `fault` says so.
+// Returns the claim that a row makes about the form at this index of the catalogue. A proof of that claim
+// has a certain scalar and arithmetic; other_words() returns the fault if the row states others.
 Claim claim_of_row(const io::JsonPlace& row, int form);
 std::string other_words(const io::JsonPlace& row, const Claim& claim, std::string_view arithmetic);
 

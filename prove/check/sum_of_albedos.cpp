@@ -17,12 +17,12 @@ std::vector<Bounds> points(std::span<const double> values) {
   return found;
 }
 
-// A ratio of widths, which is rounded.
+// Encloses a ratio of widths, which is rounded.
 I exactly(double ratio) {
   return I::widened(ratio, ratio, 4);
 }
 
-// Turns are t/(1 + t) of tangents t: of one that is multiplied.
+// Returns the turn after its tangent is multiplied by `by`. A turn is t/(1 + t) of the tangent t.
 I stretched(double turn, double by) {
   if (turn == 0) return I();
   const I along = exactly(by) * I::of(turn, turn);
@@ -32,7 +32,7 @@ Bounds stretched(Bounds turn, double least, double most) {
   return {std::max(stretched(turn.lo, least).lo, 0.0), std::min(stretched(turn.hi, most).hi, 1.0)};
 }
 
-// Views as facets see them that are `by` times as wide.
+// Returns the views as seen by facets that are `by` times as wide.
 Views stretched(const Views& views, const std::array<double, 2>& by) {
   if (by[0] == by[1]) return {by[0] == 1 ? views.turn : stretched(views.turn, by[0], by[0]), views.azimuth};
   I cosine, sine;

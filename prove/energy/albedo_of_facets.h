@@ -1,4 +1,4 @@
-// A form's facets with its Fresnel term: the albedo of its lobes at given parameters.
+// The albedo of a form's lobes at given parameters, from its facets and its Fresnel term.
 #pragma once
 
 #include <array>
@@ -24,13 +24,14 @@ inline constexpr bool kMetal = requires(typename F::template Shape<double> s) {
   s.k;
 } && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>>;
 
+// Returns the weights of the lobes of a form.
 template <class F>
 auto lobe_weights(std::span<const Bounds> weights) {
   std::size_t at = 0;
   return parameters_from<typename F::template Weights<Exactly>, Exactly>(weights, at).linear();
 }
 
-// What facets reflect with these weights, a function of cos_d.
+// Returns the reflectance of facets with these weights, as a function of cos_d.
 template <class F>
 auto reflectance_of(const typename F::template Shape<Exactly>& s, const auto& w) {
   if constexpr (kSchlick<F>)
@@ -43,7 +44,7 @@ auto reflectance_of(const typename F::template Shape<Exactly>& s, const auto& w)
     return [w](const auto&) { return w[1]; };
 }
 
-// The lobes' weights times their albedos: 1 of the diffuse one.
+// Returns the sum of the lobes' weights times their albedos. The albedo of the diffuse lobe is 1.
 template <class F, class LitFrom>
 std::optional<AlbedoBounds> albedo_with(const typename F::template Shape<Exactly>& s, const Exactly& along2,
                                         const Exactly& across2, const auto& w, const LitFrom& lit_from,
@@ -61,19 +62,20 @@ std::optional<AlbedoBounds> albedo_with(const typename F::template Shape<Exactly
   return AlbedoBounds{{all.lo, all.hi}, reach};
 }
 
+// Encloses the albedo of a form with the facets of Cell.
 template <class F, template <class> class Cell>
 std::optional<AlbedoBounds> albedo_of_facets(std::span<const Bounds> shape, std::span<const Bounds> weights,
                                              const Views& views, double accuracy) {
   std::size_t at = 0;
   const auto s = parameters_from<typename F::template Shape<Exactly>, Exactly>(shape, at);
   const auto w = lobe_weights<F>(weights);
-  Exactly most = w[1];  // F G2/G1 beside the density of visible normals, see majorants.h
+  Exactly most = w[1];  // multiplies F G2/G1 and the density of visible normals, see majorants.h
   if constexpr (kSchlick<F>) most = most + w[2];
   const auto cells = []<class W>(const W&) { return [](const FacetView& view) { return Cell<W>(view); }; };
   return albedo_with<F>(s, square(s.alpha_x), square(s.alpha_y), w, cells, most, views, accuracy);
 }
 
-// Of which nothing is known but the integral.
+// For Student's t facets nothing is known except the integral.
 template <class F>
 std::optional<AlbedoBounds> albedo_of_student(std::span<const Bounds> shape, std::span<const Bounds> weights,
                                               const Views& views, double accuracy) {
@@ -87,6 +89,7 @@ std::optional<AlbedoBounds> albedo_of_student(std::span<const Bounds> shape, std
                         cells, most, views, accuracy);
 }
 
+// Returns the factors of the view's tangents (EnergyMethod::stretch).
 template <class F>
 std::array<double, 2> stretch_of(std::span<const Bounds> shape) {
   std::size_t at = 0;
@@ -94,6 +97,7 @@ std::array<double, 2> stretch_of(std::span<const Bounds> shape) {
   return {s.alpha_x.lo, s.alpha_y.lo};
 }
 
+// Returns the same factors for Student's t facets.
 template <class F>
 std::array<double, 2> stretch_of_student(std::span<const Bounds> shape) {
   std::size_t at = 0;

@@ -120,7 +120,7 @@ std::optional<EnergyMethod> student(F form) {
   return m;
 }
 
-// A diffuse term and one lobe about a direction.
+// A form with a diffuse term and one lobe about a direction.
 template <class F>
 concept CosineForm =
     LinearForm<F> && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>> &&
@@ -132,7 +132,7 @@ Bounds enclose_cosine_lobe(std::span<const Bounds>) {
   return {r.lo, r.hi};
 }
 
-// Known in closed form, so but for the range of turns.
+// An albedo in closed form: its whole width is due to the range of turns.
 AlbedoBounds of_turns(const I& albedo) {
   return {{albedo.lo, albedo.hi}, {albedo.hi - albedo.lo, 0}};
 }
@@ -158,7 +158,7 @@ std::optional<EnergyMethod> cosine_lobe(F form, const char* why) {
   return EnergyMethod{why, {}, enclose_cosine_lobe<Lobe>, albedo_of_cosine_lobe<F, Lobe>};
 }
 
-// pi f of a constant f.
+// Returns pi f of a constant f.
 Bounds enclose_constant(std::span<const Bounds>) {
   const I r = I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi);
   return {r.lo, r.hi};
@@ -186,7 +186,7 @@ std::optional<AlbedoBounds> albedo_of_one_lobe(std::span<const Bounds> shape, st
   return of_turns(all);
 }
 
-// rho, r and the turn.
+// Bounds the albedo of the energy-preserving diffuse form. The box has rho, r and the turn.
 Bounds enclose_given_back(std::span<const Bounds> box) {
   I cosine, sine;
   circle(box[2], cosine, sine);
@@ -204,7 +204,7 @@ bool gives_back(F form) {
   });
 }
 
-// 1/s and the tilt, which stands for u: see ward_bounded_mean.
+// Bounds the mean of ward_bounded. The box has 1/s and the tilt, which represents u: see ward_bounded_mean.
 Bounds enclose_ward_bounded(std::span<const Bounds> box) {
   const I tilt = I::of(box[1].lo, box[1].hi);
   const I beyond = at_least(smaller(I(2) - tilt, I(1)), I());

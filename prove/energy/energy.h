@@ -1,4 +1,4 @@
-// Forms whose energy is bounded by an authored reason.
+// Forms with a bound of their energy that rests on an authored reason.
 #pragma once
 
 #include <array>
@@ -9,29 +9,30 @@
 
 namespace brdf::prove {
 
-// Of weights with kd + ks <= 1, or a diffuse weight of at most 1; exact but for the rounding of the
-// constants.
+// The reason and the functions that bound the albedo for weights with kd + ks <= 1, or for a diffuse weight
+// of at most 1. Exact, except for the rounding of the constants.
 struct EnergyMethod {
   std::string why;
   Domain domain;
-  Bounds (*enclose)(std::span<const Bounds> box) =
-      nullptr;  // of the albedo's bound; null: none over all parameters
-  // The directional albedo itself, of parameters in their tables' order and these views (facets: stretched
-  // ones, facet_albedo.h); exact. None where it is not known. `accuracy`: where an integral that has it in
-  // fewer cells may stop.
+  // Bounds the albedo; null if there is no bound over all parameters.
+  Bounds (*enclose)(std::span<const Bounds> box) = nullptr;
+  // Encloses the directional albedo itself. The parameters are in the order of their tables, the views as
+  // given (for facets: stretched views, facet_albedo.h). The bounds are exact. Returns std::nullopt if the
+  // albedo is unknown. `accuracy`: an integral that reaches this accuracy with fewer cells may stop.
   std::optional<AlbedoBounds> (*albedo)(std::span<const Bounds> shape, std::span<const Bounds> weights,
                                         const Views& views, double accuracy) = nullptr;
-  // What the view's two tangents are multiplied by before its turns are taken; null: 1.
+  // The factors of the view's two tangents, applied before the turns of the view are taken; null:
+  // both are 1.
   std::array<double, 2> (*stretch)(std::span<const Bounds> shape) = nullptr;
 };
 
-// 1/pi rounded, times pi: what is at most 1 of exact constants.
+// The excess over 1 of a bound that is 1 with exact constants: the rounded 1/pi is multiplied by pi.
 inline constexpr double kRoundedConstants = 1e-15;
 
-// The one that the form's recorded formula is of; null for others and where it has no bound over all
-// parameters.
+// Returns the method that belongs to the recorded formula of the form; null for other forms, and for forms
+// without a bound over all parameters.
 const EnergyMethod* energy_method(int form);
-// The same where the albedo at given parameters is known.
+// Returns the method if the albedo at given parameters is known; else null.
 const EnergyMethod* albedo_method(int form);
 
 }  // namespace brdf::prove

@@ -1,16 +1,17 @@
-// The distributions and maskings whose albedos are enclosed (facet_albedo.h), and what facets reflect.
+// The slope distributions and maskings with enclosed albedos (facet_albedo.h), and the reflectance of
+// facets.
 #pragma once
 
 #include "prove/energy/facet_albedo.h"
 
 namespace brdf::prove {
 
-// The masked weight of a cell's normals beside F and the measure, 0 <= it; nothing where it is not smooth
-// there.
+// The masked weight of a cell's normals without F and the measure; the weight is at least 0. smooth()
+// returns std::nullopt if the weight is not smooth in the cell.
 template <class W>
 struct GgxSmithCell : EvenSteps {
   using Slopes = typename W::Slopes;
-  static Exactly scale() { return Exactly(2); }  // of 1/pi
+  static Exactly scale() { return Exactly(2); }  // times 1/pi
   explicit GgxSmithCell(const FacetView&) {}
 
   std::optional<Slopes> smooth(const FacetCell<W, Slopes>& n) const {
@@ -35,14 +36,14 @@ struct BeckmannDensity : EvenSteps {
     if (z.lo <= 0.70711 && z.hi >= 0.70710) w = hull(w, Exactly::of(1.4715, 1.4716));
     return w;
   }
-  // Of z above .05.
+  // For z above 0.05.
   template <int N>
   static Dual<Exactly, N> density(const Dual<Exactly, N>& z) {
     return {density(z.a), z.v * slope(z.a)};
   }
 
  private:
-  // Increasing to z^2 = 1/2, where it is 4/e, then decreasing.
+  // Increasing up to z^2 = 1/2, where the density is 4/e, then decreasing.
   static Exactly density_at(double z) {
     if (z <= 0.04) return Exactly::of(0, 1e-200);  // e^-624 * 390625 is less
     const Exactly z2 = square(Exactly::of(z, z));
@@ -54,11 +55,12 @@ struct BeckmannDensity : EvenSteps {
   }
 };
 
-// Beckmann's normals whose mirrored directions are lit for certain, where all is smooth.
+// Returns whether the mirrored directions of Beckmann's normals are certainly lit and all terms are smooth.
 template <class W>
 bool smoothly_lit(const FacetCell<W, typename W::Slopes>& n) {
   return n.rho.a.lo > 1e-9 && n.up.a.lo > 0.05;
 }
+// Encloses x/y.
 inline Exactly quotient_at(double x, double y) {
   return Exactly::of(x, x) / Exactly::of(y, y);
 }
@@ -94,22 +96,22 @@ struct BeckmannCavityCell : BeckmannDensity {
   }
 };
 
-// H and its slopes by x, -erfc(a)/2, and by y, e^(-a^2)/(2 sqrt(pi)), for x, y >= 0 and a = x/y; all decrease
-// in a.
+// H and its slopes by x, -erfc(a)/2, and by y, e^(-a^2)/(2 sqrt(pi)), for x, y >= 0 and a = x/y. All three
+// terms decrease in a.
 class BeckmannMasking {
  public:
   BeckmannMasking(const Exactly& x, const Exactly& y)
       : x_(x), y_(y), most_(tail(x.lo, y.hi)), least_(tail(x.hi, y.lo)) {}
   static Exactly value_at(double x, double y) { return value_at(x, y, tail(x, y)); }
   Exactly value() const { return hull(value_at(x_.hi, y_.lo, least_), value_at(x_.lo, y_.hi, most_)); }
-  // x + H: the area of the surface as it is seen, increasing in both.
+  // Returns x + H, the visible area of the surface, which increases in both x and y.
   Exactly area() const {
     const auto at = [](double x, double y) { return Exactly::of(x, x) + value_at(x, y); };
     return hull(at(x_.lo, y_.lo), at(x_.hi, y_.hi));
   }
   Exactly by_x() const { return hull(least_.erfc, most_.erfc) * Exactly(-0.5); }
   Exactly by_y() const { return hull(least_.gauss, most_.gauss) * half_over_root_pi(); }
-  // By y^2, which may be 0: e^(-x^2/y^2)/y increases while y^2 is below 2 x^2.
+  // Returns the slope by y^2. y may be 0: e^(-x^2/y^2)/y increases while y^2 is below 2 x^2.
   Exactly by_y2() const {
     const Exactly half = Exactly(0.5) * half_over_root_pi();
     if (y_.lo > 1e-9) return half * hull(least_.gauss, most_.gauss) / y_;
@@ -202,7 +204,8 @@ struct WardBoundedCell : BeckmannDensity {
   }
 };
 
-// F of a dielectric of relative index eta >= 1, of exact terms as fresnel_dielectric has them; eta = 1: 0.
+// Returns F of a dielectric of relative index eta >= 1, with the exact terms of fresnel_dielectric. For eta
+// = 1 returns 0.
 template <class T>
 T dielectric_at(double eta, const T& c) {
   const Exactly step = (Exactly(eta) - Exactly(1)) * (Exactly(eta) + Exactly(1));
@@ -210,6 +213,7 @@ T dielectric_at(double eta, const T& c) {
   const T p = (c * sum - Exactly(1)) / (c * difference + Exactly(1));
   return square(s) * (square(p) + Exactly(1)) * Exactly(0.5);
 }
+// Return the value of a number, without its slopes.
 inline const Exactly& value_of(const Exactly& x) {
   return x;
 }
@@ -218,14 +222,14 @@ const Exactly& value_of(const Dual<Exactly, N>& x) {
   return x.a;
 }
 
-// F of a conductor of index n + i k, n and k > 0, as fresnel_conductor has it.
+// Returns F of a conductor of index n + i k, n and k > 0, with the terms of fresnel_conductor.
 template <class T>
 T conductor_at(double n, double k, const T& c) {
   const Exactly nk = Exactly(n) * Exactly(k),
                 excess = (Exactly(n) - Exactly(1)) * (Exactly(n) + Exactly(1)) - square(Exactly(k));
   const T re = square(c) + excess;
   const Exactly& real = value_of(re);
-  const bool metal = real.lo + real.hi < 0;  // both ways are right, one cancels less
+  const bool metal = real.lo + real.hi < 0;  // both formulas are right; one cancels less
   const T length = math::sqrt(square(re) + Exactly(4) * square(nk));
   const T big = math::sqrt((metal ? length - re : length + re) * Exactly(0.5)), small = nk / big;
   const T a = metal ? small : big, b = metal ? big : small;
@@ -234,7 +238,7 @@ T conductor_at(double n, double k, const T& c) {
   const T p = s * ((square(a * c - sin2) + square(b * c)) / (square(a * c + sin2) + square(b * c)));
   return (s + p) * Exactly(0.5);
 }
-// (1 - c)^5
+// Returns (1 - c)^5.
 template <class T>
 T schlick_at(const T& c) {
   const T x = Exactly(1) - c;

@@ -11,10 +11,10 @@ namespace {
 
 using I = Interval<double>;
 
-// The mean over p = a X of e^(-X^2)/sqrt(pi), in cells of X.
+// The mean over slopes p = a X with the density e^(-X^2)/sqrt(pi), in cells of X.
 constexpr int kCells = 1536;
-constexpr double kReach = 6, kStep = 2 * kReach / kCells,
-                 kBeyond = 1e-15;  // erfc(6) is 2e-17; what is averaged is at most sqrt(2)
+// erfc(6) is 2e-17, and the averaged function is at most sqrt(2).
+constexpr double kReach = 6, kStep = 2 * kReach / kCells, kBeyond = 1e-15;
 
 struct Cell {
   I x, weight;
@@ -25,7 +25,7 @@ const std::array<Cell, kCells>& cells() {
     std::array<Cell, kCells> made;
     for (int k = 0; k < kCells; ++k) {
       const double low = -kReach + k * kStep, high = -kReach + (k + 1) * kStep, middle = (low + high) / 2;
-      // The midpoint rule: the density's second derivative is at most 2.
+      // The midpoint rule: the second derivative of the density is at most 2.
       const Bounds at = exp_at(-middle * middle);
       const I density = I::widened(at.lo - kStep * kStep / 12, at.hi + kStep * kStep / 12, 16);
       made[std::size_t(k)] = {I::of(low, high), I(kStep) * at_least(density, I()) * over_root_pi};
@@ -40,7 +40,7 @@ I sine_of(const I& cosine) {
                     std::sqrt((1 - cosine.lo) * (1 + cosine.lo)), 4);
 }
 
-// cos^power times what a slope p reflects, `across` the slope across squared.
+// Returns cos^power times the reflection of a slope p; `across` is the squared slope across.
 template <WardKind kind>
 I reflected(const I& p, const I& across, const I& cosine, const I& sine) {
   const I a = at_least(cosine + sine * p, I());
@@ -60,12 +60,12 @@ Bounds mean(std::span<const Bounds> box, const I& across, double beyond) {
   return {std::max(sum.lo - beyond, 0.0), sum.hi + beyond};
 }
 
-// A slope across only takes from what is reflected: s grows with it.
+// A slope across only reduces the reflection, since s grows with the slope.
 template <WardKind kind>
 Bounds most(std::span<const Bounds> box) {
   return {0, mean<kind>(box, I(), kBeyond).hi};
 }
-// At the least width of the tables, 1e-4, all but e^-100 of the slopes across are below 1e-3.
+// At the least width of the tables, 1e-4, all slopes across except a share of e^-100 are below 1e-3.
 template <WardKind kind>
 Bounds reached(std::span<const Bounds> box) {
   return mean<kind>(box, I::of(0, 1e-6), kBeyond);

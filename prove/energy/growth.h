@@ -1,4 +1,4 @@
-// How fast an albedo that is not bounded grows towards grazing.
+// The rate at which an unbounded albedo grows towards grazing incidence.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,26 @@
 
 namespace brdf::prove {
 
-// For light from `from` degrees to 90, the largest albedo over the widths is K/cos^power; K is enclosed.
+// For light from `from` to 90 degrees, the largest albedo over the roughnesses is K/cos^power. K is
+// enclosed.
 struct GrowthMethod {
   double power, from;
-  Domain domain;  // width along the light, cosine
-  // cos^power times the largest albedo of facets of that width along the light, whatever the width across.
+  Domain domain;  // roughness along the light, cosine
+  // Bounds cos^power times the largest albedo of facets of that roughness along the light, for any
+  // roughness across.
   Bounds (*most)(std::span<const Bounds> box);
-  // The same at the least width across: that is reached.
+  // Bounds the same product at the least roughness across. The form reaches these values.
   Bounds (*reached)(std::span<const Bounds> box);
 };
 
-// What the second holds at that width for all cosines: the least of the lower ends over parts of their range,
-// and the largest.
+// The lower ends of `reached` at that width, over parts of the range of cosines: the least and the largest
+// of them. `least` holds for all cosines.
 struct Reached {
   double least, most;
 };
 Reached reached_at(const GrowthMethod& method, double width);
 
-// The one that the form's recorded formula is of; none for others.
+// Returns the method that belongs to the recorded formula of the form; null for other forms.
 const GrowthMethod* growth_method(int form);
 
 }  // namespace brdf::prove

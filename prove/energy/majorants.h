@@ -1,10 +1,11 @@
-// Why no form of these families reflects more than it receives: authored reasons, each with the formula that
-// it is of. A form is one of them if its recorded formula is (energy.cpp), so that no form is taken for
-// another.
+// Reasons why no form of these families reflects more than it receives, each with the formula that it
+// applies to. A form belongs to a family if its recorded formula is that formula (energy.cpp), so that no
+// form is mistaken for another.
 //
-// Of facets: f_specular cos_o = p(wo | wi) R, where p = D G1(wi)/(4 cos_i) is the density of visible normals,
-// mirrored, whose integral is 1 (Heitz and d'Eon 2014), and R = F G2/G1(wi). If R <= 1 everywhere, the lobe's
-// albedo is at most 1, and with kd + ks <= 1 the whole is. R is written so that no two of its terms cancel.
+// For facets: f_specular cos_o = p(wo | wi) R. Here p = D G1(wi)/(4 cos_i) is the density of visible
+// normals, mirrored, with the integral 1 (Heitz and d'Eon 2014), and R = F G2/G1(wi). If R <= 1 everywhere,
+// the albedo of the lobe is at most 1, and with kd + ks <= 1 the albedo of the whole form is. R is written
+// without terms that cancel.
 #pragma once
 
 #include "brdf/fresnel.h"
@@ -14,8 +15,8 @@
 
 namespace brdf::prove {
 
-// G2/G1(wi) = (1 + Lambda_i)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_o/(1 + Lambda_i + Lambda_o): of positive
-// numbers.
+// G2/G1(wi) = (1 + Lambda_i)/(1 + Lambda_i + Lambda_o) = 1 - Lambda_o/(1 + Lambda_i + Lambda_o), a function
+// of positive numbers.
 template <class T>
 T smith_ratio(const T& lambda_o, const T& lambda_i) {
   return at_least(T(1) - lambda_o / (T(1) + lambda_i + lambda_o), T(0));
@@ -49,7 +50,8 @@ struct BeckmannSmith {
   static S lobe(const Roughness<S>& a, const Geometry<G>& g) {
     return quotient(d_beckmann(a, g), v_smith_beckmann(a, g));
   }
-  // Exactly not negative; the library's clamp at ten widths takes e^-100 of it.
+  // In exact arithmetic this is not negative; the library's clamp at ten widths removes e^-100 of the
+  // value.
   template <class T>
   static T lambda(const Roughness<T>& a, const Vec3<T>& w) {
     return at_least(cos_lambda_beckmann(a, w), T(0)) / w.z;
@@ -60,7 +62,7 @@ struct BeckmannSmith {
   }
 };
 
-// Torrance and Sparrow's cavities mask as G1 = min(1, 2 cos_h cos/cos_d) and G2 = min(G1(wi), G1(wo)).
+// The cavities of Torrance and Sparrow mask as G1 = min(1, 2 cos_h cos/cos_d) and G2 = min(G1(wi), G1(wo)).
 struct BeckmannCavities {
   template <class W>
   using Cell = BeckmannCavityCell<W>;
@@ -76,11 +78,13 @@ struct BeckmannCavities {
   }
 };
 
-// Schlick's masking s = cos/(cos (1 - k) + k), k = (alpha + 1)^2/8, beside the distribution whose own is
-// GGX's G1: R = F s(wo) s(wi)/G1(wi). With u = 1/cos_i, 1/s - 1/G1 = (u - 1)(k - alpha^2 (u + 1)/(2 (1 +
-// sqrt(1 + alpha^2 (u^2 - 1))))), whose last fraction is at most alpha/2 (the root is at least alpha u +
-// alpha - 1), and k - alpha/2 = (1 - alpha)^2/8: so s/G1 is at most 1 - (u - 1)(1 - alpha)^2/8 s. For equal
-// widths; with others k knows too little of the wider.
+// Schlick's masking s = cos/(cos (1 - k) + k), k = (alpha + 1)^2/8, with the distribution that has the
+// masking G1 of GGX: R = F s(wo) s(wi)/G1(wi). With u = 1/cos_i,
+//   1/s - 1/G1 = (u - 1)(k - alpha^2 (u + 1)/(2 (1 + sqrt(1 + alpha^2 (u^2 - 1))))).
+// The last fraction is at most alpha/2, since the root is at least alpha u + alpha - 1. With
+//   k - alpha/2 = (1 - alpha)^2/8
+// the ratio s/G1 is at most 1 - (u - 1)(1 - alpha)^2/8 s. This holds for equal widths; for unequal widths k
+// does not depend enough on the larger one.
 struct GgxSchlick {
   static constexpr bool tied = true;
   template <class S, class G>
@@ -97,16 +101,21 @@ struct GgxSchlick {
   }
 };
 
-// F = f0 + (1 - f0) s = 1 - (1 - f0)(1 - s), s and f0 in [0, 1].
+// F = f0 + (1 - f0) s = 1 - (1 - f0)(1 - s), with s and f0 in [0, 1].
 template <class T>
 T schlick_fresnel(const T& f0, const Geometry<T>& g) {
   return at_least(T(1) - (T(1) - f0) * at_least(T(1) - schlick(g), T(0)), T(0));
 }
-// F = s^2 (1 + p^2)/2 with g = sqrt(eta^2 - 1 + c^2), s = (g - c)/(g + c) and p = (c (g + c) - 1)/(c (g - c)
-// + 1) is at most 1 for eta >= 1 and c <= 1: s = 1 - 2 c/(g + c), and p = 1 - 2 (1 - c^2)/(c (g - c) + 1) =
-// -1 + 2 c g/(c (g - c) + 1). A conductor's, of index N and w = sqrt(N^2 - 1 + c^2), Re w >= 0: |(c - w)/(c +
-// w)|^2 and |(N^2 c - w)/(N^2 c + w)|^2 are at most 1 where c Re w and c Re(N^2 conj w) are not negative, and
-// the latter is c Re w (|w|^2 + 1 - c^2).
+// The Fresnel reflectance is at most 1.
+//
+// A dielectric has F = s^2 (1 + p^2)/2 with g = sqrt(eta^2 - 1 + c^2) and
+//   s = (g - c)/(g + c),  p = (c (g + c) - 1)/(c (g - c) + 1).
+// F is at most 1 for eta >= 1 and c <= 1, because
+//   s = 1 - 2 c/(g + c),  p = 1 - 2 (1 - c^2)/(c (g - c) + 1) = -1 + 2 c g/(c (g - c) + 1).
+//
+// A conductor has the index N and w = sqrt(N^2 - 1 + c^2), Re w >= 0. Its two factors
+//   |(c - w)/(c + w)|^2,  |(N^2 c - w)/(N^2 c + w)|^2
+// are at most 1 if c Re w and c Re(N^2 conj w) are not negative. The latter is c Re w (|w|^2 + 1 - c^2).
 template <class T>
 T most_fresnel() {
   return T(1);
@@ -114,6 +123,7 @@ T most_fresnel() {
 
 // --- Oren and Nayar's qualitative form: f = (A + B max(0, s)/max(cos_i, cos_o))/pi -------------------------
 
+// Returns the lobe as the form writes it.
 template <class S, class G>
 S oren_nayar_lobe(const S& sigma, const Geometry<G>& g) {
   const S s2 = square(sigma);
@@ -122,10 +132,12 @@ S oren_nayar_lobe(const S& sigma, const Geometry<G>& g) {
   return S(1 / kPi) * (a + b * oren_nayar_azimuth(g));
 }
 
-// Its albedo at the polar angle with this sine and cosine. Over the azimuth max(0, s) integrates to 2 sin_i
-// sin_o; the ratio cos_o/max(cos_i, cos_o) is 1 below theta_i and cos_o/cos_i beyond, so that the rest is
-// (theta - s c)/2 and (1 - s^3)/(3 c): A + B/pi (s (theta - s c) + 2/3 s c (1 + s + s^2)/(1 + s)), where
-// nothing is divided by the cosine. s^2/(s^2 + c) is written as 1 - c/(s^2 + c), with one s.
+// Returns the albedo at the polar angle with this sine and cosine. Over the azimuth max(0, s) integrates to
+// 2 sin_i sin_o. The ratio cos_o/max(cos_i, cos_o) is 1 below theta_i and cos_o/cos_i beyond theta_i, so
+// that the remaining integrals are (theta - s c)/2 and (1 - s^3)/(3 c). The albedo is
+//   A + B/pi (s (theta - s c) + 2/3 s c (1 + s + s^2)/(1 + s)),
+// in which nothing is divided by the cosine. In A and B, sigma^2/(sigma^2 + k) is written as 1 - k/(sigma^2
+// + k), in which sigma occurs once.
 template <class T>
 T oren_nayar_albedo_of(const T& sigma, const T& sine, const T& cosine) {
   const T s2 = square(sigma);
@@ -139,7 +151,7 @@ T oren_nayar_albedo_of(const T& sigma, const T& sine, const T& cosine) {
 
 // --- The energy-preserving diffuse form --------------------------------------------------------------------
 
-// A (1 + r s/t), then what it misses given back over both directions: the recorded formula.
+// A (1 + r s/t), plus the missing energy, which is returned over both directions: the recorded formula.
 template <class W, class S, class G>
 S given_back_value(const W& weight, const S& r, const Geometry<G>& g) {
   constexpr double c1 = 0.5 - 2 / (3 * kPi), c2 = 2.0 / 3 - 28 / (15 * kPi);
@@ -157,11 +169,12 @@ S given_back_value(const W& weight, const S& r, const Geometry<G>& g) {
   return S(1 / kPi) * a * (weight * first + again * r * both);
 }
 
-// Its albedo. The first term's is rho (1 - m), m = A r M/pi, with M = pi c1 - G(theta) >= 0: from 1 - s =
-// c^2/(1 + s),
-//   M = kappa + (1 - s)(theta - 2/3 - s c (s + 2)/(3 (1 + s))),  kappa = pi/2 - theta,
-// and the other gives back rho q m, where 1 - q = (1 - rho)/(1 - rho (1 - E_avg)) >= 0: rho (1 - m (1 - q))
-// is at most rho.
+// Returns the albedo of the energy-preserving diffuse form. The albedo of the first term is rho (1 - m)
+// with m = A r M/pi and M = pi c1 - G(theta) >= 0. From 1 - s = c^2/(1 + s),
+//   M = kappa + (1 - s)(theta - 2/3 - s c (s + 2)/(3 (1 + s))),  kappa = pi/2 - theta.
+// The second term returns rho q m with
+//   1 - q = (1 - rho)/(1 - rho (1 - E_avg)) >= 0.
+// The sum, rho (1 - m (1 - q)), is at most rho.
 template <class T>
 T given_back_albedo(const T& rho, const T& r, const T& sine, const T& cosine) {
   const T c1(0.5 - 2 / (3 * kPi)), rest(0.5 - 2 / (3 * kPi) - (2.0 / 3 - 28 / (15 * kPi)));

@@ -1,10 +1,13 @@
-// The cells of Student's facets (facet_albedo.h), stretched by the widths of the GGX lobe that has the same
-// scaled slope.
+// The cells of Student's t facets (facet_albedo.h), stretched by the roughnesses of the GGX lobe that has
+// the same scaled slope.
 //
-// T(N_z) = (gamma - 1) N_z^(2 gamma - 4), what the distribution is over GGX's; steps t of N_z = t^(1/(2 gamma
-// - 3)) take it in, T dN_z = (gamma - 1)/(2 gamma - 3) dt. What is seen of the facets from cosine c, over c,
-// is B(m) = m (1 - 1/m^2)^(gamma - 1) P(4/(m + 1) - 1) + 1 of m = 1/c, P the polynomial of StudentMasking;
-// A_v = c B(1/c). P is not negative (student_polynomial), so that B is at least 1.
+// T(N_z) = (gamma - 1) N_z^(2 gamma - 4) is the ratio of the distribution to the distribution of GGX. With
+// steps t of N_z = t^(1/(2 gamma - 3)) this ratio disappears from the integrand:
+//   T dN_z = (gamma - 1)/(2 gamma - 3) dt.
+// The visible area of the facets from cosine c, over c, is a function of m = 1/c,
+//   B(m) = m (1 - 1/m^2)^(gamma - 1) P(4/(m + 1) - 1) + 1,
+// with the polynomial P of StudentMasking; A_v = c B(1/c). P is not negative (student_polynomial), so that
+// B is at least 1.
 #pragma once
 
 #include "prove/energy/facet_albedo.h"
@@ -16,13 +19,13 @@ class StudentArea {
  public:
   explicit StudentArea(const Exactly& gamma)
       : power_(gamma - Exactly(1)), c_(StudentMasking<double>::coefficients(gamma)) {}
-  // Of a stretched direction's cosine and sine: A.
+  // Returns A for a stretched direction, given its cosine and sine.
   template <class T>
   T seen(const T& cosine, const T& sine) const {
     const T x = cosine / (cosine + Exactly(1)) * Exactly(4) - Exactly(1);
     return powered(square(sine)) * polynomial(x) + cosine;
   }
-  // Of m >= 1: B.
+  // Returns B for m >= 1.
   template <class T>
   T over_cosine(const T& m) const {
     const T x = Exactly(4) / (m + Exactly(1)) - Exactly(1);
@@ -37,7 +40,7 @@ class StudentArea {
     };
     return hull(at(s.lo), at(s.hi));
   }
-  // Its slope is not known where the sine may be 0.
+  // The slope is unknown if the sine may be 0.
   template <int N>
   Dual<Exactly, N> powered(const Dual<Exactly, N>& sine2) const {
     const Exactly s = cut(sine2.a, 0, 1), value = powered(s);
@@ -82,7 +85,7 @@ class StudentCell {
   }
   Exactly anywhere(const FacetCell<W, Exactly>& n) const {
     if (n.rho.hi <= 0) return Exactly();
-    Exactly hidden = Exactly::of(n.cos_view.lo, 1e300);  // c B, and B is at least 1
+    Exactly hidden = Exactly::of(n.cos_view.lo, 1e300);  // c B; B is at least 1
     if (n.rho.lo > 1e-9) {
       const Exactly m = cut(n.stretched(n.rho), 1, 1e300);
       hidden = cut(n.cos_view * area_.over_cosine(m), n.cos_view.lo, 1e300);

@@ -6,7 +6,8 @@
 namespace brdf::prove {
 namespace {
 
-// Outward rounded arithmetic on numbers >= 0 or of known sign: the few operations that series take.
+// Outward rounded arithmetic on numbers that are >= 0 or of known sign: the few operations that the series
+// need.
 Bounds outward(double low, double high) {
   return {low - (std::fabs(low) * 0x1p-52 + 0x1p-1074), high + (std::fabs(high) * 0x1p-52 + 0x1p-1074)};
 }
@@ -37,7 +38,7 @@ constexpr Bounds kLn2Low{0x1.a39ef35793c76p-33, 0x1.a39ef35793c77p-33};
 
 }  // namespace
 
-// e^x = 2^n e^r, |r| <= .35: Taylor's series to r^14, the rest below 2 |r|^15/15!.
+// e^x = 2^n e^r, |r| <= 0.35: Taylor's series to r^14, with a remainder below 2 |r|^15/15!.
 Bounds exp_at(double x) {
   const double n = std::nearbyint(x * 1.4426950408889634);
   const Bounds reduced = (point(x) - point(n * kLn2High)) - point(n) * kLn2Low;
@@ -56,7 +57,8 @@ Bounds exp_at(double x) {
 
 namespace {
 
-// log((1 + s)/(1 - s)) = 2 s (1 + s^2/3 + ...), |s| <= .18: to s^24, the rest below 1.04 s^26/27 < 2e-21.
+// log((1 + s)/(1 - s)) = 2 s (1 + s^2/3 + ...), |s| <= 0.18: to s^24, with a remainder below
+// 1.04 s^26/27 < 2e-21.
 Bounds log_series(Bounds s) {
   const Bounds z = s * s;
   Bounds sum = point(0);
@@ -84,18 +86,18 @@ Bounds log1p_at(double x) {
   if (x == 0) return point(0);
   if (std::fabs(x) < 0.3) return log_series(point(x) / (point(2) + point(x)));
   const Bounds sum = point(1) + point(x);
-  if (sum.lo <= 0) return {-745, log_at(sum.hi).hi};  // no double lies nearer to -1
+  if (sum.lo <= 0) return {-745, log_at(sum.hi).hi};  // no double is nearer to -1
   return {log_at(sum.lo).lo, log_at(sum.hi).hi};
 }
 
-// Below 1 by e^(x^2) - 2/sqrt(pi) sum of 2^n x^(2n+1)/(2n+1)!!, whose terms all have one sign; above by the
-// continued fraction of Laplace, whose convergents lie on both sides in turn: the innermost x is put as x and
-// as infinity.
+// For x < 1 uses e^(x^2) - 2/sqrt(pi) sum of 2^n x^(2n+1)/(2n+1)!!, with terms of one sign. For larger x
+// uses the continued fraction of Laplace. Its convergents lie on both sides in turn: the innermost x is set
+// to x and to infinity.
 Bounds erfcx_at(double x) {
   const Bounds root_pi = root({kPiBounds.lo, kPiBounds.hi});
   if (x < 1) {
     const Bounds z = point(2) * (point(x) * point(x));
-    Bounds sum = point(1);  // Horner over 40 terms: the rest is below z^40/(3 5 ... 81) < 1e-40
+    Bounds sum = point(1);  // Horner's rule over 40 terms: the remainder is below z^40/(3 5 ... 81) < 1e-40
     for (int k = 40; k >= 1; --k) sum = point(1) + z / point(2 * k + 1) * sum;
     const Bounds square = point(x) * point(x);
     const Bounds power{exp_at(square.lo).lo, exp_at(square.hi).hi};
@@ -113,14 +115,15 @@ Bounds erfcx_at(double x) {
 
 namespace {
 
-// atan t, 0 <= t <= 1: twice atan t = 2 atan(t/(1 + sqrt(1 + t^2))), then the series to t^31, below t^33/33.
+// atan t, 0 <= t <= 1: twice atan t = 2 atan(t/(1 + sqrt(1 + t^2))), then the series to t^31, with a
+// remainder below t^33/33.
 Bounds atan_at(Bounds t) {
   for (int k = 0; k < 2; ++k) t = t / (point(1) + root(point(1) + t * t));
   const Bounds z = t * t;
   Bounds sum = point(0);
   for (int k = 31; k >= 3; k -= 2)
     sum = ((k / 2) % 2 == 0 ? sum + point(1) / point(k) : sum - point(1) / point(k)) * z;
-  const Bounds factor = point(1) + sum + Bounds{-1e-23, 1e-23};  // .2^32/33
+  const Bounds factor = point(1) + sum + Bounds{-1e-23, 1e-23};  // 0.2^32/33
   return point(4) * t * factor;
 }
 
@@ -138,7 +141,7 @@ Bounds angle_at(double sine, double cosine) {
   return {a.lo, std::min(a.hi, half.hi)};
 }
 
-// Taylor's series to x^26, the rest below x^27/27! < 3e-23.
+// Taylor's series to x^26, with a remainder below x^27/27! < 3e-23.
 Bounds sin_at(double x) {
   const Bounds square = point(x) * point(x);
   Bounds sum = point(1);

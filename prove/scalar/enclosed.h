@@ -1,4 +1,4 @@
-// Forms of the catalogue on boxes: what a box is, and what a form takes on it.
+// Forms of the catalogue on boxes: the variables of a box, and the values of a form on the box.
 #pragma once
 
 #include <span>
@@ -11,37 +11,38 @@ namespace brdf::prove {
 
 enum class Precision { float_type, double_type };
 
-// One dimension of a box: [low, high], cut in two where its kind says.
+// One dimension of a box: [low, high], cut in two at the place that `cut` gives.
 struct Variable {
   enum class Cut {
     middle,
     logarithmic,  // at the geometric mean
-    cosine        // the same, down to the smallest cosine
+    cosine        // at the geometric mean, down to the smallest cosine
   };
   std::string name;
   double low, high;
   Cut cut;
   bool weight = false;
-  bool tied = false;  // stands for two parameters that are held equal
+  bool tied = false;  // replaces two parameters that are held equal
 };
 
-// What a form is asked about: its parameters over their whole tables, the weights of the first channel where
-// a form mixes channels, and both directions anywhere in the hemisphere. A direction is its cosine and its
-// turn, -2 to 2: azimuths in quarter turns, but for how they run between (cos : sin = 1 - |t| : t for |t| <=
-// 1). Stored directions may differ from unit vectors by 2 units in each component.
+// The arguments of a form. They are the parameters over the whole ranges of their tables, the weights of
+// the first channel if the form mixes channels, and both directions anywhere in the hemisphere. A direction
+// is given by its cosine and its turn, -2 to 2. A whole turn is a quarter of the circle of azimuths.
+// Between whole turns the azimuth is not proportional to the turn t: cos : sin = 1 - |t| : t for |t| <= 1.
+// Stored directions may differ from unit vectors by 2 units in each component.
 struct Domain {
   std::vector<Variable> variables;
 };
 
-// The number of forms, their names; `form` is a place in the catalogue.
+// Returns the domain of a form. `form` is an index in the catalogue.
 Domain domain_of(int form);
-// All values of f and of f cos_i on the box (low and high of each variable), rounded or not. lo = -inf where
-// some intermediate may leave the range of that precision.
+// Encloses all values of f and of f cos_i on the box (low and high of each variable), rounded or exact.
+// lo = -inf if some intermediate value may leave the range of that precision.
 Bounds enclose_value(int form, Precision precision, std::span<const Bounds> box);
-// f alone.
+// Encloses f alone.
 Bounds enclose_f(int form, Precision precision, std::span<const Bounds> box);
 
-// The two halves' common bound.
+// Returns the common bound of the two halves.
 double cut_of(const Variable& variable, Bounds range);
 
 }  // namespace brdf::prove

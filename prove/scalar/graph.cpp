@@ -77,7 +77,7 @@ std::vector<int> joined(std::string_view op, int a, int b) {
 
 }  // namespace
 
-// All operands turned together turn the sum: the first one is kept positive.
+// Negating all operands negates the sum: the first operand is kept positive.
 Recorded Recorded::sum(std::string_view op, const Recorded& a, const Recorded& b) {
   std::vector<int> terms = joined(op, a.signed_id(), b.signed_id());
   const bool negative = terms.front() < 0;

@@ -1,13 +1,16 @@
-// The formula of a form as a graph in which what is surely equal is one node: same node, same bits.
+// The formula of a form as a graph in which quantities that are certainly equal share one node: same node,
+// same bits.
 //
-// What IEEE 754 guarantees in every precision, rounding to nearest, is built in: sums and products commute; a
-// sign passes through products, quotients and sums; what rounding takes from a sum is the same in both orders
-// (two-sum is exact). Larger and smaller are taken in either order: the same bits but for the sign of a zero,
-// which no form divides by. Nothing is reassociated, no constants are folded, and kernels are functions of
-// which nothing is known. Choices are taken case by case: a recording follows one assumption of how each pair
-// of numbers that is compared stands, less, equal or more; all combinations are recorded in turn. In exact
-// arithmetic (Rules::exact) sums and products are also associative. Holds for numbers, not for NaN, and with
-// contraction off.
+// The guarantees of IEEE 754 for every precision, with rounding to nearest, are built in. Sums and products
+// commute. A sign passes through products, quotients and sums. The rounding error of a sum is the same in
+// both orders (two-sum is exact). Larger and smaller accept either order: the bits are the same except for
+// the sign of a zero, by which no form divides. Nothing is reassociated, no constants are folded, and
+// kernels are treated as unknown functions.
+//
+// Choices are taken case by case. A recording follows one assumption for each pair of numbers that is
+// compared: less, equal or more. All combinations are recorded in turn. In exact arithmetic (Rules::exact)
+// sums and products are also associative. The result holds for numbers, not for NaN, and with contraction
+// off.
 #pragma once
 
 #include <map>
@@ -26,15 +29,15 @@ class Graph {
  public:
   explicit Graph(Rules rules = Rules::bits) : rules_(rules) {}
   Rules rules() const { return rules_; }
-  // The terms of a sum or the factors of a product; of anything else, the node itself.
+  // Returns the terms of a sum or the factors of a product; for any other operator, the node itself.
   std::vector<int> parts(std::string_view op, int node) const;
 
-  // The node of this operator and operands; `constant` tells constants apart.
+  // Returns the node of this operator and these operands; `constant` distinguishes constants.
   int node(std::string_view op, const std::vector<int>& operands, double constant = 0);
-  // How a stands to b, -1, 0 or 1, under the assumption that is followed.
+  // Returns the order of a relative to b, -1, 0 or 1, under the current assumption.
   int compare(int a, int b);
 
-  // Begins the next combination of assumptions; false after the last. Nodes stay.
+  // Begins the next combination of assumptions; returns false after the last one. The nodes are kept.
   bool next_case();
   std::size_t nodes() const { return known_.size(); }
 
@@ -68,7 +71,7 @@ class Graph {
 class Recorded {
  public:
   struct Order {
-    int sign;  // how the left stands to the right
+    int sign;  // of the left relative to the right
   };
 
   Recorded() : Recorded(0.0) {}
@@ -113,7 +116,7 @@ class Recorded {
   bool negative_ = false;
 };
 
-// A form's parameters, each an input of its name.
+// Returns the parameters of a form, each as an input with its name.
 template <class P>
 P recorded_parameters() {
   P p{};

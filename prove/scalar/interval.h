@@ -1,11 +1,11 @@
-// Intervals: every value that a formula can take on a box, in exact arithmetic and as rounded in Base.
+// Intervals: every value that a formula can take on a box, in exact arithmetic and rounded in Base.
 //
-// Each operation is widened by one unit in the last place of Base, so that the interval holds the exact
-// result and the one that a program of that precision computes, whatever it rounds to nearest: no rounding
-// modes, no branches on data that vectorisation would mind. Exact zeros stay exact, and what cannot be
-// negative stays so. An interval that may hold an infinity, no number, or a quotient by a subnormal is
-// `poisoned` and stays so: what is finite at the end was finite all the way. A box's value is right only with
-// contraction off and without -ffast-math.
+// Each operation is widened by one unit in the last place of Base. The interval then holds the exact result
+// and the result that a program of that precision computes, however it rounds to nearest. There are no
+// rounding modes, and no branches on data that would prevent vectorisation. Exact zeros stay exact, and
+// results that cannot be negative stay so. An interval that may hold an infinity, a NaN, or a quotient by a
+// subnormal is `poisoned`, and so are all results that depend on it. Therefore a result that is finite was
+// finite in all steps. The value of a box is right only with contraction off and without -ffast-math.
 #pragma once
 
 #include <algorithm>
@@ -24,25 +24,25 @@ class Interval {
  public:
   static constexpr bool kSingle = std::is_same_v<Base, float>;
   static constexpr double kUnit = kSingle ? 0x1.00001p-23 : 0x1p-52;  // relative, of one rounding
-  static constexpr double kTiny = kSingle ? 0x1p-148 : 0x1p-1074;     // the same below the normal range
+  static constexpr double kTiny = kSingle ? 0x1p-148 : 0x1p-1074;     // absolute, below the normal range
   static constexpr double kSmallest = double(std::numeric_limits<Base>::min());
   static constexpr double kLargest = double(std::numeric_limits<Base>::max());
 
   double lo = 0, hi = 0;
 
   constexpr Interval() = default;
-  // The constant as Base has it.
+  // Rounds the constant to Base.
   constexpr explicit Interval(double constant) : lo(double(Base(constant))), hi(lo) {}
-  // low <= high; poisoned where one of them is out of Base's range.
+  // Returns [low, high], low <= high; poisoned if one of them is out of the range of Base.
   static Interval of(double low, double high) {
     Interval r;
-    const bool within = low >= -kLargest && high <= kLargest;  // false also of what is no number
+    const bool within = low >= -kLargest && high <= kLargest;  // false for NaN too
     r.lo = within ? low : -std::numeric_limits<double>::infinity();
     r.hi = within ? high : std::numeric_limits<double>::infinity();
     return r;
   }
   static Interval poison() { return of(-std::numeric_limits<double>::infinity(), 0); }
-  // Outward by `units` roundings of Base. Bounds of one sign keep it.
+  // Returns [low, high] widened by `units` roundings of Base. Bounds of one sign keep their sign.
   static Interval widened(double low, double high, double units = 1) {
     const double below = low - (std::fabs(low) * (units * kUnit) + kTiny);
     const double above = high + (std::fabs(high) * (units * kUnit) + kTiny);
@@ -93,7 +93,7 @@ class Interval {
   friend Interval select(Tri condition, const Interval& yes, const Interval& no) {
     return condition == Tri::yes ? yes : condition == Tri::no ? no : hull(yes, no);
   }
-  // A number that is none passes through these in the library, so poison does here.
+  // In the library NaN passes through these functions; therefore poison does here.
   friend Interval larger(const Interval& a, const Interval& b) {
     return a.poisoned() || b.poisoned() ? poison() : of(std::max(a.lo, b.lo), std::max(a.hi, b.hi));
   }
@@ -106,7 +106,7 @@ class Interval {
     const double p = x.lo * x.lo, q = x.hi * x.hi;
     return widened(x.lo < 0 && x.hi > 0 ? 0 : std::min(p, q), std::max(p, q));
   }
-  // What rounding took from a sum: at most half a unit of it.
+  // Encloses the rounding error of a sum: at most half a unit of the sum.
   friend Interval sum_rest(const Interval&, const Interval&, const Interval& sum) {
     return of(-kUnit * sum.magnitude(), kUnit * sum.magnitude());
   }
@@ -115,9 +115,10 @@ class Interval {
     if (x.poisoned() || x.lo < 0) return poison();
     return widened(std::sqrt(x.lo), std::sqrt(x.hi));
   }
-  // The kernels' stated errors are at most 2 units (brdf/kernels.h); here they may be twice that and more.
+  // The stated errors of the kernels are at most 2 units (brdf/kernels.h); these functions allow more than
+  // twice that.
   friend Interval exp(const Interval& x) {
-    constexpr double lowest = kSingle ? -80 : -690, highest = kSingle ? 88 : 709;  // below 0, above clamped
+    constexpr double lowest = kSingle ? -80 : -690, highest = kSingle ? 88 : 709;  // below: 0; above: clamped
     if (x.poisoned() || x.hi > highest) return poison();
     const double low = x.lo <= lowest ? 0 : exp_at(x.lo).lo;
     return widened(low, exp_at(std::max(x.hi, -745.0)).hi, kKernelUnits);
@@ -144,11 +145,12 @@ class Interval {
   static constexpr double kKernelUnits = 4;
 
  private:
-  // What is added to or taken from x cannot carry it past x, rounded or not.
+  // Adding to x, or subtracting from x, a number of known sign cannot carry the result past x, rounded or
+  // exact.
   static Interval keep(const Interval& r, double low, double high) {
     return r.poisoned() ? r : of(std::max(r.lo, low), std::min(r.hi, high));
   }
-  // Underflow must not take the sign of what cannot have the other.
+  // Underflow must not change the sign of a product that can have only one sign.
   static Interval signed_product(double low, double high, const Interval& a, const Interval& b) {
     Interval r = widened(low, high);
     if (r.poisoned()) return r;

@@ -1,6 +1,6 @@
-// What intervals cannot see by themselves, op by op, said once: enclosures of the library's parts in which
-// the same quantity stands twice. Each is an overload that the unchanged forms find by their argument; its
-// reason stands beside it, and tests hold it against millions of evaluations in both precisions.
+// Facts that intervals cannot derive operation by operation: enclosures of parts of the library in which
+// the same quantity occurs twice. Each is an overload that the unchanged forms select by its argument type.
+// Its reason is given with it, and tests compare it with millions of evaluations in both precisions.
 //
 // u is one unit of Base, Interval::kUnit: two roundings.
 #pragma once
@@ -10,19 +10,19 @@
 
 namespace brdf::prove {
 
-// [low, high] cut by what else is known; the caller knows that they meet.
+// Returns [low, high] cut to bounds that are known otherwise. Precondition: the two ranges meet.
 template <class B>
 Interval<B> cut(const Interval<B>& x, double low, double high) {
   if (x.poisoned()) return x;
   return Interval<B>::of(std::min(std::max(x.lo, low), high), std::max(std::min(x.hi, high), low));
 }
 
-// How far the rounded value of an exponent may lie from the exact one, relative, in units: fewer than a dozen
-// roundings stand in it, and the rest that is carried beside it is as small.
+// The largest relative difference between the rounded and the exact value of an exponent, in units. The
+// exponent has fewer than a dozen roundings, and the separately carried rest is as small.
 inline constexpr double kExponentUnits = 32;
 
-// exp(-e) (1 - rest), |rest| <= 32 u e: where e is beyond the kernel's range exp is 0, and 0 times the rest
-// with it.
+// exp(-e) (1 - rest), |rest| <= 32 u e. If e is beyond the range of the kernel, exp is 0, and so is its
+// product with the rest.
 template <class B>
 Interval<B> gaussian_of(const Interval<B>& e) {
   using I = Interval<B>;
@@ -41,14 +41,14 @@ Interval<B> slope_gaussian(const Roughness<Interval<B>>& a, const Geometry<Inter
   return gaussian_of(scaled_tangent2(a, g) * inverse);
 }
 
-// A fraction whose value has an upper bound that its terms alone do not show.
+// A fraction with an upper bound of its value that its terms alone do not show.
 template <class B>
 struct BoundedFraction : Fraction<Interval<B>> {
   double highest;
 };
 
-// D of GGX: |h|^2 is at most max(1, w^2) times its stretched square q, w the larger width, so that D is at
-// most max(1, w^4)/(pi alpha_x alpha_y).
+// D of GGX. |h|^2 is at most max(1, w^2) times its stretched square q, where w is the larger width.
+// Therefore D is at most max(1, w^4)/(pi alpha_x alpha_y).
 template <class B>
 BoundedFraction<B> d_ggx(const Roughness<Interval<B>>& a, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -68,9 +68,9 @@ Interval<B> quotient(const BoundedFraction<B>& d, const Fraction<Interval<B>>& v
                std::min(numerator.hi / denominator.lo * (1 + 4 * I::kUnit) + I::kTiny, highest));
 }
 
-// (1 + tan^2)^2 e^(-tan^2 scaled): the widths of every form are at most 1, so that r^2 e^(-(r - 1)/w^2), r =
-// 1 + tan^2 and w the larger width, bounds the numerator: increasing up to r = 2 w^2, then decreasing.
-// (Scaled widths above 1 keep the product of both factors.)
+// (1 + tan^2)^2 e^(-tan^2 scaled). The widths of every form are at most 1. Therefore the numerator is at
+// most r^2 e^(-(r - 1)/w^2), with r = 1 + tan^2 and the larger width w. This bound increases up to
+// r = 2 w^2 and then decreases. (For scaled widths above 1 the product of both factors is used.)
 template <class B>
 Fraction<Interval<B>> d_beckmann(const Roughness<Interval<B>>& a, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -78,7 +78,7 @@ Fraction<Interval<B>> d_beckmann(const Roughness<Interval<B>>& a, const Geometry
   I numerator = slope_gaussian(a, g, inverse, TwoPart<I>{}) * square(r);
   const double width2 = std::max(a.alpha_x.hi * a.alpha_x.hi, a.alpha_y.hi * a.alpha_y.hi);
   if (width2 <= 1 && !r.poisoned()) {
-    // At most e^(1/w^2) (2 w^2)^2 e^(-2) for any r >= 1, and w = 1 has the largest: 4/e = 1.4716.
+    // At most e^(1/w^2) (2 w^2)^2 e^(-2) for any r >= 1. The largest value is at w = 1: 4/e = 1.4716.
     const double at = std::max(r.lo, 2.0);
     const double highest = r.lo <= 2 ? 1.4717 : at * at * exp_at(-std::min((at - 1) * (1 - 1e-5), 700.0)).hi;
     numerator = cut(numerator, 0, highest * (1 + 1e-3) + I::kTiny);
@@ -86,7 +86,7 @@ Fraction<Interval<B>> d_beckmann(const Roughness<Interval<B>>& a, const Geometry
   return {numerator, I(kPi) * a.alpha_x * a.alpha_y};
 }
 
-// (n.h)^n = exp(-n/2 log(1 + tan^2)), whose logarithm the rest moves by at most 32 u relative.
+// (n.h)^n = exp(-n/2 log(1 + tan^2)). The rest changes the logarithm by at most 32 u relative.
 template <class B>
 Interval<B> half_cosine_power(const Interval<B>& n, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -96,9 +96,9 @@ Interval<B> half_cosine_power(const Interval<B>& n, const Geometry<Interval<B>>&
   return exp(n * (I(-0.5) * I::widened(std::max(logarithm.lo, 0.0), logarithm.hi, kExponentUnits)));
 }
 
-// (r.o)^n from t = 1 - r.o < 1. The rest is at most 8 u t beside t, and moves the logarithm by that over 1 -
-// t, which is at least half a unit where t is below 1: by 16 at most. The logarithm is not positive, so the
-// power is at most 1.
+// (r.o)^n from t = 1 - r.o < 1. The rest is at most 8 u t, and changes the logarithm by that over 1 - t. 1
+// - t is at least half a unit if t is below 1, so that the change is at most 16. The logarithm is not
+// positive, so the power is at most 1.
 template <class B>
 Interval<B> mirror_cosine_power(const Interval<B>& n, const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -127,16 +127,16 @@ Interval<B> sine(const Vec3<Interval<B>>& w) {
   return cut(by_parts, by_height.lo, std::max(by_height.hi, by_height.lo));
 }
 
-// A form's choice by the sign of s is a case for itself: where both signs are possible the form is enclosed
-// twice, once for each (enclose, on_box.h), so that no formula is taken where it does not apply.
+// A form's choice by the sign of s is treated as two cases. If both signs are possible, the form is
+// enclosed twice, once for each sign (enclose, on_box.h), so that no formula is used outside its range.
 struct Side {
   enum { any, negative, other } of = any;
-  bool open = false;  // both are possible
+  bool open = false;  // both signs are possible
 };
 inline thread_local Side sign_of_product;
 
-// s = x_i x_o + y_i y_o, exactly what the library's sum of products is (its side squared is 1), within 16
-// units of the products that it is summed from: none of their factors is above 2.
+// s = x_i x_o + y_i y_o is exactly the library's sum of products (the square of its side is 1), within 16
+// units of the products that are summed: none of their factors exceeds 2.
 template <class B>
 Interval<B> tangential_product(const Geometry<Interval<B>>& g) {
   using I = Interval<B>;
@@ -153,21 +153,19 @@ Interval<B> tangential_product(const Geometry<Interval<B>>& g) {
   return r;
 }
 
-// cos Lambda = a phi(s), phi(s) = e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) for s = cos/a: decreasing (its
-// derivative is
-// -erfc(s)/2 < 0) and, to s = 10, at least .0028 e^(-s^2)/2, of which the roundings take less than 1/100 of
-//     that. Beyond,
-// s stays 10: at most cos e^(-100)/2 beside 0.
+// cos Lambda = a phi(s), phi(s) = e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) for s = cos/a. phi decreases (its
+// derivative is -erfc(s)/2 < 0). Up to s = 10 it is at least 0.0028 e^(-s^2)/2, of which the roundings
+// change less than 1/100. Beyond, s stays 10: the result is at most cos e^(-100)/2 instead of 0.
 template <class B>
 Interval<B> cos_lambda_beckmann(const Roughness<Interval<B>>& alpha, const Vec3<Interval<B>>& w) {
   using I = Interval<B>;
   const I a = sqrt(square(alpha.alpha_x * w.x) + square(alpha.alpha_y * w.y) + I(1e-30));
   const I s = w.z / a;
   if (s.poisoned()) return s;
-  // e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) at a point s <= 10, between both.
+  // Returns e^(-s^2)/2 (1/sqrt(pi) - s erfcx(s)) at a point s <= 10, as bounds.
   const auto phi = [](double at) {
     const Bounds e = erfcx_at(at);
-    // Ten roundings of s count s^2 <= 100 times in the power.
+    // Ten roundings of s change s^2 <= 100 by that factor in the exponent.
     const Bounds power{exp_at(-at * at * (1 + 16 * I::kUnit)).lo, exp_at(-at * at * (1 - 16 * I::kUnit)).hi};
     const double root = 0.56418958354775628695, slack = 64 * I::kUnit;
     return Bounds{0.5 * power.lo * std::max(root - at * e.hi - slack, 0.0) * (1 - slack),
@@ -180,13 +178,14 @@ Interval<B> cos_lambda_beckmann(const Roughness<Interval<B>>& alpha, const Vec3<
   return I::widened(low, high, 4);
 }
 
-// The polynomial R of Student's masking over its whole domain, x and y in [-1, 1] and a little more.
+// Returns the bounds of the polynomial R of Student's masking over its whole domain: x and y in [-1, 1] and
+// slightly beyond.
 Bounds student_polynomial();
 
-// A conductor's reflectance lies in [0, 1], as meant and as computed in either precision: s and p are
-// quotients of sums of squares, so not below 0; the two sums of p differ by a sign between terms that are not
-// negative; the end is cut at 1; what is divided by is kept above the floor, or not chosen. Nothing reaches
-// 1e20 where n and k stay below 1e4.
+// The reflectance of a conductor lies in [0, 1], in exact arithmetic and as computed in either precision. s
+// and p are quotients of sums of squares and therefore not below 0. The two sums of p differ by a sign
+// between terms that are not negative. The result is cut at 1. Divisors are kept above the floor, or the
+// quotient is not chosen. No term reaches 1e20 if n and k are below 1e4.
 template <class B>
 Interval<B> fresnel_conductor(const Interval<B>& n, const Interval<B>& k, const Interval<B>& c) {
   const Interval<B> op_by_op = brdf::fresnel_conductor<Interval<B>>(n, k, c);
@@ -201,8 +200,8 @@ Interval<B> fresnel_conductor(const Interval<B>& n, const Interval<B>& k, const 
 
 namespace brdf {
 
-// As the library has it, but that the squared sine of the stretched direction is known to be one, and the
-// polynomial to lie between its bounds.
+// The library's masking, with two additional facts: the squared sine of the stretched direction is at most
+// 1, and the polynomial lies between its bounds.
 template <class B>
 class StudentMasking<prove::Interval<B>> {
   using I = prove::Interval<B>;

@@ -1,4 +1,4 @@
-// A form's value on a box.
+// Encloses the value of a form on a box.
 #pragma once
 
 #include "brdf/forms.h"
@@ -8,6 +8,7 @@
 
 namespace brdf::prove {
 
+// Encloses the stored directions with these cosines and turns (Domain).
 template <class I>
 Vec3<I> direction(Bounds cosine, Bounds turn) {
   const double low = std::min(cosine.lo, 1.0), high = std::min(cosine.hi, 1.0);
@@ -19,6 +20,7 @@ Vec3<I> direction(Bounds cosine, Bounds turn) {
   return {stored(s * x), stored(s * y), stored(I::of(low, high))};
 }
 
+// Reads parameters from the box, from the variable `at` on; advances `at`.
 template <class P, class I>
 P parameters_from(std::span<const Bounds> box, std::size_t& at) {
   P p{};
@@ -50,6 +52,7 @@ struct OnBox {
   }
 };
 
+// Encloses f on the box; with `with_cosine`, also f cos_i.
 template <class F, class Base>
 Bounds enclose(std::span<const Bounds> box, bool with_cosine) {
   using I = Interval<Base>;

@@ -1,4 +1,4 @@
-// A form's formula for both orders of the directions, as one graph.
+// Records the formula of a form for both orders of the directions, as one graph.
 #pragma once
 
 #include "brdf/form.h"
@@ -6,6 +6,7 @@
 
 namespace brdf::prove {
 
+// Records both orders in every case of the comparisons; stops after `most` cases.
 template <Form F>
 Swapped record(F form, Rules rules, long most) {
   using Weights = typename F::template Weights<Recorded>;
@@ -16,8 +17,8 @@ Swapped record(F form, Rules rules, long most) {
   const auto shape = recorded_parameters<typename F::template Shape<Recorded>>();
   const auto weights = recorded_parameters<Weights>();
   do {
-    // The first channel's weights of a listing that mixes channels are the channel's own: for others it is
-    // not reciprocal in any sense.
+    // In a listing that mixes channels, the weights of the first channel are the channel's own. For other
+    // weights the listing is not reciprocal in any sense.
     const Recorded there = eval(form, weights, weights, shape, geometry(wi, wo));
     const Recorded back = eval(form, weights, weights, shape, geometry(wo, wi));
     ++result.cases;

@@ -1,4 +1,4 @@
-// A form's lobes on a box, with what rounding may do to them.
+// Encloses the lobes of a form on a box, together with their rounding errors.
 #pragma once
 
 #include "prove/scalar/on_box.h"
@@ -7,7 +7,8 @@
 
 namespace brdf::prove {
 
-// The geometry of stored directions, its guard as Base has it. No sum of two unit vectors is longer than 2.
+// Returns the geometry of stored directions, with its guard in Base. No sum of two unit vectors is longer
+// than 2.
 template <class B>
 Geometry<Rounded<B>> rounded_geometry(const Vec3<Rounded<B>>& wi, const Vec3<Rounded<B>>& wo) {
   using R = Rounded<B>;
@@ -18,6 +19,7 @@ Geometry<Rounded<B>> rounded_geometry(const Vec3<Rounded<B>>& wi, const Vec3<Rou
   g.cos_d = g.cos_d.finished();
   return g;
 }
+// Returns the stored directions with these cosines and turns (Domain) as inputs.
 template <class B>
 Vec3<Rounded<B>> stored_direction(Bounds cosine, Bounds turn) {
   const Vec3<Interval<B>> w = direction<Interval<B>>(cosine, turn);
@@ -25,7 +27,8 @@ Vec3<Rounded<B>> stored_direction(Bounds cosine, Bounds turn) {
   return {as_input(w.x), as_input(w.y), as_input(w.z)};
 }
 
-// The lobes of a form, or the one value of a form that is no sum of lobes: f, or f cos_i of a listing.
+// Returns the lobes of a form. If the form is not a sum of lobes, returns its one value: f, or f cos_i for
+// a listing.
 template <class F, class W, class Shape, class G>
 auto lobes_or_value(const W& weights, const W& first, const Shape& shape, const G& g) {
   if constexpr (LinearForm<F>)
@@ -36,21 +39,23 @@ auto lobes_or_value(const W& weights, const W& first, const Shape& shape, const 
     return std::array{F::value(weights, first, shape, g)};
 }
 
+// Returns the error relative to the value if it is useful, otherwise relative to the peak.
 template <class B>
 LobeRounding judged(const Rounded<B>& x) {
   using Beside = LobeRounding::Beside;
-  // A value that is never small has its absolute part within its relative error.
+  // For a value that is never small, the absolute part is included in the relative error.
   const double folded =
       x.least() > 0 ? x.relative.error + x.relative.underflow / x.least() : Rounded<B>::kNever;
   if (x.relative.known() && folded <= 4 * std::max(x.relative.error, Rounded<B>::kUnit))
     return {Beside::value, Rounded<B>::up(folded), 0, x.envelope.hi};
-  // A value that may be 0 by cancellation has no relative error worth the name.
+  // A value that may be 0 by cancellation has no useful relative error.
   if (x.relative.known() && x.relative.error <= 3 * x.peak.error)
     return {Beside::value, x.relative.error, x.relative.underflow, x.envelope.hi};
   if (x.peak.known()) return {Beside::peak, x.peak.error, x.peak.underflow, x.envelope.hi};
   return {};
 }
 
+// Returns the errors of the lobes on a box of domain_of(form).
 template <class F, class B>
 std::vector<LobeRounding> rounding(std::span<const Bounds> box) {
   using R = Rounded<B>;

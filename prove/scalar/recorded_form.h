@@ -1,4 +1,4 @@
-// Whether a form is written as an authored formula is: both recorded into one graph.
+// Decides whether a form is written as an authored formula, by recording both into one graph.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace brdf::prove {
 
-// Whether `same` holds of recorded geometry in every case of its comparisons.
+// Returns whether `same` holds for recorded geometry in every case of its comparisons.
 template <class Same>
 bool holds_in_every_case(const Same& same) {
   Graph graph;
@@ -24,7 +24,7 @@ bool holds_in_every_case(const Same& same) {
   return cases < 1000;
 }
 
-// Whether the form's lobes are those that `author` writes.
+// Returns whether the form's lobes are the lobes that `author` writes.
 template <class F, class Author>
 bool is_written_as(F, const Author& author) {
   return holds_in_every_case([&](const auto& g) {
@@ -33,8 +33,8 @@ bool is_written_as(F, const Author& author) {
   });
 }
 
-// What `method_of` says of the form at that place of the catalogue: null where that is nothing. All forms are
-// recorded at the first call.
+// Returns the result of `method_of` for the form at that index of the catalogue; null if it has no value.
+// All forms are recorded at the first call.
 template <class Method, class MethodOf>
 const Method* recorded_method(int place, MethodOf method_of) {
   static const auto methods = [&] {
@@ -46,12 +46,13 @@ const Method* recorded_method(int place, MethodOf method_of) {
   return method ? &*method : nullptr;
 }
 
-// A diffuse term and one lobe of two widths.
+// A form with a diffuse term and one lobe of two roughnesses.
 template <class F>
 concept WardForm =
     LinearForm<F> && std::is_same_v<typename F::template Weights<double>, LobeWeights<double>> &&
     std::is_same_v<typename F::template Shape<double>, Roughness<double>>;
 
+// Returns whether the form is written as Ward's lobe of this kind.
 template <WardKind kind, WardForm F>
 bool is_ward(F form) {
   return is_written_as(form, [](const auto& shape, const auto& g) {

@@ -1,16 +1,17 @@
-// How far rounding takes a formula: the range of its exact value on a box, and bounds of the error of what
-// Base computes.
+// The effect of rounding on a formula: the range of its exact value on a box, and bounds of the error of
+// the value that Base computes.
 //
-// Exact is the formula in real numbers at the stored inputs, its constants as double has them. For the
+// The exact value is the formula in real numbers at the stored inputs, with constants in double. For the
 // computed x^:
 //   |x^ - x| <= relative.error |x| + relative.underflow,
-//   |x^ - x| <= peak.error E + peak.underflow,  E >= |x|: x with what is not proved relative at its largest
-//       (Fresnel's weight
-//               and Gaussians at 1), all other factors where they are,
+//   |x^ - x| <= peak.error E + peak.underflow,
 //   |x^ - x| <= absolute.
-// Any of them may be infinite: nothing is claimed. The model of a rounding is IEEE's: (1 + d), |d| <= u, and
-// half a subnormal where a product may leave the normal range. That no number overflows is `finite`'s to
-// show. Bounds are themselves rounded up.
+// E >= |x| is x with the factors that have no proved relative error at their largest values (Fresnel's
+// weight and Gaussians at 1) and all other factors unchanged.
+//
+// Any of the bounds may be infinite, which claims nothing. The model of a rounding is that of IEEE: a
+// factor (1 + d), with |d| <= u, and half a subnormal if a product may leave the normal range. Absence of
+// overflow is shown by `finite`. The bounds themselves are rounded up.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +23,8 @@
 
 namespace brdf::prove {
 
-// A comparison: either, where the computed numbers stand as the exact ones do but how is open; unknown, where
-// they may not.
+// A comparison. either: the computed numbers have the order of the exact numbers, but the order is open.
+// unknown: the orders may differ.
 enum class Choice { no, yes, either, unknown };
 
 template <class Base>
@@ -41,7 +42,7 @@ class Rounded {
 
   Bounds range{0, 0};
   Bound relative{}, peak{};
-  Bounds envelope{0, 0};  // of E
+  Bounds envelope{0, 0};  // bounds of E
   double absolute = 0;
 
   Rounded() = default;
@@ -51,7 +52,7 @@ class Rounded {
     relative.error = error == 0 ? 0 : up(error / std::fabs(constant));
     settle_peak();
   }
-  // Inputs: as they are stored.
+  // Returns an input, which is exact as stored.
   static Rounded of(double low, double high) {
     Rounded r;
     r.range = {low, high};
@@ -64,7 +65,7 @@ class Rounded {
     r.relative.error = r.peak.error = r.absolute = kNever;
     return r;
   }
-  // A value that is known relative to itself.
+  // Returns a value that is known relative to itself.
   static Rounded within(Bounds range, double error, double underflow = 0) {
     Rounded r;
     r.range = range;
@@ -72,7 +73,7 @@ class Rounded {
     r.peak.error = r.absolute = kNever;
     return r.finished();
   }
-  // A value of which E is `envelope`.
+  // Returns a value with the given envelope as E.
   static Rounded beside(Bounds range, double error, Bounds envelope) {
     Rounded r;
     r.range = range;
@@ -83,9 +84,9 @@ class Rounded {
   }
 
   bool exact() const { return absolute == 0; }
-  double least() const { return range.lo > 0 ? range.lo : range.hi < 0 ? -range.hi : 0; }  // |x|
+  double least() const { return range.lo > 0 ? range.lo : range.hi < 0 ? -range.hi : 0; }  // the least |x|
   double most() const { return std::max(-range.lo, range.hi); }
-  // Of the computed values.
+  // Returns the range of the computed values.
   Bounds computed() const {
     Bounds c{range.lo - absolute, range.hi + absolute};
     if (relative.error < 1 && relative.underflow == 0) {  // the sign is kept
@@ -169,7 +170,8 @@ class Rounded {
     r.envelope = {std::min(yes.envelope.lo, no.envelope.lo), std::max(yes.envelope.hi, no.envelope.hi)};
     return r.finished();
   }
-  // |max(a^, b^) - max(a, b)| is at most the larger error, and max(E_a, E_b) is at least |max(a, b)|.
+  // The error |max(a^, b^) - max(a, b)| is at most the larger error, and max(E_a, E_b) is at least |max(a,
+  // b)|.
   friend Rounded larger(const Rounded& a, const Rounded& b) {
     Rounded r = extreme(a, b);
     r.range = {std::max(a.range.lo, b.range.lo), std::max(a.range.hi, b.range.hi)};
@@ -184,7 +186,8 @@ class Rounded {
   }
   friend Rounded at_least(const Rounded& x, const Rounded& lower) { return larger(x, lower); }
   friend Rounded at_most(const Rounded& x, const Rounded& upper) { return smaller(x, upper); }
-  // 0 in exact arithmetic; lemmas say what it does where it is used (rounding_lemmas.h).
+  // 0 in exact arithmetic. Its effect is covered by lemmas for the functions that use it
+  // (rounding_lemmas.h).
   friend Rounded sum_rest(const Rounded&, const Rounded&, const Rounded& sum) {
     Rounded r = unknown();
     r.range = {0, 0};
@@ -201,8 +204,8 @@ class Rounded {
       r.relative = then_rounded({up(x.relative.error / 2 / (1 - x.relative.error)), 0}, 0);
     return r.finished();
   }
-  // Of x <= 0 with a relative error e beside 1: at most sup_y e^-y (e^(e y) - 1) <= e/((1 - e) e), and what
-  // is flushed to 0.
+  // For x <= 0 with a relative error e, the error relative to the peak 1 is at most
+  // sup_y exp(-y) (exp(e y) - 1) <= e/(1 - e) exp(-1), plus the results that are flushed to 0.
   friend Rounded exp(const Rounded& x) {
     constexpr double lowest = I::kSingle ? -80 : -690, highest = I::kSingle ? 88 : 709;
     if (!(x.range.hi + x.absolute <= highest)) {
@@ -221,7 +224,8 @@ class Rounded {
     }
     return r.finished();
   }
-  // (1 + e) x has at most (1 + e) times the logarithm, and (1 - e) x at least 1 - e of it: it is concave.
+  // (1 + e) x has at most (1 + e) times the logarithm of x, and (1 - e) x at least (1 - e) times, since
+  // log1p is concave.
   friend Rounded log1p(const Rounded& x) {
     if (!(x.range.lo >= 0 && x.relative.error < 0.5)) return unknown();
     return within({log1p_at(x.range.lo).lo, log1p_at(x.range.hi).hi}, up(x.relative.error + 2 * kKernel),
@@ -231,18 +235,19 @@ class Rounded {
   friend Rounded erfcx(const Rounded&) { return unknown(); }
   friend Rounded atan2(const Rounded&, const Rounded&) { return unknown(); }
 
-  // The library's kernels, measured at 1 to 2 units of two roundings each: as intervals take them.
+  // The error of the library's kernels, measured at 1 to 2 units of two roundings each; the same bound as
+  // for intervals.
   static constexpr double kKernel = I::kKernelUnits * 2 * kUnit;
   static double up(double x) { return x * (1 + 0x1p-50); }
 
   bool is(double x) const { return range.lo == x && range.hi == x && exact(); }
 
-  // Each bound from the others.
+  // Improves each bound by the others.
   Rounded finished() const {
     Rounded r = *this;
     const double least = r.least(), most = r.most();
     if (!(most < 1e300) || !(range.lo <= range.hi)) return unknown();
-    if (!(r.absolute <= kNever)) r.absolute = kNever;  // 0 times infinity
+    if (!(r.absolute <= kNever)) r.absolute = kNever;  // NaN, from 0 times infinity
     if (r.relative.known())
       r.absolute = std::min(r.absolute, up(r.relative.error * most + r.relative.underflow));
     if (r.peak.known())
@@ -264,12 +269,12 @@ class Rounded {
   static Bounds outward(double low, double high) {
     return {low - std::fabs(low) * 0x1p-50, high + std::fabs(high) * 0x1p-50};
   }
-  // Underflow as a part of what is never smaller than `least`.
+  // Adds the underflow to the relative error of a value that is never smaller than `least`.
   static void absorb(Bound& b, double least) {
     if (b.underflow == 0 || !(b.underflow / least < 0x1p-10 * kUnit)) return;
     b = {up(b.error + b.underflow / least), 0};
   }
-  // E is |x|.
+  // Sets E to |x|.
   void settle_peak() {
     peak = relative;
     envelope = {least(), most()};
@@ -297,7 +302,7 @@ class Rounded {
     r.absolute = up(before * (1 + kUnit) + kUnit * r.most() + half);
     return r.finished();
   }
-  // 0 times infinity is no number: nothing is claimed.
+  // 0 times infinity is NaN: nothing is claimed.
   static Bound guarded(const Bound& b) {
     return b.error < kNever && b.underflow < kNever ? b : Bound{kNever, 0};
   }
@@ -311,7 +316,7 @@ class Rounded {
     r.absolute = std::max(a.absolute, b.absolute);
     return r;
   }
-  // Numbers of both signs keep no relative error: the lesser may be taken for the other.
+  // Numbers of both signs keep no relative error: the smaller one may be taken instead of the other.
   static Rounded extreme(const Rounded& a, const Rounded& b) {
     Rounded r = worse(a, b);
     const bool signless = a.range.lo >= 0 && b.range.lo >= 0;

@@ -14,7 +14,7 @@ extern template std::vector<LobeRounding> rounding_of_shard<3>(int, Precision, s
 
 namespace {
 
-constexpr std::size_t kDirections = 4;  // variables, the last
+constexpr std::size_t kDirections = 4;  // the last four variables
 
 std::size_t weights_of(int place) {
   std::size_t count = 0;

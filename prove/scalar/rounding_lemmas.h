@@ -1,5 +1,6 @@
-// What op-by-op bounds of rounding cannot see, said once: overloads that the unchanged forms find, each with
-// its reason. Tests hold each against samples. u is one rounding's unit, Rounded::kUnit.
+// Facts that bounds of rounding cannot derive operation by operation: overloads that the unchanged forms
+// select, each with its reason. Tests compare each with samples. u is the unit of one rounding,
+// Rounded::kUnit.
 #pragma once
 
 #include "brdf/forms.h"
@@ -8,12 +9,12 @@
 
 namespace brdf::prove {
 
-// Both choices by the sign of s are max(s, 0) over the larger cosine L. s = (P + Q)/2 is summed from two
-// products P and Q of sums of exact numbers: its error is at most u |s| + 1.5 u (|P| + |Q|), where by Cauchy
+// Both choices by the sign of s are max(s, 0) over the larger cosine L. s = (P + Q)/2 is the sum of two
+// products P and Q of sums of exact numbers. Its error is at most u |s| + 1.5 u (|P| + |Q|), and by Cauchy
 // and Lagrange
 //   |P| + |Q| <= sqrt((sin_i^2 - sin_o^2)^2 + 4 s^2) <= |cos_i^2 - cos_o^2| + d + 2 |s|,
-// d for vectors stored to two units. Over L that is 5 u of the quotient and at most 1.5 u (L + d/L) beside
-// it.
+// with d for vectors stored to two units. Divided by L this is 5 u of the quotient, plus at most
+// 1.5 u (L + d/L).
 template <class B>
 Rounded<B> oren_nayar_azimuth(const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -23,7 +24,7 @@ Rounded<B> oren_nayar_azimuth(const Geometry<Rounded<B>>& g) {
                    R::up(1.51 * u * (l.range.hi + d / l.range.lo) + R::kTiny / l.range.lo));
 }
 
-// exp(-e), of whose rest at most kExponentUnits units of e are taken again (lemmas.h).
+// exp(-e). The rest removes at most kExponentUnits units of e again (lemmas.h).
 template <class B>
 Rounded<B> gaussian_of(const Rounded<B>& e) {
   using R = Rounded<B>;
@@ -42,9 +43,9 @@ Rounded<B> slope_gaussian(const Roughness<Rounded<B>>& a, const Geometry<Rounded
   return gaussian_of(scaled_tangent2(a, g) * inverse);
 }
 
-// N = r^2 e^-y, r = 1 + tan^2 <= 1 + y for widths to 1: its error is N times that of r^2 and of the
-// exponential, y e. Over y >= 0 (1 + y)^2 e^-y is at most 4/e = 1.4716 and y times that at most 2.52. Its
-// peak, at the normal, is 1.
+// N = r^2 e^-y, r = 1 + tan^2 <= 1 + y for widths up to 1. The error is N times the errors of r^2 and of
+// the exponential, y e. Over y >= 0, (1 + y)^2 e^-y is at most 4/e = 1.4716, and y times that is at most
+// 2.52. The peak of N, at the normal, is 1.
 template <class B>
 Fraction<Rounded<B>> d_beckmann(const Roughness<Rounded<B>>& a, const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -59,12 +60,18 @@ Fraction<Rounded<B>> d_beckmann(const Roughness<Rounded<B>>& a, const Geometry<R
           area};
 }
 
-// cos Lambda = e^(-s^2)/2 (A - B), A = a/sqrt(pi), B = cos erfcx(s) <= A, s = min(cos/a, 10). The difference
-// errs by at most (e_A + e_B + u) A, the power by (2 e_s + u) s^2; erfcx passes on at most the relative error
-// of s. Beside cos + cos Lambda = a (s + phi), s + phi >= phi(0) = 1/(2 sqrt(pi)), the whole is at most
-// e^(-s^2) times those, and s^2 e^(-s^2) <= 1/e; what is flushed below e^-80 is 1e-35 of it. The denominator
-// cos_i cos_o + cos_o (cos Lambda_i) + cos_i (cos Lambda_o) is at least half of cos_o (cos_i + cos Lambda_i)
-// + cos_i (cos_o + cos Lambda_o): twice that error.
+// cos Lambda = e^(-s^2)/2 (A - B), A = a/sqrt(pi), B = cos erfcx(s) <= A, s = min(cos/a, 10).
+//
+// The error of the difference is at most (e_A + e_B + u) A, that of the power (2 e_s + u) s^2. erfcx passes
+// on at most the relative error of s. Relative to cos + cos Lambda = a (s + phi), with
+// s + phi >= phi(0) = 1/(2 sqrt(pi)), the total is at most e^(-s^2) times these errors, and s^2 e^(-s^2) <=
+// 1/e. Results flushed below e^-80 contribute 1e-35.
+//
+// The denominator
+//   cos_i cos_o + cos_o (cos Lambda_i) + cos_i (cos Lambda_o)
+// is at least half of
+//   cos_o (cos_i + cos Lambda_i) + cos_i (cos_o + cos Lambda_o),
+// so that its error is at most twice that error.
 template <class B>
 Fraction<Rounded<B>> v_smith_beckmann(const Roughness<Rounded<B>>& alpha, const Geometry<Rounded<B>>& g) {
   using R = Rounded<B>;
@@ -76,7 +83,7 @@ Fraction<Rounded<B>> v_smith_beckmann(const Roughness<Rounded<B>>& alpha, const 
   };
   const double error = R::up(2 * std::max(beside(g.wi), beside(g.wo)) * (1 + 1e-4) + 3.01 * u);
   if (!(error < 0.1)) return {R(0.25), R::unknown()};
-  // cos Lambda is at most a/(2 sqrt(pi)), and a at most the larger width.
+  // cos Lambda is at most a/(2 sqrt(pi)), and a is at most the larger width.
   const double width = std::max(alpha.alpha_x.range.hi, alpha.alpha_y.range.hi) * 0.29, i = g.cos_i.range.hi,
                o = g.cos_o.range.hi;
   return {
@@ -84,7 +91,7 @@ Fraction<Rounded<B>> v_smith_beckmann(const Roughness<Rounded<B>>& alpha, const 
       R::within({g.cos_i.range.lo * g.cos_o.range.lo * (1 - 1e-12), R::up(i * o + (i + o) * width)}, error)};
 }
 
-// (n.h)^n = exp(-n/2 log1p(tan^2)): the rest moves the logarithm by at most kExponentUnits units of it
+// (n.h)^n = exp(-n/2 log1p(tan^2)). The rest changes the logarithm by at most kExponentUnits units
 // (lemmas.h).
 template <class B>
 Rounded<B> half_cosine_power(const Rounded<B>& n, const Geometry<Rounded<B>>& g) {
@@ -95,14 +102,15 @@ Rounded<B> half_cosine_power(const Rounded<B>& n, const Geometry<Rounded<B>>& g)
   return exp(n * (R(-0.5) * logarithm.finished()));
 }
 
-// At the mirror lobe's edge the power of a small exponent is a step: one rounding moves it by its whole.
+// At the edge of the mirror lobe the power with a small exponent is a step: one rounding changes the power
+// by its whole height.
 template <class B>
 Rounded<B> mirror_cosine_power(const Rounded<B>&, const Geometry<Rounded<B>>&) {
   return Rounded<B>::unknown();
 }
 
-// (c sum - 1)/(c difference + 1) cancels, but its square stands beside 1: in parts of both ranges, where that
-// shows. For an index of at least 1 nothing is reflected totally.
+// (c sum - 1)/(c difference + 1) cancels, but its square is added to 1. This shows if the ranges of eta and
+// c are split into parts. For an index of at least 1 there is no total reflection.
 template <class B>
 Rounded<B> fresnel_dielectric(const Rounded<B>& eta, const Rounded<B>& c) {
   using R = Rounded<B>;
@@ -128,7 +136,7 @@ Rounded<B> fresnel_dielectric(const Rounded<B>& eta, const Rounded<B>& c) {
   return error < 1 ? R::within({std::max(low, 0.0), high}, error) : R::unknown();
 }
 
-// The reflectance of a conductor cancels where the indices match: sampled.
+// The reflectance of a conductor cancels if the indices match. Its error is sampled instead.
 template <class B>
 Rounded<B> fresnel_conductor(const Rounded<B>&, const Rounded<B>&, const Rounded<B>&) {
   return Rounded<B>::unknown();

@@ -1,4 +1,4 @@
-// The catalogue in parts that take about as long to compile.
+// The catalogue in parts that take about the same time to compile.
 #pragma once
 
 #include "prove/scalar/on_box.h"
@@ -8,7 +8,7 @@ namespace brdf::prove {
 
 inline constexpr int kShards = 4;
 
-// Calls f(form) for the form at this place, if it is of this shard.
+// Calls f(form) for the form at this index, if the form belongs to this shard.
 template <int kShard, class Call>
 void with_form_of_shard(int place, const Call& call) {
   const auto visit = [&]<std::size_t k>(std::integral_constant<std::size_t, k>) {
@@ -20,6 +20,7 @@ void with_form_of_shard(int place, const Call& call) {
   }(std::make_index_sequence<kFormCount>{});
 }
 
+// Encloses f, or f and f cos_i, of a form of this shard.
 template <int kShard>
 Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> box, bool with_cosine) {
   Bounds result{};
@@ -31,6 +32,7 @@ Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> 
   return result;
 }
 
+// Returns the rounding errors of a form of this shard.
 template <int kShard>
 std::vector<LobeRounding> rounding_of_shard(int place, Precision precision, std::span<const Bounds> box) {
   std::vector<LobeRounding> result;

@@ -6,7 +6,7 @@ Bounds student_polynomial() {
   static const Bounds range = [] {
     using I = Interval<double>;
     constexpr int kX = 256, kY = 128;
-    const auto part = [](int k, int count) {  // of [-1.001, 1.001]
+    const auto part = [](int k, int count) {  // the part k of [-1.001, 1.001]
       return I::of(1.001 * (2.0 * k / count - 1), 1.001 * (2.0 * (k + 1) / count - 1));
     };
     I all = I::poison();

@@ -1,4 +1,4 @@
-// Directions from which a surface is seen.
+// Ranges of directions from which a surface is seen.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace brdf::prove {
 
-// Ranges of stretched views: turns from the normal and, of unequal widths, from the first axis to the second,
-// 0 to 1 (Domain).
+// Ranges of stretched views: turns from the normal and, for unequal roughnesses, turns from the first axis
+// to the second, 0 to 1 (Domain).
 struct Views {
   Bounds turn, azimuth{0, 0};
 };
-// An albedo over views, and how much of its width is that of their turns and of their azimuths.
+// An albedo over views, and the part of its width that is due to their turns and to their azimuths.
 struct AlbedoBounds {
   Bounds value;
   std::array<double, 2> reach{};
 };
 
-// (cos, sin) of a turn in [-2, 2], see Domain: both monotone between whole turns.
+// Encloses (cos, sin) of a turn in [-2, 2], see Domain. Both are monotone between whole turns.
 template <class I>
 void circle(Bounds turn, I& cosine, I& sine) {
   const auto at = [](double t) {

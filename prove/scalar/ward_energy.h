@@ -1,9 +1,8 @@
-// What Ward's lobes reflect. With the slopes (p, q) of h, P22 their Gaussian density, s = 1 + p^2 + q^2, u =
-// p tan(theta_i) (p along the light's azimuth), h not normalised:
+// The energy that Ward's lobes reflect. Let (p, q) be the slopes of h, P22 their Gaussian density, s = 1 +
+// p^2 + q^2, and u = p tan(theta_i), with p along the azimuth of the light. h is not normalised. Then
 //   d omega_o = 2 h_z^3/|h|^2 dp dq,   cos_i + cos_o = h_z,   h_z = 2 cos_i (1 + u)/s,   |h|^2 = s h_z^2,
-// and the direction o is above the horizon where 2 (1 + u) > s. So
-//   ward          f cos_o d omega_o = P22 A sqrt(2 A/s - cos_i)/(s^2 sqrt(cos_i)) dp dq,   A = cos_i (1 + u)
-//       = cos_i + sin_i p,
+// and the direction o is above the horizon if 2 (1 + u) > s. With A = cos_i (1 + u) = cos_i + sin_i p,
+//   ward          f cos_o d omega_o = P22 A sqrt(2 A/s - cos_i)/(s^2 sqrt(cos_i)) dp dq,
 //   ward_duer     f cos_o d omega_o = P22 A/(s^2 cos_i) dp dq,
 //   ward_bounded  f cos_o d omega_o = P22 R dp dq,   R = 2 cos_o/(cos_i + cos_o) = 2 - s/(1 + u).
 #pragma once
@@ -15,7 +14,7 @@ namespace brdf::prove {
 
 enum class WardKind { root, product, bounded };
 
-// The lobe as the form writes it.
+// Returns the lobe as the form writes it.
 template <WardKind kind, class S, class G>
 S ward_lobe(const Roughness<S>& a, const Geometry<G>& g) {
   const G inverse = G(1) / square(g.h.z);
@@ -32,14 +31,15 @@ S ward_lobe(const Roughness<S>& a, const Geometry<G>& g) {
   }
 }
 
-// R alone may be 2, but P22 is the same of (p, q) and (-p, -q), and the mean of both R is at most 1. For u >=
-// 0: where both are lit it is 2 - s/(1 - u^2) = 2 - 1/m <= m, m = (1 - u^2)/s; where only the first is, 1 -
-// s/(2 (1 + u)) <= 1 - 1/(2 (1 + u)), as s >= 1. `facet` is 1/s, the facet's squared cosine; `tilt` is u to
-// 1, then 2 - 1/u.
+// Returns an upper bound of the mean of R at (p, q) and (-p, -q). R alone may be 2, but P22 is the same at
+// both slopes, and the mean of both R is at most 1. For u >= 0, if both are lit, the mean is
+// 2 - s/(1 - u^2) = 2 - 1/m <= m, m = (1 - u^2)/s. If only the first is lit, the mean is
+// 1 - s/(2 (1 + u)) <= 1 - 1/(2 (1 + u)), since s >= 1. `facet` is 1/s, the squared cosine of the facet.
+// The facet's tilt u is given by u_to_1 up to 1 and by inverse_beyond_1 = 1/u beyond.
 template <class T>
 T ward_bounded_mean(const T& facet, const T& u_to_1, const T& inverse_beyond_1) {
   const T both = facet * (T(1) - square(u_to_1));
-  // 1/(1 + u), of u = u_to_1 or 1/inverse_beyond_1, whichever is not 1
+  // 1/(1 + u), for u = u_to_1 or 1/inverse_beyond_1, whichever is not 1
   const T rest = T(1) / (T(1) + u_to_1) + inverse_beyond_1 / (T(1) + inverse_beyond_1) - T(0.5);
   return larger(both, T(1) - T(0.5) * rest);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kFirstCosines = 4, kFirstTurns = 4;  // of each quarter of the azimuth
+constexpr int kFirstCosines = 4, kFirstTurns = 4;  // kFirstTurns: in each quarter of the azimuth
 constexpr int kFewCells = 64, kManyCells = 2000, kMostCells = kManyCells << 7;
 
 Bounds azimuth_of(double turn) {  // of a turn in [0, 2]
@@ -22,12 +22,12 @@ Bounds azimuth_of(double turn) {  // of a turn in [0, 2]
 
 struct Viewers {
   Bounds cosine, turn;
-  double most = 0, open = 0;  // what it adds at most, and how much of that is not sure
+  double most = 0, open = 0;  // its largest contribution, and the uncertain part of that
 
   bool operator<(const Viewers& other) const { return open < other.open; }
 };
 
-// The projected solid angle, rounded upward.
+// Returns the projected solid angle, rounded upward.
 double measure(const Bounds& cosine, const Bounds& turn) {
   const bool negative = turn.lo < 0;
   const double near = std::fabs(negative ? turn.hi : turn.lo), far = std::fabs(negative ? turn.lo : turn.hi);
@@ -35,7 +35,7 @@ double measure(const Bounds& cosine, const Bounds& turn) {
   return 0.5 * (cosine.hi - cosine.lo) * (cosine.hi + cosine.lo) * width * (1 + 1e-14);
 }
 
-// False where f may be no number.
+// Returns false if f may be NaN.
 bool examine(const ViewerBounds& f, Viewers& v) {
   const Bounds b = f(v.cosine, v.turn);
   if (!std::isfinite(b.lo)) return false;
@@ -48,7 +48,7 @@ bool examine(const ViewerBounds& f, Viewers& v) {
 struct Region {
   Box box;
   double most;
-  int cells = kManyCells;  // that it was asked for
+  int cells = kManyCells;  // the limit of cells for this box
   bool operator<(const Region& other) const { return most < other.most; }
 };
 
@@ -72,7 +72,8 @@ double albedo_at_most(const ViewerBounds& f, double enough, int most_cells) {
         return HUGE_VAL;
   double before = sum;
   for (int next = asked + kFewCells; sum * (1 + 1e-12) > enough && asked < most_cells;) {
-    // What half as many cells more bring: a good part of what is missing, or the box itself is too wide.
+    // Half as many cells more must bring a good part of the missing gain; otherwise the box itself is too
+    // wide.
     if (asked >= next) {
       if (before - sum < 0.1 * (sum - enough)) break;
       before = sum;
@@ -82,7 +83,7 @@ double albedo_at_most(const ViewerBounds& f, double enough, int most_cells) {
     cells.pop();
     sum -= v.most;
     Viewers low = v, high = v;
-    // The longer side, the azimuth's by the sine.
+    // Cuts the longer side; the azimuth's side is scaled by the sine.
     const double middle = 0.5 * (v.cosine.lo + v.cosine.hi), sine = std::sqrt(1 - middle * middle);
     if (v.cosine.hi - v.cosine.lo > 1.5 * sine * (v.turn.hi - v.turn.lo))
       low.cosine.hi = high.cosine.lo = middle;
@@ -90,7 +91,7 @@ double albedo_at_most(const ViewerBounds& f, double enough, int most_cells) {
       low.turn.hi = high.turn.lo = 0.5 * (v.turn.lo + v.turn.hi);
     if (!add(low) || !add(high)) return HUGE_VAL;
   }
-  double total = 0;  // afresh: the running sum carries the rounding of all that was taken from it
+  double total = 0;  // summed again: the running sum has the rounding errors of all subtractions
   for (; !cells.empty(); cells.pop()) total += cells.top().most;
   return total * (1 + 1e-12);
 }
@@ -116,7 +117,7 @@ Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const 
     return cover.boxes >= options.leaves ||
            std::chrono::duration<double>(Clock::now() - start).count() > options.seconds;
   };
-  // More cells where they bring the bound a good part of the way; else the box is what is too wide.
+  // Uses more cells if they bring the bound a good part of the way; otherwise the box is too wide.
   const auto refined = [&](Region& r) {
     if (!std::isfinite(r.most) || r.cells >= kMostCells) return false;
     const double before = r.most;
@@ -139,7 +140,7 @@ Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const 
       Box low = r.box, high = r.box;
       low[k].hi = high[k].lo = cut;
       const double first = most_of(low, kFewCells), second = most_of(high, kFewCells);
-      // The sum tells a cut that helps one half from one that helps neither.
+      // The sum distinguishes a cut that helps one half from a cut that helps neither.
       const double score = std::max(first, second) + 0.5 * std::min(first, second);
       if (!best.empty() && !(score < least)) continue;
       least = score;

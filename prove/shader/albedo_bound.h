@@ -8,19 +8,21 @@
 
 namespace brdf::prove {
 
-// The largest of f in a box of viewers, 1/sr, the parameters and the light being those of a box; not finite
-// where f may be no number.
+// Bounds f (1/sr) in a box of viewers, with the parameters and the light in a fixed box. Not finite if f
+// may be NaN.
 using ViewerBounds = std::function<Bounds(Bounds cos_o, Bounds turn_o)>;
 
-// At most this is reflected: the sum over cells of viewers of the largest f times the cell's projected solid
-// angle. The cell that leaves most open is halved until the sum is at most `enough`, until halving gains
-// little, or until `most_cells` have been asked for. Infinite where f may be no number on some cell.
+// Returns an upper bound of the albedo: the sum over cells of viewers of the largest f times the projected
+// solid angle of the cell. The cell with the largest uncertainty is halved until the sum is at most
+// `enough`, until halving gains little, or until `most_cells` cells have been evaluated. Infinite if f may
+// be NaN in some cell.
 double albedo_at_most(const ViewerBounds& f, double enough, int most_cells);
 
-// Bounds the albedo over a domain: the box whose bound is largest is asked for with more cells as long as
-// that brings it a good part of the way to `enough`, and else halved along the variable that gains most,
-// until all are at most `enough` or the options' limits are reached. Of the result `range.hi` is the bound,
-// `open` counts the boxes above `enough`, of which `left` holds some; there is no tree.
+// Bounds the albedo over a domain. The box with the largest bound is evaluated with more cells as long as
+// that brings the bound a good part of the way to `enough`; otherwise the box is halved along the variable
+// that gains most. The search ends when all bounds are at most `enough`, or at the limits of the options.
+// In the result, `range.hi` is the bound, `open` counts the boxes above `enough`, and `left` holds some of
+// them; there is no tree.
 Cover bound_albedo(const Domain& domain, const std::function<ViewerBounds(const Box&)>& of, double enough,
                    const SearchOptions& options);
 

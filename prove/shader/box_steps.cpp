@@ -14,14 +14,14 @@ using shader::Undefined;
 
 namespace {
 
-// A coordinate over its vector's length; the sum, the root and the division round.
+// Returns a coordinate over the length of its vector; the sum, the root and the division round.
 template <class B>
 Interval<B> of_unit(const Interval<B>& x) {
   constexpr double kMost = 1 + 16 * Interval<B>::kUnit;
   return x.poisoned() ? x : cut(x, -kMost, kMost);
 }
 
-// What may be undefined of an operation on numbers of these ranges.
+// Returns the reason why an operation on numbers of these ranges may be undefined.
 template <class B>
 std::optional<Undefined> undefined_number(const Step& s, const Way<B>& w) {
   const auto holds_zero = [&](std::uint32_t slot) {
@@ -47,7 +47,7 @@ std::optional<Undefined> undefined_number(const Step& s, const Way<B>& w) {
   }
 }
 
-// A coordinate over its vector's length.
+// Returns whether the step divides a coordinate by the length of its vector.
 bool of_length_of(const Step& s, const Squares& a, const Squares& b, std::uint32_t root_a,
                   std::uint32_t root_b) {
   using Kind = Squares::Kind;
@@ -167,14 +167,15 @@ void BoxSteps<B>::apply_numbers(Way<B>& w, const Step& s) {
   };
   const I &a = number(0, s.a), &b = number(1, s.b), &c = number(2, s.c);
   const std::uint32_t root_a = count > 0 ? w.root[s.a] : 0, root_b = count > 1 ? w.root[s.b] : ~0u;
-  // The same number twice is one number.
+  // An operation with the same number twice sees one number.
   I value = *number_op<B>(s.op, a, root_a == root_b ? a : b, c);
   const Squares none;
   const Squares &sa = count > 0 ? w.squares[s.a] : none, &sb = count > 1 ? w.squares[s.b] : none;
   const bool unit = of_length_of(s, sa, sb, root_a, root_b);
   if (unit) value = of_unit(value);
   Squares squares = squares_of(s, sa, sb, root_a, root_b);
-  // Squares that may be subnormal have few digits, and a GPU may take them for 0: their root is no length.
+  // Squares that may be subnormal have few digits, and a GPU may treat them as 0: their root is not a
+  // length.
   if ((s.op == Op::sqrt || s.op == Op::inverse_sqrt) && !(a.lo >= I::kSmallest)) squares = {};
   w.write(s.r, value, reason_of(w, s, undefined_number<B>(s, w)));
   if (!squares.contains(s.r)) w.squares[s.r] = squares;

@@ -1,4 +1,4 @@
-// One step of a shader's program on ranges of its operands, and what is undefined of it.
+// Executes one step of a shader's program on ranges of its operands, and records undefined results.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,20 @@ class BoxSteps {
  public:
   using I = Interval<B>;
 
-  // Forgets the reasons of another run.
+  // Discards the reasons of another run.
   void start_over() { reasons_.resize(2, {shader::Undefined::variable, 0, {}}); }
+  // Executes a step on the state of a way.
   void apply(Way<B>& w, const shader::Step& s);
 
-  // Of a slot's mark, which is not 0.
+  // Returns the reason for the mark of a slot; the mark is not 0.
   const shader::UndefinedValue& reason(std::uint32_t mark) const { return reasons_[mark - 1]; }
 
-  // Whether the step divides a coordinate by its vector's length.
+  // Returns whether the step divides a coordinate by the length of its vector.
   static bool of_length(const Way<B>& w, const shader::Step& s);
 
  private:
-  // The reason of an operand, placed at this step where it names no line yet; else the step's own.
+  // Returns the reason of an operand, placed at this step if it names no line yet; otherwise the reason of
+  // the step.
   std::uint32_t reason_of(const Way<B>& w, const shader::Step& s, std::optional<shader::Undefined> own);
   std::uint32_t placed(std::uint32_t reason, const shader::Step& s);
   std::uint32_t reason_of_choice(const Way<B>& w, const shader::Step& s, const Whole& truth);

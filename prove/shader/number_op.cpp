@@ -9,7 +9,8 @@ namespace {
 
 using shader::Op;
 
-// A bound that is one of Base's numbers exactly is not passed by rounding either: rounding is monotone.
+// Returns whether x is exactly a number of Base. Rounding is monotone, so that no rounded result passes
+// such a bound.
 template <class B>
 bool representable(double x) {
   return double(B(x)) == x;
@@ -37,7 +38,7 @@ Interval<B> multiplied(const Interval<B>& a, const Interval<B>& b, bool same) {
   return r;
 }
 
-// x^y of x >= 0 at a point, between both.
+// Bounds x^y for x >= 0 at a point.
 Bounds power_at(double x, double y) {
   if (y == 0) return {1, 1};
   if (x == 0) return {0, 0};
@@ -47,7 +48,7 @@ Bounds power_at(double x, double y) {
   return {least < -745 ? 0 : exp_at(std::min(least, 709.0)).lo,
           most > 709 ? std::numeric_limits<double>::infinity() : exp_at(std::max(most, -745.0)).hi};
 }
-// Monotone in each operand on either side of 1 and 0: the ends hold the extremes.
+// The power is monotone in each operand on either side of 1 and 0: the extremes are at the ends.
 template <class B>
 Interval<B> power(const Interval<B>& x, const Interval<B>& y) {
   using I = Interval<B>;
@@ -64,7 +65,7 @@ Interval<B> power(const Interval<B>& x, const Interval<B>& y) {
   return I::widened(low, high, I::kKernelUnits);
 }
 
-// The angle of a cosine in [-1, 1], decreasing.
+// Bounds the angle of a cosine in [-1, 1]; it decreases.
 Bounds arc_cosine(double x) {
   const double sine = std::sqrt((1 - x) * (1 + x));
   const Bounds a = angle_at(sine, std::fabs(x));
@@ -210,11 +211,11 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     }
     case Op::fma:
       return added(multiplied(a, b, &a == &b), c);
-    // Nothing is known of these yet.
+    // Nothing is known of these operations yet.
     case Op::sinh:
     case Op::cosh:
       return std::nullopt;
-    // Operations on integers, and of both kinds: box_steps.cpp, whole.cpp.
+    // Operations on integers, and on both kinds: box_steps.cpp, whole.cpp.
     case Op::select:
     case Op::equal:
     case Op::not_equal:

@@ -1,5 +1,6 @@
-// What an operation of a shader's program gives on intervals: everything that its float or double interpreter
-// may compute, and the exact result. Poison where it may be no number or infinite, or where nothing is known.
+// The result of an operation of a shader's program on intervals: everything that its float or double
+// interpreter may compute, and the exact result. The result is poison if it may be NaN or infinite, or if
+// nothing is known of it.
 #pragma once
 
 #include <optional>
@@ -9,12 +10,12 @@
 
 namespace brdf::prove {
 
-// Of numbers to a number; none where the operation is not known here.
+// Applies an operation from numbers to a number. Returns std::nullopt if the operation is not known here.
 template <class B>
 std::optional<Interval<B>> number_op(shader::Op op, const Interval<B>& a, const Interval<B>& b,
                                      const Interval<B>& c);
 
-// less, equal and so on, of numbers that are none is not asked.
+// Applies a comparison (less, equal and so on). Precondition: neither operand is NaN.
 template <class B>
 Tri compared(shader::Op op, const Interval<B>& a, const Interval<B>& b);
 

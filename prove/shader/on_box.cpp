@@ -28,13 +28,14 @@ class ShaderOnBox {
   explicit ShaderOnBox(const shader::Function& f)
       : function_(f), program_(f.program<B>()), symmetry_(f.turning<B>()), blank_(program_), way_(blank_) {}
 
-  // Of this very function: another at its place has another number.
+  // Returns whether this object belongs to this very function: another function at the same address has
+  // another number.
   bool is_of(const shader::Function& f) const { return &f == &function_ && f.number == number_; }
 
   I run(const ShaderInputs& inputs) {
     const Vec3<I> wi = direction<I>(inputs.cos_i, inputs.turn_i),
                   wo = direction<I>(inputs.cos_o, inputs.turn_o);
-    // A symmetry stands for the other turns where only one is asked for.
+    // The symmetry covers the other turns if a single turn is requested.
     turns_ = symmetry_.isotropic && inputs.turn_i.lo == inputs.turn_i.hi;
     steps_.start_over();
     found_.reset();
@@ -43,11 +44,11 @@ class ShaderOnBox {
     return hull_of_ways();
   }
 
-  // What the result may depend on that is undefined.
+  // Returns an undefined value on which the result may depend.
   const std::optional<shader::UndefinedValue>& undefined() const { return found_; }
 
  private:
-  // Poison where one of the ways is, or where the result may be undefined.
+  // Returns the hull of all ways; poison if the result of a way is poison, or may be undefined.
   I hull_of_ways() {
     std::vector<std::pair<Way<B>, std::uint32_t>> left;
     std::uint32_t at = 0;
@@ -82,14 +83,15 @@ class ShaderOnBox {
       }
     }
   }
-  // A coordinate that changes when light and viewer turn together.
+  // Returns whether the binding is a coordinate that changes when light and viewer are rotated together.
   static bool lies(Axis a) { return a == Axis::tangent || a == Axis::bitangent; }
+  static bool is_outer(Axis a) { return a == Axis::light || a == Axis::view; }
   static bool across_normal(const Binding& b) {
     const auto moves = [](Axis a) { return a == Axis::light || a == Axis::view || a == Axis::half; };
     if (b.from == Binding::From::coordinate) return moves(b.a) && b.component < 2;
     return b.from == Binding::From::product && ((moves(b.a) && lies(b.b)) || (moves(b.b) && lies(b.a)));
   }
-  // As Runner::set_directions gives it (shader/function.h).
+  // Returns the input that Runner::set_directions gives (shader/function.h).
   static I input(const Binding& b, const ShaderInputs& inputs, const Vec3<I>& wi, const Vec3<I>& wo,
                  const Vec3<I>& h) {
     const auto axis = [&](Axis a) -> std::array<I, 3> {
@@ -107,11 +109,11 @@ class ShaderOnBox {
       case Binding::From::product: {
         if (b.a == b.b) return I(1);
         const auto x = axis(b.a), y = axis(b.b);
-        const bool facing =
-            (b.a == Axis::half) != (b.b == Axis::half);  // beside the light or the viewer: |h|/2
+        // The half vector with the light or the viewer is |h|/2; with an axis in the plane the product has any sign.
+        const bool facing = (b.a == Axis::half && is_outer(b.b)) || (b.b == Axis::half && is_outer(b.a));
         const bool upward = b.a == Axis::normal || b.b == Axis::normal;
         const I sum = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-        // A coordinate, or a sum that rounds otherwise at other turns than the one that was asked for.
+        // A coordinate, or a sum with a different rounding at turns other than the requested turn.
         return cut(lies(b.a) || lies(b.b) || upward ? sum : widened_by(sum, 8 * I::kUnit),
                    facing || upward ? 0.0 : -1.0, 1.0);
       }
@@ -133,8 +135,8 @@ class ShaderOnBox {
     return {over(h.x, -1), over(h.y, -1), over(h.z, 0)};
   }
 
-  // To the end; ways that part on the way are put to the others. False: too long, or it depends on what is
-  // undefined.
+  // Follows a way to its end; ways that branch off are added to `left`. Returns false if the way is too
+  // long, or depends on an undefined value.
   bool follow(Way<B>& way, std::uint32_t at, std::vector<std::pair<Way<B>, std::uint32_t>>& left) {
     for (;;) {
       const shader::Stretch& stretch = program_.stretches[at];
@@ -162,7 +164,8 @@ class ShaderOnBox {
     }
   }
 
-  // At other turns than the one that was asked for a closing sum rounds otherwise.
+  // Widens the result for the other turns: a closing sum rounds differently there than at the requested
+  // turn.
   void turn(Way<B>& w, const Step& s, shader::Turning turning) {
     if (turning == shader::Turning::still || s.op > Op::less_equal_or) return;
     if (s.op > Op::select) return compare(w, s);
@@ -175,7 +178,7 @@ class ShaderOnBox {
                     value.hi * (1 + roundings) + 8 * I::kTiny);
     } else if (turning == shader::Turning::pairs) {
       const double error = roundings * std::max(w.most(s.a), w.most(s.b)) + 8 * I::kTiny;
-      // A negative end comes from a product of two signs, which was widened by one unit already.
+      // A negative end comes from a product of two signs, which was already widened by one unit.
       const double known = value.lo < 0 ? -value.lo * I::kUnit * (1 - 4 * I::kUnit) : 0;
       value = I::of(value.lo - std::max(error - known, 0.0), value.hi + error);
     } else {
@@ -190,7 +193,8 @@ class ShaderOnBox {
     const bool open = a.poisoned() || w.numbers[s.b].poisoned() || t == Tri::maybe;
     if (open) w.write_integer(s.r, Whole::truth(), w.undefined_integers[s.r]);
   }
-  // A bound of the absolute value of the step's result at every turn, of sums that of their terms.
+  // Returns a bound of the absolute value of the step's result at every turn; for sums, the bound of their
+  // terms.
   double largest(const Way<B>& w, const Step& s) const {
     constexpr double kUp = 1 + 16 * I::kUnit;
     const double a = w.most(s.a), b = s.op == Op::copy || s.op == Op::neg ? 0 : w.most(s.b);
@@ -256,7 +260,7 @@ std::string unknown_operation(const Program& program) {
 template <class B>
 ShaderBounds shader_on_box(const shader::Function& function, const ShaderInputs& inputs) {
   using I = Interval<B>;
-  // Kept between calls: preparing a way costs as much as following it.
+  // Kept between calls: preparing a way costs as much as following one.
   thread_local std::optional<ShaderOnBox<B>> kept;
   if (!kept || !kept->is_of(function)) kept.emplace(function);
   const I value = kept->run(inputs);

@@ -21,7 +21,7 @@ class Writer {
   }
   std::string between_text(double low, double high) { return number(between(low, high)); }
 
-  // An expression that lies between 0 and about 3.
+  // Returns an expression between 0 and about 3.
   std::string positive(int depth) {
     if (depth == 0) return leaf();
     const std::string a = positive(depth - 1), b = positive(depth - 1);
@@ -80,7 +80,7 @@ class Writer {
   std::mt19937_64& random_;
 };
 
-// A condition that holds on a thin set within the domain, and its name.
+// Returns a condition that holds on a thin set within the domain, and the name of the set.
 std::pair<std::string, std::string> thin_set(Writer& w) {
   const double width = std::pow(10, w.between(-7, -2));
   const auto near = [&](const std::string& x, double low, double high) {
@@ -108,7 +108,7 @@ struct Operation {
   const char* name;
   const char* code;
 };
-// Each gives `value` an undefined value where `where` holds.
+// Each gives `value` an undefined value if `where` holds.
 constexpr Operation kUndefined[] = {
     {"variable", "float u; if (!(where)) u = 0.1; value += u;"},
     {"return", "value = other(where, value);"},
@@ -136,7 +136,7 @@ RandomProgram planted_program(std::mt19937_64& random) {
   const std::string value = w.positive(1 + int(w.below(2)));
   const std::uint64_t kind = w.below(10);
   if (kind == 0) {
-    // A quotient by the length of a vector whose squares are subnormal numbers of float.
+    // A quotient by the length of a vector with squares that are subnormal in float.
     const std::string scale = w.between_text(7.6e-23, 7.95e-23);
     return {
         w.shader("  value = 1.02 - normalize(vec3(0.0, 0.0, (1.0 + 0.02 * nl) * " + scale + ")).z;\n", value),

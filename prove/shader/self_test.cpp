@@ -23,7 +23,7 @@ double within(std::mt19937_64& e, Bounds range) {
   return std::clamp(range.lo + (range.hi - range.lo) * double(e() >> 11) * 0x1p-53, range.lo, range.hi);
 }
 
-// A part of the range: a point, a sliver or all of it.
+// Returns a part of the range: a point, a sliver or the whole range.
 Bounds part_of(std::mt19937_64& e, Bounds range) {
   const double a = within(e, range), b = within(e, range);
   const double share = std::pow(10, -8 * double(e() >> 11) * 0x1p-53);
@@ -31,7 +31,7 @@ Bounds part_of(std::mt19937_64& e, Bounds range) {
   return {std::min(a, other), std::max(a, other)};
 }
 
-// The direction of this cosine and turn, then turned about the normal by `by` radians, rounded to T.
+// Returns the direction of this cosine and turn, rotated about the normal by `by` radians and rounded to T.
 template <class T>
 Vec3<T> direction_at(double cosine, double turn, double by) {
   const double x = 1 - std::fabs(turn), y = std::fabs(turn) <= 1 ? turn : turn > 0 ? 2 - turn : -2 - turn;

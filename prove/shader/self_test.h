@@ -1,4 +1,4 @@
-// The prover attacked: shaders with planted violations, and enclosures that are sampled.
+// Attacks the prover with shaders that have planted violations, and samples its enclosures.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,18 @@ struct SelfTestOptions {
 
 struct SelfTest {
   long planted = 0, falsely_proved = 0;  // verdicts that a planted violation contradicts
-  long sound = 0, sound_proved = 0;      // shaders of which all four verdicts are proved
+  long sound = 0, sound_proved = 0;      // shaders with proofs of all four properties
   long samples_float = 0, samples_double = 0;
   long outside = 0;                      // values outside their enclosure
-  long undefined_inside = 0;             // undefined values where the enclosure is finite
+  long undefined_inside = 0;             // undefined values in boxes with a finite enclosure
   std::vector<std::string> faults = {};  // the first of each kind, with the shader's text
   bool good() const { return falsely_proved == 0 && outside == 0 && undefined_inside == 0; }
 };
 
-// Proves `finite` and `non_negative` in both precisions of random shaders, and encloses random boxes of them,
-// in which it evaluates the interpreter at random parameters, directions and turns of both. Deterministic by
-// the seed. Throws InputError where a shader does not compile, which would be a fault of the self-test.
+// Proves `finite` and `non_negative` in both precisions for random shaders. Encloses random boxes of the
+// shaders and evaluates the interpreter in them, at random parameters, directions and common turns of both
+// directions. The result depends on the seed only. Throws InputError if a shader does not compile, which
+// would be a fault of the self-test.
 SelfTest self_test(const SelfTestOptions& options, const io::Progress& progress = {});
 
 }  // namespace brdf::prove

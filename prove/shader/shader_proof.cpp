@@ -19,9 +19,9 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr double kAlbedoSlack = 1e-6;  // above 1: of constants like 3.14159265
+constexpr double kAlbedoSlack = 1e-6;  // above 1: for constants like 3.14159265
 
-// The largest albedo of a few materials, integrated with an error bound.
+// Returns the largest albedo of a few materials, integrated with an error bound.
 std::optional<Witness> largest_albedo(const ShaderSubject& s) {
   constexpr int kMaterials = 40;
   const Domain domain = s.domain(false);
@@ -48,12 +48,12 @@ std::optional<Witness> largest_albedo(const ShaderSubject& s) {
   return best;
 }
 
-// The domain in words, for every sentence that rests on it.
+// Returns the limit of the domain in words, for every sentence that depends on the domain.
 std::string within_domain() {
   return ", for cosines from " + io::short_number(kLeastShaderCosine, 3);
 }
 
-// What is known where the boxes do not decide.
+// Completes a proof by trial evaluations if the boxes do not decide.
 void by_trial(Proof& p, const ShaderSubject& s, const std::optional<shader::UndefinedValue>& may_be) {
   const bool finite = p.claim.property == Property::finite;
   p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " open";

@@ -11,7 +11,7 @@
 namespace brdf::prove {
 namespace {
 
-constexpr double kLowestTried = 1e-12;  // a cosine
+constexpr double kLowestTried = 1e-12;  // the least cosine of a trial
 constexpr int kTrials = 4000;
 
 void add_direction(Domain& d, const std::string& which, bool turns) {

@@ -1,4 +1,4 @@
-// A shader's parameters and directions as a domain, and values tried in it.
+// The parameters and directions of a shader as a domain, and trial evaluations in that domain.
 #pragma once
 
 #include <optional>
@@ -12,35 +12,38 @@
 
 namespace brdf::prove {
 
-// The shader's parameters as variables, then its directions.
+// The parameters of a shader as variables, followed by its directions.
 struct ShaderSubject {
   const shader::ShaderReflectance& model;
   const Material& material;
   std::string words;  // of the command line
-  bool turns = true;  // the light has to be turned: no symmetry of the program is shown
+  bool turns = true;  // the light has to be rotated: no symmetry of the program is shown
 
   const shader::Function& function() const { return model.function(); }
   std::size_t parameters() const { return function().parameters.size(); }
-  // Whole numbers where parameters are: the function computes with those, whatever it is given between them.
+  // Returns the point with integer parameters rounded to whole numbers, since the function itself uses
+  // whole numbers for any value between them.
   std::vector<double> possible(std::vector<double> point) const;
   Domain domain(bool with_viewer) const;
-  // A colour's three components are anywhere in its range, each.
+  // Returns the inputs for a box. Each of the three components of a colour is anywhere in the colour's
+  // range.
   ShaderInputs inputs(std::span<const Bounds> box) const;
-  // The material with these parameters, in the function's order; the words that say so are added.
+  // Returns the material with these parameters, in the function's order. Appends the corresponding words of
+  // the command line to `said`.
   Material at(std::span<const double> values, std::string& said) const;
   std::vector<std::pair<std::string, double>> named(std::span<const double> values) const;
 };
 
-// A point of the domain: any, or a corner.
+// Returns a point of the domain: any point, or a corner.
 std::vector<double> point_of(const Domain& domain, std::mt19937_64& e);
 
-// The same domain for cosines below the least one, where nothing is claimed.
+// Returns the same domain for cosines below the least one, where nothing is claimed.
 Domain below(Domain domain);
 
-// A direction in which f is defined and not as the claim's property says, finite or non-negative.
+// Returns a direction in which f is defined and violates the claim's property (finite or non-negative).
 std::optional<Witness> fault_of(const ShaderSubject& s, const Claim& claim, const Domain& domain);
 
-// A value that the language leaves undefined.
+// Returns a description of a value that the language leaves undefined.
 std::optional<std::string> undefined_of(const ShaderSubject& s, Precision precision, const Domain& domain);
 
 }  // namespace brdf::prove

@@ -1,4 +1,4 @@
-// One way through a shader's program: what every number and integer is known to be there.
+// One way through a shader's program: the knowledge about every number and integer on that way.
 #pragma once
 
 #include <algorithm>
@@ -12,16 +12,17 @@
 
 namespace brdf::prove {
 
-// What a number is known to be beside its range: a sum of squares of these slots, its root, or one over that.
+// Additional knowledge about a number: it is a sum of squares of these slots, the root of such a sum, or
+// one over the root.
 struct Squares {
   enum class Kind { none, sum, length, inverse } kind = Kind::none;
   static constexpr std::size_t kMost = 4;
   std::size_t count = 0;
-  std::array<std::uint32_t, kMost> of{};  // slots that stand for a number: copies share one
+  std::array<std::uint32_t, kMost> of{};  // slots that represent a number: copies share one slot
 
   bool contains(std::uint32_t slot) const { return std::find(of.data(), end(), slot) != end(); }
   std::span<const std::uint32_t> slots() const { return {of.data(), count}; }
-  // False where there are too many.
+  // Returns false if there are too many slots.
   bool add(std::uint32_t slot) {
     if (contains(slot)) return true;
     if (count == kMost) return false;
@@ -33,9 +34,9 @@ struct Squares {
   const std::uint32_t* end() const { return of.data() + count; }
 };
 
-// What a truth says.
+// The comparison that gave a truth.
 struct Comparison {
-  shader::Op op = shader::Op::copy;  // copy: nothing is known of it
+  shader::Op op = shader::Op::copy;  // copy: nothing is known of the truth
   std::uint32_t a = 0, b = 0;
   bool negated = false;
 };
@@ -45,21 +46,21 @@ template <class B>
 struct Way {
   using I = Interval<B>;
   std::vector<I> numbers;
-  std::vector<std::uint32_t> root;  // the slot whose number a copy holds
+  std::vector<std::uint32_t> root;  // the slot that holds the number of a copy
   std::vector<Squares> squares;
   std::vector<Whole> integers;
   std::vector<Comparison> said;
-  std::vector<bool> told_of;  // slots that others' copies, squares or comparisons name
-  // Why a slot may hold an undefined value: a place in the list of reasons, from 1; 0: its value is defined.
-  // Such a number is poisoned.
+  std::vector<bool> told_of;  // slots that copies, squares or comparisons of other slots refer to
+  // The reason why a slot may hold an undefined value: an index in the list of reasons, from 1. 0: the
+  // value is defined. Undefined numbers are poisoned.
   std::vector<std::uint32_t> undefined, undefined_integers;
-  // Of a number that changes when light and viewer turn together: a bound of its absolute value at every
-  // turn.
+  // For a number that changes when light and viewer are rotated together: a bound of its absolute value at
+  // every turn.
   std::vector<double> magnitude;
   std::vector<bool> turns;
   std::size_t steps = 0;
 
-  // Reasons 1 and 2 are those of Unset's members; slots that are neither constants nor inputs are unwritten.
+  // Reasons 1 and 2 are the members of Unset. Slots that are neither constants nor inputs are unwritten.
   explicit Way(const shader::Program& p)
       : numbers(p.numbers),
         root(p.numbers),
@@ -80,7 +81,7 @@ struct Way {
       (u.integer ? undefined_integers : undefined)[u.slot] = 1 + std::uint32_t(u.why);
   }
 
-  // Forgets what was known by the slot's old number.
+  // Writes a number and discards the knowledge that refers to the slot's old number.
   void write(std::uint32_t slot, const I& value, std::uint32_t reason = 0) {
     if (told_of[slot]) {
       for (std::uint32_t k = 0; k < root.size(); ++k)
@@ -101,7 +102,7 @@ struct Way {
     magnitude[slot] = most;
     turns[slot] = true;
   }
-  // A bound of the number's absolute value at every turn.
+  // Returns a bound of the number's absolute value at every turn.
   double most(std::uint32_t slot) const { return turns[slot] ? magnitude[slot] : numbers[slot].magnitude(); }
   void tell_of(std::uint32_t slot) { told_of[slot] = true; }
   void write_integer(std::uint32_t slot, const Whole& value, std::uint32_t reason = 0) {
@@ -109,7 +110,7 @@ struct Way {
     undefined_integers[slot] = reason;
     said[slot] = {};
   }
-  // What is known of this number holds for its copies.
+  // Narrows the range of a number and of its copies.
   void narrow(std::uint32_t slot, double low, double high) {
     const std::uint32_t r = root[slot];
     for (std::uint32_t k = 0; k < root.size(); ++k)
@@ -118,6 +119,7 @@ struct Way {
         numbers[k].hi = std::max(std::min(numbers[k].hi, high), numbers[k].lo);
       }
   }
+  // Assumes that the condition holds, or does not, and narrows the compared numbers accordingly.
   void suppose(std::uint32_t condition, bool holds) {
     if (integers[condition] == Whole::truth()) integers[condition] = {holds, holds};
     const Comparison c = said[condition];
@@ -139,6 +141,7 @@ struct Way {
   }
 };
 
+// Returns the knowledge about the result of a step from the knowledge about its operands.
 inline Squares squares_of(const shader::Step& s, const Squares& a, const Squares& b, std::uint32_t root_a,
                           std::uint32_t root_b) {
   using Kind = Squares::Kind;

@@ -10,12 +10,12 @@ namespace {
 
 using shader::Op;
 
-// Wrapped by the language where it does not fit.
+// Returns the range; any value if the language wraps results that do not fit.
 Whole fitting(std::int64_t lo, std::int64_t hi) {
   return lo >= Whole::kLeast && hi <= Whole::kMost ? Whole{lo, hi} : Whole::any();
 }
 
-// By the interpreter itself.
+// Evaluates the operation with the interpreter itself.
 Whole exactly(Op op, const Whole& a, const Whole& b, const Whole& c) {
   shader::Program four;
   four.integers = 4;
@@ -32,7 +32,7 @@ Whole product(const Whole& a, const Whole& b) {
   return fitting(*std::min_element(all, all + 4), *std::max_element(all, all + 4));
 }
 
-// yes where the first is always below, no where it never is.
+// Returns true if the first operand is always below, false if it never is; else either.
 Whole below(const Whole& a, const Whole& b, bool or_equal) {
   if (or_equal ? a.hi <= b.lo : a.hi < b.lo) return {1, 1};
   if (or_equal ? a.lo > b.hi : a.lo >= b.hi) return {0, 0};
@@ -48,7 +48,7 @@ Whole negated(const Whole& truth) {
   return truth == Whole::truth() ? truth : Whole{1 - truth.lo, 1 - truth.lo};
 }
 
-// Of operands of which neither is negative when it is read as signed.
+// For operands that are not negative when read as signed.
 Whole of_unsigned(Op op, const Whole& a, const Whole& b) {
   switch (op) {
     case Op::udiv:

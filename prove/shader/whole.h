@@ -1,4 +1,4 @@
-// What is known of an integer or a truth in a box: a range of 32-bit integers, read as signed.
+// The range of an integer or a truth in a box: 32-bit integers, read as signed.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct Whole {
 
   bool known() const { return lo == hi; }
   std::uint32_t bits() const { return std::uint32_t(std::int32_t(lo)); }
-  // The same number whether it is read as signed or not.
+  // Returns whether the number is the same when read as signed or as unsigned.
   bool not_negative() const { return lo >= 0; }
   friend bool operator==(const Whole&, const Whole&) = default;
 };
@@ -28,11 +28,11 @@ constexpr Whole hull(const Whole& a, const Whole& b) {
   return {a.lo < b.lo ? a.lo : b.lo, a.hi > b.hi ? a.hi : b.hi};
 }
 
-// Every value that an operation from integers to an integer can give; that of known operands exactly. Loads
-// and stores are not asked for.
+// Encloses every value that an operation from integers to an integer can give; exact if the operands are
+// known. Loads and stores are not supported.
 Whole whole_op(shader::Op op, const Whole& a, const Whole& b, const Whole& c);
 
-// Whether the language may leave the result undefined for some operands of these ranges.
+// Returns whether the language may leave the result undefined for some operands of these ranges.
 bool may_be_undefined(shader::Op op, const Whole& a, const Whole& b);
 
 }  // namespace brdf::prove
