@@ -116,6 +116,20 @@ TEST_P(ShaderBoxes, HoldEveryValueInBothPrecisions) {
 
 INSTANTIATE_TEST_SUITE_P(Texts, ShaderBoxes, testing::Values(kBranches, kWays, shader::kGgx));
 
+// Every cosine that a parameter can ask for: each two of light, viewer, half vector, normal, tangent and bitangent.
+std::vector<std::string> texts_of_cosines() {
+  const std::string_view axes = "LVHNXY";
+  std::vector<std::string> texts;
+  for (const char a : axes)
+    for (const char b : axes)
+      if (a < b) {
+        const std::string cosine{a, 'o', b};
+        texts.push_back("float brdf(float " + cosine + ", vec3 L, vec3 V) { return " + cosine + "; }");
+      }
+  return texts;
+}
+INSTANTIATE_TEST_SUITE_P(Cosines, ShaderBoxes, testing::ValuesIn(texts_of_cosines()));
+
 std::map<std::string, Proof> proofs_of(const std::string& text,
                                        std::vector<Property> properties = {
                                            Property::finite, Property::non_negative, Property::energy}) {
@@ -129,6 +143,20 @@ std::map<std::string, Proof> proofs_of(const std::string& text,
     found[scalar + std::string(name_of(p.claim.property))] = std::move(p);
   }
   return found;
+}
+
+// A cosine of light, viewer or half vector with the tangent is negative for half of the directions, and the
+// cosine of light and viewer for some. The others are at least 0.
+TEST(ShaderProofs, OnlyCosinesThatCannotBeNegativeAreProvedNonNegative) {
+  for (const std::string& text : texts_of_cosines()) {
+    const std::string cosine = text.substr(text.find("return ") + 7, 3);
+    const bool in_plane =
+        cosine.find_first_of("XY") != cosine.npos && cosine.find('N') == cosine.npos && cosine != "XoY";
+    const bool is_negative_somewhere = in_plane || cosine == "LoV";
+    for (const auto& [name, p] : proofs_of(text, {Property::non_negative}))
+      EXPECT_EQ(p.verdict == Verdict::proved, !is_negative_somewhere)
+          << cosine << ' ' << name << ": " << p.statement;
+  }
 }
 
 TEST(ShaderProofs, OfSoundShaders) {
