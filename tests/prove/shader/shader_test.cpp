@@ -116,7 +116,8 @@ TEST_P(ShaderBoxes, HoldEveryValueInBothPrecisions) {
 
 INSTANTIATE_TEST_SUITE_P(Texts, ShaderBoxes, testing::Values(kBranches, kWays, shader::kGgx));
 
-// Every cosine that a parameter can ask for: each two of light, viewer, half vector, normal, tangent and bitangent.
+// One function for each cosine that a parameter can ask for: of two of light, viewer, half vector, normal,
+// tangent and bitangent.
 std::vector<std::string> texts_of_cosines() {
   const std::string_view axes = "LVHNXY";
   std::vector<std::string> texts;
