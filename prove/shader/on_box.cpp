@@ -109,7 +109,8 @@ class ShaderOnBox {
       case Binding::From::product: {
         if (b.a == b.b) return I(1);
         const auto x = axis(b.a), y = axis(b.b);
-        // The half vector with the light or the viewer is |h|/2; with an axis in the plane the product has any sign.
+        // The half vector with the light or the viewer is |h|/2; with an axis in the plane the product has
+        // any sign.
         const bool facing = (b.a == Axis::half && is_outer(b.b)) || (b.b == Axis::half && is_outer(b.a));
         const bool upward = b.a == Axis::normal || b.b == Axis::normal;
         const I sum = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
