@@ -1,5 +1,5 @@
-// Tests over every form, scene or table take a few of them in ./test and all in ./test --full, which sets
-// BRDF_THOROUGH.
+// Tests over every form, scene or table use a few of them in ./test, and all of them in ./test --full,
+// which sets BRDF_THOROUGH.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ inline constexpr bool kSanitized = false;
 
 }  // namespace brdf
 
-// At the head of a test that integrates or searches for many seconds once it is sanitized: ./test --full has
-// it.
+// For the beginning of a test that integrates or searches for many seconds when it is sanitized. Such a
+// test then runs only in ./test --full.
 #define BRDF_LONG_UNDER_SANITIZERS() \
   if (brdf::kSanitized && !brdf::thorough()) GTEST_SKIP() << "sanitized by ./test --full alone"

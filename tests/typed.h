@@ -1,4 +1,4 @@
-// For tests that need the structs of forms: a reflectance's struct, and its parameters as structs.
+// For tests that need the structs of forms: the struct of a reflectance, and its parameters as structs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct FormName {
   }
 };
 
-// f(form) with the struct of a form of the catalogue; every call must return a value of one type.
+// Calls f(form) with the struct of a form of the catalogue. All calls must return values of the same type.
 template <class F>
 auto visit_form(const Reflectance& form, F&& f) {
   std::optional<decltype(f(lambert{}))> result;

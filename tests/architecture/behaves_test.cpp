@@ -1,5 +1,5 @@
-// What a library may not do to the program that it is linked into: the sources are searched by behaves.py;
-// here the work is done, and the process looked at before and after.
+// Tests that the library does not change the program that it is linked into. behaves.py searches the
+// sources; this test does the work of the library and compares the process before and after.
 #include <fcntl.h>
 #include <glog/logging.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ extern char** environ;
 namespace brdf {
 namespace {
 
-// What of a process a library could change.
+// The state of a process that a library could change.
 struct Process {
   int rounding = std::fegetround(), traps = fegetexcept(), log_level = FLAGS_minloglevel;
   bool log_to_stderr = FLAGS_logtostderr;
@@ -50,7 +50,7 @@ struct Process {
     umask(mask);
     return mask;
   }
-  // Sockets too: nothing listens.
+  // Counts sockets, too: an unchanged count shows that the library listens on no socket.
   static std::size_t open_files() {
     std::size_t count = 0;
     for (int k = 0; k < 1024; ++k) count += fcntl(k, F_GETFD) >= 0;
@@ -74,7 +74,7 @@ TEST(Library, NeverPrintsAndLeavesTheProcessAsItWas) {
   io::SampleTable table = few_samples(form);
   const fit::FitResult result = fit::fit(table, fit::canonical_models(), {});
   fit::fit(table, {}, {});
-  // Samples that no solver can do anything with.
+  // Samples that no solver can fit.
   for (double& value : table.values[0]) value = 1e300;
   fit::fit(table, {{form}}, {});
   validate::check_energy(validate::Subject::material("m", result.ranking.front().material), {});

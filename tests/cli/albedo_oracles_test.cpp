@@ -1,5 +1,5 @@
-// The independent albedos, through `brdf albedo` as a user calls it: closed forms, published tables, and the
-// known violations that are albedos.
+// Tests `brdf albedo`, as a user calls it, against independent albedos: closed forms, published tables, and
+// the known violations that can be expressed as albedos.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kDigits = 1e-10;  // or half a unit of the last digit printed
 
 struct Row {
-  std::string form, parameters;  // as --set takes them
+  std::string form, parameters;  // in the form of --set
   std::vector<double> theta, albedo;
   double error = kDigits;
   std::string fixed = "i";

@@ -1,5 +1,5 @@
-// What a fit says beyond its parameters, through the executable: weights that are shared or keep energy, and
-// the uncertainty of what is computed from a fitted material.
+// Tests results of a fit other than the parameters, through the executable: weights that are shared or
+// conserve energy, and the uncertainty of values that are computed from a fitted material.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ io::Json json_of(const Outcome& outcome) {
 
 class Fitted : public ::testing::Test {
  protected:
-  // Paint in three channels, hemisphere, 2 % noise.
+  // Measures paint in three channels over a hemisphere with 2 % noise.
   void SetUp() override {
     ASSERT_EQ(run("synth --form cook_torrance --set kd=0.5,0.3,0.2 --set ks=1 --set f0=0.05 --set alpha=0.2 "
                   "--theta-i 10,30,50,70 --step 10 --noise 0.02 -o paint.csv")
@@ -45,7 +45,7 @@ TEST_F(Fitted, MaterialsGiveTheirAlbedoWithAnInterval) {
     EXPECT_NEAR(truth[k]["value"], value, high - low);  // four standard errors
   }
   EXPECT_THAT(run("albedo --material paint.json --theta 0").out, HasSubstr("95 % interval of the fit"));
-  // Neither what was changed nor what was never fitted has one.
+  // A changed material and a material that was never fitted have no interval.
   EXPECT_THAT(run("albedo --material paint.json --set kd=0.1 --theta 0").out, Not(HasSubstr("interval")));
   EXPECT_FALSE(truth[0].contains("low"));
   EXPECT_THAT(file_text(folder_.path() / "paint.html"),
@@ -55,7 +55,7 @@ TEST_F(Fitted, MaterialsGiveTheirAlbedoWithAnInterval) {
 TEST_F(Fitted, WeightsMayBeSharedAndPhysical) {
   const io::Json tied = json_of(run("fit paint.csv --form cook_torrance --tie f0 --json"))["ranking"][0];
   EXPECT_EQ(tied["parameters"], 8);
-  EXPECT_TRUE(tied["intervals"]["f0"].contains("status"));  // one of all channels
+  EXPECT_TRUE(tied["intervals"]["f0"].contains("status"));  // one for all channels
   const io::Json f0 = tied["material"]["weights"]["f0"];
   if (f0.is_array()) {
     EXPECT_EQ(f0[0], f0[1]);

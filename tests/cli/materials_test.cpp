@@ -1,4 +1,4 @@
-// The materials of data/materials as a user meets them.
+// Tests the materials of data/materials through the executable.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(ShippedMaterials, AreNamedSourcedAndValidAndTenHaveAColour) {
     EXPECT_GT(file.source.size(), 15u);
     const std::vector<std::vector<double>>& weights = file.material.terms.at(0).weights;
     const bool grey = weights.at(0) == weights.at(1) && weights.at(1) == weights.at(2);
-    // What has no colour says so.
+    // The name of a material without a measured colour must state this fact.
     EXPECT_EQ(grey, file.name.find("(no colour measured)") != file.name.npos);
     coloured += !grey;
     files += " '" + entry.path().string() + "'";

@@ -1,4 +1,5 @@
-// What a laboratory does with a table that is not quite f_r by red, green and blue.
+// Tests the verbs on laboratory tables with another quantity than f_r or other channels than red, green and
+// blue.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What the verbs do before they write, and when what they wrote does not arrive.
+// Tests that the verbs check their outputs before they start, and report outputs that could not be written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class Outputs : public testing::Test {
   }
   std::string text(const std::string& name) { return file_text(folder_.path() / name); }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
-  // What a shell sees of the program alone: its exit code, then what it says on stderr.
+  // Returns the exit code of the program, followed by its stderr, as a shell receives them.
   std::string seen(const std::string& arguments) { return run(arguments + " 2>e; echo $? $(cat e)").out; }
   void expect_refused(const std::string& arguments, const std::string& what) {
     const Outcome outcome = run(arguments);
@@ -79,7 +79,7 @@ TEST_F(Outputs, TwoOutputsAreTwoFiles) {
 }
 
 TEST_F(Outputs, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
-  // Work that would end in errors of its own.
+  // The inputs do not exist. The output must be refused first, before work that would end in other errors.
   expect_refused("fit missing.csv -o no/m.json", "no/m.json: cannot be written");
   expect_refused("fit missing.csv --report no/m.html", "no/m.html: cannot be written");
   expect_refused("validate missing.csv -o no/r.html", "no/r.html: cannot be written");

@@ -1,7 +1,7 @@
 // ctest: cli.exported_forms label=slow timeout=7200 env=BRDF_FORMS=all needs=plain @tests@/test_cli --gtest_filter=ExportedForm.*
-// The forms as their exported shaders, through the verbs: the same verdicts and worst cases as by name, and
-// fitted back. BRDF_FORMS in the environment takes these instead of a few: names separated by blanks, or
-// "all".
+// Runs the verbs on the exported shaders of forms. The verdicts and worst cases must equal the results for
+// the form by its name, and a fit must recover the parameters. The environment variable BRDF_FORMS replaces
+// the few usual forms: names separated by blanks, or "all".
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@
 namespace brdf {
 namespace {
 
-// Forms that pass and that violate what they declare, so many of each; or those of the environment.
+// Returns the first `few` isotropic forms that pass and the first `few` that violate a declared property,
+// or the forms in BRDF_FORMS.
 std::vector<Reflectance> forms(std::size_t few) {
   std::vector<Reflectance> out;
   const char* asked = std::getenv("BRDF_FORMS");

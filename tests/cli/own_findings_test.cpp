@@ -1,5 +1,5 @@
-// Findings about a user's shader: what is the model's and what its arithmetic's, which finding voids which,
-// and where.
+// Tests the findings about a user's shader: whether the model or its arithmetic causes a finding, which
+// findings void others, and the place that is reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -62,13 +62,13 @@ TEST(OwnFindings, UndefinedValuesAreTheirOwnFindingAndVoidTheOthers) {
   EXPECT_THAT(j.statement.at("undefined"), HasSubstr("line 2"));
   for (const char* check : {"finite", "non_negative", "energy"})
     EXPECT_EQ(j.verdict.at(check), "undecided") << check;
-  // Of a set of directions without area nothing else is voided.
+  // If values are undefined only on a set of directions without area, the other findings are not voided.
   const Judged normal =
       judged(folder, with_body("return 0.1 + 0.05 * p * sin(2.0 * atan(L.y, L.x)) * (1.0 - L.z);"));
   EXPECT_EQ(normal.verdict.at("undefined"), "fail");
   EXPECT_THAT(normal.statement.at("undefined"), HasSubstr("coincide, mirror each other or are the normal"));
   EXPECT_EQ(normal.verdict.at("finite"), "pass");
-  // `finite` does not fail for what is merely open.
+  // `finite` must not fail for a value that is only undetermined.
   EXPECT_NE(judged(folder, with_body("return p * pow(V.z - 3.0, 2.0);")).verdict.at("finite"), "fail");
 }
 
@@ -90,7 +90,7 @@ TEST(OwnFindings, CoincidentDirectionsAreSearched) {
   const Judged j = judged(folder, with_body("return 0.1 + 0.05 * p * acos(dot(V, L));"));
   EXPECT_EQ(j.verdict.at("finite"), "fail");
   EXPECT_THAT(j.statement.at("finite"), HasSubstr("coincide"));
-  // The witness's command gives a value that is no number.
+  // The command of the witness must reproduce a value that is not a number.
   const std::string command = j.command.at("finite");
   const std::string rows = command.substr(command.find("'") + 1, command.find("' >") - command.find("'") - 1);
   std::string table = rows;
@@ -100,8 +100,8 @@ TEST(OwnFindings, CoincidentDirectionsAreSearched) {
   EXPECT_THAT(o.out, HasSubstr("nan"));
 }
 
-// dot(V, H) is dot(L, H) for unit vectors, and both lose their digits where light and viewer graze from
-// opposite sides.
+// dot(V, H) equals dot(L, H) for unit vectors. Both lose their digits at grazing angles from opposite
+// sides.
 constexpr const char* kReciprocal = R"(//: param r 0.1 1 0.4
 float brdf(vec3 L, vec3 V, vec3 N, float r) {
   vec3 H = normalize(L + V);
@@ -116,7 +116,7 @@ TEST(OwnFindings, RoundingIsNotTakenForTheModel) {
   const Judged j = judged(folder, std::string(text).replace(at, 4, "1.0"));
   EXPECT_EQ(j.verdict.at("reciprocity"), "pass") << j.statement.at("reciprocity");
   EXPECT_THAT(j.statement.at("reciprocity"), HasSubstr("which is rounding"));
-  // An error of the model of the same size goes on failing.
+  // An error of the model of the same size must still fail.
   EXPECT_EQ(
       judged(folder, std::string(text).replace(at, 4, "(1.0 + 0.0001 * L.z)")).verdict.at("reciprocity"),
       "fail");

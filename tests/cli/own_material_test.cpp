@@ -1,4 +1,5 @@
-// Materials whose form is a user's shader: written by a fit, read by every verb without --shader.
+// Tests materials with a user's shader as their form. A fit writes them, and every verb reads them without
+// --shader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +14,8 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-// A diffuse part and a lobe whose strength is in another file; its name and ranges are said outside.
+// A diffuse part and a lobe. The strength of the lobe is in another file; name and ranges are in comments
+// outside of the function.
 constexpr const char* kGlow =
     "//: param base 0 1 0.3\n"
     "//: param sheen 0 1 0.2\n"
@@ -47,7 +49,7 @@ class OwnMaterial : public testing::Test {
     EXPECT_EQ(o.exit_code, 0) << o.err << o.out;
     return nlohmann::json::parse(file_text(folder() / name));
   }
-  // --set of what the material holds.
+  // Returns --set for all values of the material.
   static std::string settings(const nlohmann::json& material) {
     std::string words;
     for (const char* table : {"weights", "shape"})
@@ -55,7 +57,7 @@ class OwnMaterial : public testing::Test {
         words += " --set " + name + "=" + (value.is_array() ? value[0] : value).dump();
     return words;
   }
-  // Without the lines that say by which command.
+  // Returns the output without the lines that name the command.
   static std::string numbers(const Outcome& o) {
     EXPECT_EQ(o.exit_code, 0) << o.err;
     return o.out.substr(std::min(o.out.find("# quantity"), o.out.size()));
@@ -96,7 +98,7 @@ TEST_F(OwnMaterial, KeepsItsReportAndItsJson) {
   const nlohmann::json best = nlohmann::json::parse(o.out)["ranking"][0];
   EXPECT_EQ(best["material"]["shader"]["file"], fs::weakly_canonical(folder() / "glow.glsl").string());
   EXPECT_GT(fs::file_size(folder() / "r.html"), 1000u);
-  // The material is whole: what it says of its fit is read with it.
+  // The material is complete: the record of its fit is read with it.
   EXPECT_EQ(run("albedo --material m.json --theta 30").exit_code, 0);
 }
 
@@ -222,7 +224,7 @@ TEST_F(OwnMaterial, IsATermOfASum) {
   EXPECT_NEAR(value(o), value(alone) + 0.1, 1e-6);
 }
 
-// A shader that is called as a form is, or as a sum is: what the key `shader` says counts.
+// The shader may have the name of a form, or the name `sum`. The key `shader` takes precedence.
 TEST_F(OwnMaterial, MayBeCalledAsAFormIs) {
   for (const char* name : {"ward", "sum"}) {
     fs::copy_file(folder() / "glow.glsl", folder() / (std::string(name) + ".glsl"));
@@ -241,7 +243,7 @@ TEST_F(OwnMaterial, IsDrawnAsTheShaderIs) {
   if (o.exit_code == 3) GTEST_SKIP() << o.err;
   ASSERT_EQ(o.exit_code, 0) << o.err;
   ASSERT_EQ(run("render --shader glow.glsl" + settings(m) + " --width 48 --height 48 -o b.png").exit_code, 0);
-  // The pixels; before them stands by which command.
+  // Returns the pixels only, because the text before them names the command.
   const auto pixels = [&](const char* file) {
     const std::string bytes = file_text(folder() / file);
     return bytes.substr(bytes.find("IDAT"));

@@ -1,4 +1,4 @@
-// A user's shader through the verbs.
+// Tests the verbs with a user's shader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ TEST(OwnShader, ASoundOnePasses) {
                                  "finite,non_negative,reciprocity,energy,isotropy,float --json",
                              folder.path());
   EXPECT_EQ(o.exit_code, 0) << o.out << o.err;
-  // A grey diffuse reflector sends everything back.
+  // A grey diffuse reflector returns all light.
   EXPECT_NEAR(finding(o.out, "energy")["value"].get<double>(), 1, 1e-3);
-  // Without the condition kd and ks may both be 1.
+  // Without the condition, kd and ks may both be 1.
   const Outcome free = run_brdf("validate --shader " + kShaders + "sound.glsl' --json", folder.path());
   EXPECT_EQ(free.exit_code, 1);
   EXPECT_GT(finding(free.out, "energy")["value"].get<double>(), 1.5);
@@ -89,7 +89,7 @@ TEST(OwnShader, StepsWithinTheHemisphereHaveAPlace) {
   EXPECT_THAT(edge["statement"].get<std::string>(),
               testing::AllOf(HasSubstr("within the hemisphere; line 4, `return dot(N, H) > edge"),
                              HasSubstr(" passes ")));
-  // The two directions that the command prints lie on both sides.
+  // The command prints two directions, one on either side of the step.
   const std::string command = edge["witness"]["command"];
   const std::size_t eval = command.find("brdf eval");
   ASSERT_NE(eval, command.npos);
@@ -106,7 +106,7 @@ TEST(OwnShader, StepsWithinTheHemisphereHaveAPlace) {
   EXPECT_EQ(
       judged("float brdf(vec3 L, vec3 V) { return L.y * V.x - L.x * V.y < 0.0 ? 0.1 : 0.2; }\n")["verdict"],
       "fail");
-  // Narrow and steep is no step.
+  // A narrow and steep lobe is not a step.
   EXPECT_EQ(judged("float brdf(vec3 L, vec3 V, vec3 N) { return 0.01 * exp(-1e5 * (1.0 - dot(N, normalize(L "
                    "+ V)))); }\n")["verdict"],
             "pass");
@@ -121,7 +121,8 @@ TEST(OwnShader, ThatHasNoAlbedoIsNotSound) {
   };
   EXPECT_EQ(energy("pow(dot(N, L) * dot(N, V), -2.0)")["verdict"], "fail");
   EXPECT_EQ(energy("sqrt(-1.0 - L.z)")["verdict"], "undecided");
-  // Constants are float's: what reflects all of it by them reflects no more.
+  // The constant is rounded to float. A reflector that returns all light according to this constant does
+  // not violate energy conservation.
   EXPECT_EQ(energy("1.0 / 3.14159265")["verdict"], "pass");
 }
 
@@ -147,7 +148,8 @@ TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
   const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
   EXPECT_EQ(o.exit_code, 1) << o.err;
   EXPECT_EQ(finding(o.out, "reciprocity")["verdict"], "pass");
-  // Declared and not there: 0.3 pi.
+  // The shader declares a violation of energy conservation that it does not have: its albedo is 0.3 pi. The
+  // declaration is false, and the finding fails.
   EXPECT_EQ(finding(o.out, "energy")["verdict"], "fail");
   EXPECT_NEAR(finding(o.out, "energy")["value"].get<double>(), 0.3 * 3.14159265, 1e-3);
 }
@@ -215,7 +217,7 @@ TEST(OwnShader, IsFittedToTheSamplesThatItMade) {
                 .exit_code,
             0);
   const Outcome o = run_brdf("fit s.csv " + shader + " --json", folder.path());
-  EXPECT_EQ(o.exit_code, 1) << o.err;  // its lobe's norm is wrong
+  EXPECT_EQ(o.exit_code, 1) << o.err;  // the normalisation of its lobe is wrong
   const auto best = nlohmann::json::parse(o.out)["ranking"][0], material = best["material"];
   EXPECT_EQ(best["verdict"], "breaks_energy");
   EXPECT_NEAR(material["weights"]["kd"][0].get<double>(), 0.2, 1e-6);
@@ -236,7 +238,8 @@ TEST(OwnShader, MacrosAndIncludeFoldersBelongToTheCommand) {
   EXPECT_THAT(eval.out, HasSubstr(",0.375"));
   EXPECT_EQ(run_brdf("albedo" + words + "--theta 30", folder.path()).exit_code, 0);
   EXPECT_EQ(run_brdf("prove" + words + "--property finite --require finite", folder.path()).exit_code, 0);
-  // Where the value is above what energy allows, the witness' command has all of it, and shows it.
+  // If a value violates energy conservation, the command of the witness repeats all of these options and
+  // reproduces the value.
   const Outcome judged = run_brdf("validate" + words + "--json", folder.path());
   const std::string command = finding(judged.out, "energy")["witness"]["command"];
   EXPECT_THAT(command, HasSubstr("--shader s.glsl --define SCALE=0.75 -I far"));

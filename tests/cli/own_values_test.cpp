@@ -1,5 +1,5 @@
-// A user's shader evaluated where it has no finite value, and beside forms whose ranges are narrower than its
-// own.
+// Tests a user's shader in directions without a finite value, and in comparison with forms of narrower
+// parameter ranges.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ nlohmann::json finding_of(const std::string& out, const std::string& check) {
   return nullptr;
 }
 
-// 0/0 along the normal, infinite where both polar angles are 40 degrees, minus infinity at 60.
+// 0/0 along the normal, infinite if both polar angles are 40 degrees, minus infinity at 60 degrees.
 constexpr const char* kOpen =
     "//: param level 0 1 0.25\n"
     "float brdf(vec3 L, vec3 V, vec3 N, float level) {\n"
@@ -85,8 +85,8 @@ TEST(EvalNotFinite, WitnessesOfFiniteReproduce) {
   EXPECT_THAT(again.out, testing::AnyOf(HasSubstr(",nan\n"), HasSubstr("inf\n"))) << command;
 }
 
-// lambert, over a range of its own parameter that no form has, and half of it shared with blinn_phong's
-// exponents.
+// The form oren_nayar with `depth` for sigma and `tint` for rho. The range of `depth` extends beyond the
+// range of sigma at both ends, and the shader is twice as bright for negative `depth`.
 constexpr const char* kWide =
     "//: param depth -3 5 0.5\n"
     "//: param tint 0 1 0.5\n"
@@ -142,7 +142,7 @@ TEST(Against, RefusesWhatDoesNotOverlap) {
   EXPECT_THAT(o.err, Not(HasSubstr("rho would be")));
 }
 
-// The part that they share is a thousandth of the range.
+// The range that both have in common is about 0.2 % of the range of `depth`.
 TEST(Against, FindsAThinOverlap) {
   io::TemporaryFolder folder;
   write_text(folder.path() / "wide.glsl", kWide);

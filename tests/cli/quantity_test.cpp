@@ -1,4 +1,4 @@
-// The quantity of a table's values, by every verb that reads samples: announced, converted, refused.
+// Tests how every verb that reads samples announces, converts or refuses the quantity of a table.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ using testing::Not;
 
 class QuantityCli : public testing::Test {
  protected:
-  // A matt surface of albedo 0.4 in the plane of incidence; `header` names the two angles and the values,
-  // which are f_r times `factor`.
+  // Writes a matt surface of albedo 0.4 in the plane of incidence. `header` names the two angles and the
+  // values; the values are f_r times `factor`.
   void write(const std::string& name, const std::string& header, double factor) {
     std::ofstream file(folder_.path() / name);
     file << header << '\n';
@@ -96,7 +96,7 @@ TEST_F(QuantityCli, HasNoEffectWhereNoSamplesAreRead) {
   EXPECT_THAT(run("export --form ward --to glsl --quantity BRF").err, HasSubstr("go with --measured"));
 }
 
-// A fit of a folder, and one that is planned in units, say and do the same.
+// The fit of a folder and the same fit planned in units must give the same messages and results.
 TEST_F(QuantityCli, IsKeptByBatchesAndPlans) {
   std::filesystem::create_directory(folder_.path() / "in");
   write("in/a.csv", "theta_i,theta_o,value", kPi);

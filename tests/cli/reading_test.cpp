@@ -1,4 +1,5 @@
-// Every verb reads what a shell can give it, and refuses in one line what it cannot read.
+// Tests that every verb reads all inputs that a shell can pass, and refuses an unreadable input in one
+// line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +31,7 @@ class ReadingCli : public testing::Test {
   }
   std::string text(const std::string& name) { return file_text(folder_.path() / name); }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
-  // A named pipe into which a process of its own writes the file.
+  // Creates a named pipe into which a separate process writes the file.
   void pipe(const std::string& name, const std::string& file) {
     const std::string command = "cd '" + folder_.path().string() + "' && mkfifo " + name +
                                 " && (timeout 60 sh -c 'cat " + file + " > " + name + "' &)";
@@ -160,7 +161,7 @@ TEST_F(ReadingCli, SettingsForMoreChannelsThanAMaterialHasAreRefused) {
                  "--set: 4097 values are more than the 4096");
 }
 
-// A name in Latin-1, in the table and of the file: what was fitted is written.
+// The name of a channel and of the file is in Latin-1. The results of the fit must be written nevertheless.
 TEST_F(ReadingCli, NamesThatAreNotUtf8DoNotCostTheWork) {
   write("gr\xfcn.csv", replaced(text("s.csv"), "phi_o,f", "phi_o,gr\xfcn"));
   const Outcome outcome = run("fit 'gr\xfcn.csv' --form lambert --json -o o.json --report o.html");

@@ -1,4 +1,4 @@
-// `brdf render` and `brdf view` as a user meets them: what goes wrong, and what comes out.
+// Tests `brdf render` and `brdf view` through the executable: error cases and results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ class RenderCli : public testing::Test {
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_.path() / name, std::ios::binary) << text;
   }
-  // A scene of one object with these further keys, in scene.json.
+  // Writes scene.json, a scene of one object with these additional keys.
   void write_scene(const std::string& keys) {
     write("scene.json", R"({"format":"brdf-scene","version":1,"camera":{"width":64,"height":64},)"
                         R"("lights":[{"type":"directional","direction":[1,-1,-1],"intensity":3}],)"
@@ -46,7 +46,8 @@ class RenderCli : public testing::Test {
       out.insert(entry.path().filename().string());
     return out;
   }
-  // One line on stderr that holds `what`, nothing on stdout, no new file, the old picture untouched.
+  // Expects one line on stderr that contains `what`, nothing on stdout, no new file, and the old picture
+  // unchanged.
   void expect_refused(const std::string& arguments, int exit_code, const std::string& what) {
     write("x.png", "old");
     const auto before = names();
@@ -215,7 +216,7 @@ TEST_F(RenderCli, AFittedMaterialHasItsHighlightWhereItBelongsAndNothingClipped)
           best_x = x, best_y = y;
       }
     }
-    // On the unit sphere the normal is the point; the light travels along (1, -1, -1).
+    // On the unit sphere the normal equals the point. The light travels along (1, -1, -1).
     render::Camera camera;
     camera.width = picture.width;
     camera.height = picture.height;
@@ -239,11 +240,11 @@ TEST_F(RenderCli, PicturesAreFinishedUnlessAskedNotTo) {
     return render::load_texture(folder_.path() / "out.png").texels;
   };
   const auto usual = bytes("");
-  EXPECT_EQ(usual, bytes("--supersample 4"));  // and the same again
+  EXPECT_EQ(usual, bytes("--supersample 4"));  // and the same picture again
   EXPECT_NE(usual, bytes("--no-dither"));
   EXPECT_NE(usual, bytes("--supersample 1"));
   EXPECT_NE(usual, bytes("--tone-map reinhard"));
-  // Bytes without dither are the nearest to the values of the EXR, a picture that is exact.
+  // Without dither, the bytes are the nearest to the values of the EXR file, which is exact.
   const auto plain = bytes("--supersample 1 --no-dither");
   ASSERT_EQ(run(size + "--supersample 1 -o out.exr").exit_code, 0);
   const render::Picture linear = render::read_exr(folder_.path() / "out.exr", "");
@@ -265,7 +266,7 @@ TEST_F(RenderCli, MaterialsToLookAtStandInTheStudio) {
   const auto usual = bytes("");
   EXPECT_EQ(usual, bytes("--environment studio --samples 64"));
   EXPECT_NE(usual, bytes("--hard-light"));
-  // What is measured or taken apart keeps the one light.
+  // Pictures that measure or decompose the reflectance keep the single light.
   EXPECT_EQ(bytes("--forward"), bytes("--forward --hard-light"));
   EXPECT_EQ(run("render m.json --hard-light --environment sky -o x.png").exit_code, 2);
 }
@@ -324,7 +325,8 @@ TEST_F(RenderCli, LobePlotsShowBothMaterialsOrOneCurve) {
   EXPECT_NE(all.texels, turned.texels);
   EXPECT_NE(all.texels, solo.texels);
   EXPECT_NE(all.texels, two.texels);
-  // Lambert's lobe is a half circle: the red curve passes straight above the origin at the full radius.
+  // The lobe of Lambert's law is a half circle: the red curve passes straight above the origin at the full
+  // radius.
   std::set<std::size_t> red_rows;
   for (std::size_t y = 0; y < std::size_t(all.height); ++y) {
     const auto& t = all.texels[y * 300 + 152];
@@ -348,7 +350,7 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
     EXPECT_EQ(outcome.exit_code, 0) << arguments << outcome.err;
     return file_text(folder_.path() / name);
   };
-  // The points, at the measured angle that is nearest to 45 degrees unless one is asked for.
+  // The points are drawn for the measured angle nearest to 45 degrees, unless --theta requests another one.
   const std::string bare = picture("m.json --width 200 --theta 40", "bare.png"),
                     points = picture("m.json --measured s.csv --width 200", "points.png");
   EXPECT_NE(bare, points);
@@ -359,7 +361,7 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
                  "no row whose light stands within 1 degree of --theta 30; the nearest stands at 20");
   expect_refused("lobes s.csv -o x.png", 2, "give one beside the samples");
   expect_refused("render s.csv s.csv -o x.png", 2, "a second table of samples");
-  // Alone; and what is left out is said.
+  // Samples can be rendered alone. Light that is left out is reported.
   const Outcome alone = run("render s.csv --width 32 --height 32 -o alone.png");
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_EQ(alone.out.find("relative MSE"), std::string::npos) << alone.out;

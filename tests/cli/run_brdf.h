@@ -1,3 +1,4 @@
+// Runs the built executable for tests.
 #pragma once
 
 #include <sys/wait.h>
@@ -27,7 +28,7 @@ inline std::string file_text(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Sets a variable for the programs that are run, and puts it back.
+// Sets an environment variable for the programs that are run, and restores it on destruction.
 class Setting {
  public:
   Setting(const char* name, const char* value) : name_(name) {
@@ -43,7 +44,7 @@ class Setting {
   std::optional<std::string> old_;
 };
 
-// Runs the built executable with these arguments (as a shell reads them) in this folder.
+// Runs the built executable in this folder with these arguments, in the syntax of a shell.
 inline Outcome run_brdf(const std::string& arguments, const std::filesystem::path& folder) {
   const std::filesystem::path out = folder / ".out", err = folder / ".err";
   const std::string command = "cd '" + folder.string() + "' && '" BRDF_EXECUTABLE "' " + arguments + " >'" +

@@ -1,4 +1,5 @@
-// Shader source that users get, and the proof that it computes what the library does.
+// Tests the shader source that users receive, and the proof that it computes the same values as the
+// library.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The data sheet of a table is one sheet, whichever verb prints it, and comes before what is fitted.
+// The data sheet of a table is the same for every verb that prints it, and comes before the fit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class SheetCli : public testing::Test {
  protected:
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
 
-  // A seeded measurement, spoiled.
+  // Writes a seeded measurement, changed by `spoil`.
   void write(const std::string& name, const std::string& synth,
              const std::function<void(io::SampleTable&)>& spoil) {
     ASSERT_EQ(run("synth " + synth + " -o clean.csv").exit_code, 0);
@@ -64,7 +64,7 @@ TEST_F(SheetCli, FitStudyAndValidateSayTheSameOfEveryTable) {
     run("study " + file + " --form lambert --no-pictures -o studied_" + file);
     const auto path = folder_.path() / ("studied_" + file) / "sheet.json";
     EXPECT_EQ(io::read_json(path)["findings"], sheet) << file;
-    // No advice beside the sheet's: what fails there, and nothing else, is said of the samples.
+    // The fit reports exactly the failed checks of the sheet, and gives no other advice about the samples.
     const std::string text = run("fit " + file + " --form lambert").out;
     for (const io::Json& f : sheet)
       EXPECT_THAT(text, f["verdict"] == "fail" ? testing::Matcher<std::string>(

@@ -1,5 +1,5 @@
-// Names of files and cells reach a terminal as text that cannot drive it; what an interruption left is one
-// line.
+// Names of files and cells must reach a terminal as text that cannot control it. The remains of an
+// interrupted run are reported in one line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@ const std::string kTable =
     "theta_i,phi_i,theta_o,phi_o,f\n0,180,10,0,.1\n30,180,10,0,.2\n30,180,30,0,.3\n60,180,50,0,.1\n60,180,60,"
     "0,.15\n"
     "45,180,45,0,.12\n";
-// An escape, a line feed, and marks that turn the direction of text.
+// An escape, a line feed, and marks that reverse the direction of text.
 const std::string kRed = "a\x1b[31mred.csv", kLines = "b\n[1 of 1] all is well \xe2\x80\xaevsc.csv",
                   kMarks = "c\xe2\x81\xa6\xd8\x9c\xe2\x80\x8f\xc2\x9b.csv";
 
-// What none of the outputs may hold.
+// Returns a part of the text that no output may contain, or an empty string.
 std::string raw_part(const std::string& text) {
   for (const char* part : {"\x1b", "\r", "\xe2\x80\xae", "\xe2\x81\xa6", "\xd8\x9c", "\xe2\x80\x8f",
                            "\xc2\x9b", "\n[1 of 1] all"})
@@ -37,7 +37,7 @@ class ShownText : public testing::Test {
     std::ofstream(folder_.path() / name, std::ios::binary) << content;
   }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
-  // Runs a command, which exits with this code or less, and looks at both of its outputs.
+  // Runs a command that must exit with code `most` or less, and checks both of its outputs.
   void expect_safe(const std::string& arguments, int most) {
     const Outcome outcome = run(arguments);
     EXPECT_LE(outcome.exit_code, most) << arguments << outcome.err;
@@ -88,7 +88,7 @@ TEST_F(ShownText, OfFoldersHoldsNoRawByteOfTheirFilesNames) {
                               HasSubstr("(f): 'a\\u202eb\\x1b[31m' is not a number")));
 }
 
-// Cells, names of columns, comments and texts of JSON.
+// Tests cells, names of columns, comments and texts of JSON.
 TEST_F(ShownText, OfContentHoldsNoRawByte) {
   const std::string mark = "\xe2\x80\xae", names = "theta_i,phi_i,theta_o,phi_o,";
   write("cell.csv", names + "f\n1,2,3,4,a" + mark + "b\n");

@@ -1,4 +1,4 @@
-// `brdf study` through the executable: exit codes, what it prints, and what a killed run leaves to the next.
+// Tests `brdf study` through the executable: exit codes, output, and the continuation of a killed run.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -98,7 +98,8 @@ TEST_F(StudyVerb, NamesThatAreNoWebAddressesAreLinked) {
               HasSubstr("href=\"50%25%20grey%20%232%20%26%20%3Cb%3E%20%22q%22%3F/index.html\""));
 }
 
-// 50 samples, two at a time, killed while it works: the next run keeps all that was finished.
+// A study of 30 samples, two at a time, is killed while it works. The next run must keep all finished
+// samples.
 TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
   constexpr std::size_t kSamples = 30, kJobs = 2;
   const std::string table = file_text(folder_.path() / "s.csv");

@@ -1,4 +1,4 @@
-// data/synthetic: every set is what its command makes, and fits as its table says.
+// Tests data/synthetic: the command of each set reproduces the set, and its fit agrees with the table.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,12 +22,12 @@ const fs::path kFolder = fs::path(BRDF_SOURCE_DIR) / "data" / "synthetic";
 
 struct Set {
   std::string file, command, fit;
-  double within;  // NaN: nothing is recovered
+  double within;  // NaN: no parameters to recover
   int exit_code;
   friend void PrintTo(const Set& set, std::ostream* out) { *out << set.file; }
 };
 
-// The rows of the README's table.
+// Reads the rows of the README's table.
 std::vector<Set> sets() {
   std::vector<Set> all;
   const io::Content readme = io::read_content(kFolder / "README.md");
@@ -50,8 +50,8 @@ std::vector<Set> sets() {
   return all;
 }
 
-// Largest relative difference of any parameter (of tangent_phi:
-// absolute, in radians), terms in the order given.
+// Returns the largest relative difference of any parameter (for tangent_phi the absolute difference in
+// radians). The terms must be in the same order.
 double largest_error(const Material& fitted, const Material& truth) {
   double worst = 0;
   const auto compare = [&](double a, double b) {

@@ -1,4 +1,5 @@
-// Text for terminals: folded to their width, with the time that is left; names that were meant.
+// Tests text for terminals: folded to their width, with the remaining time, and with suggestions for
+// misspelt names.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(ProgressText, ShowsABarAndTheTimeLeftFromTwoSecondsOn) {
 
 class Terminal : public testing::Test {
  protected:
-  // As on a terminal with so many columns.
+  // Runs the command as on a terminal of this many columns.
   Outcome run(const std::string& arguments, int columns = 0) const {
     const Setting width("COLUMNS", columns ? std::to_string(columns).c_str() : nullptr);
     return run_brdf(arguments, folder_.path());

@@ -1,4 +1,4 @@
-// brdf trade and brdf recommend as their users run them.
+// Tests brdf trade and brdf recommend through the executable.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// `brdf render --turntable`: what comes out is read back.
+// Tests `brdf render --turntable`: its output is read back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <webp/demux.h>
@@ -49,7 +49,7 @@ class Turntable : public testing::Test {
     still_ = render::load_texture(folder_.path() / "still.png");
   }
   Outcome run(const std::string& arguments) { return run_brdf("render " + arguments, folder_.path()); }
-  // The largest difference from the still picture, in steps of a byte.
+  // Returns the largest difference from the still picture, in steps of a byte.
   int largest_difference(const std::vector<std::uint8_t>& rgba) const {
     int largest = 0;
     for (std::size_t k = 0; k < still_.texels.size(); ++k)
@@ -68,7 +68,7 @@ TEST_F(Turntable, ItsFirstFrameIsThePictureAndEveryFrameIsThere) {
   EXPECT_EQ(frames.height, 64);
   ASSERT_EQ(frames.rgba.size(), 6u);
   EXPECT_EQ(largest_difference(frames.rgba[0]), 0);
-  EXPECT_GT(largest_difference(frames.rgba[2]), 40);  // seen from elsewhere
+  EXPECT_GT(largest_difference(frames.rgba[2]), 40);  // viewed from another direction
   EXPECT_THAT(frames.end, testing::ElementsAre(100, 200, 300, 400, 500, 600));
 }
 
@@ -119,7 +119,7 @@ TEST_F(Turntable, ARowOverAParameterHasItsEndsAtItsEnds) {
   const render::Texture row = render::load_texture(folder_.path() / "row.png"),
                         bare = render::load_texture(folder_.path() / "bare.png");
   ASSERT_EQ(row.width, 512);
-  // Labels stand in the lower part, below all four balls.
+  // The labels are in the lower part, below all four balls.
   for (int ball = 0; ball < 4; ++ball) {
     std::size_t above = 0, below = 0;
     for (int y = 0; y < 128; ++y)

@@ -1,3 +1,4 @@
+// Tests the executable: correct usage of the verbs, and the refusal of bad input.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +22,8 @@ class Cli : public testing::Test {
   }
   Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
   bool exists(const std::string& name) { return std::filesystem::exists(folder_.path() / name); }
-  // Bad input: exit code 2, one line on stderr that holds
-  // `what`, nothing on stdout, no output file, no temporary.
+  // Expects for bad input: exit code 2, one line on stderr that contains `what`, nothing on stdout, no
+  // output file and no temporary file.
   void expect_refused(const std::string& arguments, const std::string& what) {
     const auto before = entries();
     const Outcome outcome = run(arguments);
@@ -65,7 +66,7 @@ TEST_F(Cli, RefusesWrongUsage) {
   expect_refused("export --form ward --to osll", "osll");
 }
 
-// A check that was asked for and did not run must not look as if it had passed.
+// A check that was requested and did not run must not appear to have passed.
 TEST_F(Cli, RefusesOptionsWithoutEffect) {
   expect_refused("validate --numerics --form lambert --require energy",
                  "--require: has no effect on --numerics");
@@ -207,7 +208,7 @@ TEST_F(Cli, AlbedoOfAWhiteRoughMirrorIsOneMinusLogTwo) {
   const io::Json row = io::parse_json(outcome.out, "stdout")["results"].at(0);
   const double error = std::abs(row["value"].get<double>() - 0.306852819440055);
   EXPECT_LT(error, 1e-10);
-  EXPECT_LE(error, row["error_bound"].get<double>() + 1e-15);  // the oracle's digits
+  EXPECT_LE(error, row["error_bound"].get<double>() + 1e-15);  // the digits of the oracle
   EXPECT_TRUE(row["converged"].get<bool>());
   EXPECT_EQ(row["fixed"], "i");
 }
@@ -273,7 +274,8 @@ TEST_F(Cli, SynthIsReproducibleAndNamesItsCommand) {
               HasSubstr("warning: the lobe is narrower than the aperture"));
 }
 
-// A narrow lobe, the mirror side only. Of values under one light the lobe's shape would count as noise.
+// The lobe is narrow and only the mirror side is scanned. If the noise were estimated only among the values
+// under one light, the shape of the lobe would count as noise.
 TEST_F(Cli, AMisfitIsOneWhicheverOfLightAndViewerWasScanned) {
   std::string still_viewer = "theta_i,phi_i,theta_o,phi_o\n", still_light = still_viewer;
   for (const int still : {15, 20, 30, 40, 45, 50, 60, 70, 80})

@@ -1,4 +1,4 @@
-// Calls on files in FAULTS_FOLDER.
+// Replaces the calls on files in FAULTS_FOLDER.
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/uio.h>
@@ -36,7 +36,7 @@ bool is_watched(int file, char* path) {
   return in_folder(path);
 }
 
-// Whether this call on this file is the one that fails.
+// Counts this call and returns whether it is the call that must fail. If so, the path is reported.
 bool is_due_on(const char* path) {
   if (!is_due()) return false;
   inside = true;
@@ -53,7 +53,7 @@ bool fails(const char* name, int file) {
   return wanted(name) && is_watched(file, path) && is_due_on(path);
 }
 
-// Makes the moment long in which a signal meets a file half written.
+// Lengthens the time during which a signal can meet a half-written file.
 void wait_with(int file, unsigned milliseconds) {
   char path[PATH_MAX];
   if (wanted("slow") && is_watched(file, path)) usleep(1000 * milliseconds);

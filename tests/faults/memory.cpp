@@ -1,4 +1,4 @@
-// Allocations: of the program itself they are counted, and one fails.
+// Counts the allocations of the program itself and makes one of them fail.
 #include "memory.h"
 
 #include <execinfo.h>
@@ -39,7 +39,8 @@ void read_foreign() {
   std::fclose(file);
 }
 
-// The name of the function if it is in the program but not its own.
+// Returns the name of the function if it is in the program but is not the program's own code, otherwise
+// null.
 const char* foreign_name(const void* address) {
   const void* const at =
       reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(address) - program_base);
@@ -48,16 +49,16 @@ const char* foreign_name(const void* address) {
   return nullptr;
 }
 
-// The C++ library's iterators over folders end the program without memory: their internals say that they
-// throw nothing.
+// The iterators over folders in the C++ library are declared not to throw internally. They end the program
+// if they get no memory.
 bool iterates_a_folder(const void* frame) {
   Dl_info at;
   return standard_library.holds(frame) && dladdr(frame, &at) != 0 && at.dli_sname &&
          std::strstr(at.dli_sname, "directory_iterator");
 }
 
-// Who asks for memory: null for the program's own code, else the name of a library or of foreign code in the
-// program.
+// Returns null if the program's own code requests the memory, otherwise the name of a library or of foreign
+// code in the program.
 const char* who_asks() {
   static thread_local char name[128];
   void* frames[64];
@@ -70,12 +71,12 @@ const char* who_asks() {
       const char* its = foreign_name(frames[k]);
       if (its && std::strcmp(its, "-") != 0) {
         if (!own) return its;
-        continue;  // it calls us back
+        continue;  // it calls back into the program
       }
-      own = own || !its;  // a template of the C++ library belongs to who uses it: the next frames decide
+      own = own || !its;  // a template of the C++ library belongs to its caller: the next frames decide
       continue;
     }
-    if (own) continue;  // a library that calls us back
+    if (own) continue;  // a library that calls back into the program
     Dl_info module;
     if (dladdr(frames[k], &module) == 0 || !module.dli_fname) return "unknown";
     const char* slash = std::strrchr(module.dli_fname, '/');
@@ -119,7 +120,7 @@ void* allocate_or_throw(std::size_t size, std::size_t alignment, const void* cal
 void prepare_stacks() {
   read_foreign();
   void* frames[4];
-  backtrace(frames, 4);  // the first one loads a library
+  backtrace(frames, 4);  // the first call loads a library
 }
 
 }  // namespace faults

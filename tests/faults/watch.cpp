@@ -1,17 +1,18 @@
-// Preloaded before a program: makes the n-th call of one kind fail while main() runs, or counts the calls.
+// This library is preloaded before a program. It makes the n-th call of one kind fail while main() runs, or
+// counts the calls.
 //
-//   FAULTS_KIND    open, write, short, interrupted, fsync, rename, mmap, close (of files in FAULTS_FOLDER),
-//       or memory
-//                  slow: none fails, writing takes its time
-//   FAULTS_AT      which call fails, from 1; 0: none
-//   FAULTS_FOLDER  absolute path
-//   FAULTS_FOREIGN names of functions in the program that are not its own: lines "FIRST LAST NAME",
-//       addresses in hex;
-//                  the name "-" is the C++ library's, which is whose use it is
-//   FAULTS_REPORT  file that is written: "calls N" at the end, "failed WHAT" or "foreign NAME" when it is due
+//   FAULTS_KIND     open, read, write, short, interrupted, fsync, rename, mmap, close (of files in
+//                   FAULTS_FOLDER), or memory. slow: no call fails, but writing takes longer.
+//   FAULTS_AT       number of the call that fails, from 1; 0: no call fails
+//   FAULTS_FOLDER   absolute path
+//   FAULTS_FOREIGN  file with the functions in the program that are not its own code: lines
+//                   "FIRST LAST NAME", addresses in hex. The name "-" marks the C++ library; its
+//                   calls belong to their caller.
+//   FAULTS_REPORT   file that is written: "calls N" at the end, "failed WHAT" or "foreign NAME" when
+//                   the call is due
 //
-// "memory" are the allocations of the program itself: those that its own code asks for, also through the C++
-// library.
+// "memory" means the allocations of the program itself: allocations that its own code requests, directly or
+// through the C++ library.
 #include "watch.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// What the parts of the preloaded library share: which call is to fail, and what is said of it.
+// The state that the parts of the preloaded library share: which call must fail, and how it is reported.
 #pragma once
 
 #include <dlfcn.h>
@@ -16,21 +16,21 @@ struct Range {
   }
 };
 
-// Where the program and some libraries stand in memory.
+// Address ranges of the program and of some libraries in memory.
 extern Range program, standard_library, c_library, self;
 extern std::uintptr_t program_base;
-// Nothing is counted while the library is at work itself: it must not allocate then, or not count it.
+// True while this library itself is at work. Its own calls are then not counted.
 extern thread_local bool inside;
 
-// The function that this library stands before.
+// Returns the function that this library replaces.
 template <class Function>
 Function next(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-// Whether calls of this kind are counted now.
+// Returns whether calls of this kind are counted now.
 bool wanted(const char* kind);
-// Counts a call; whether it is the one that fails.
+// Counts a call and returns whether it is the call that must fail.
 bool is_due();
 // Appends a line to the report.
 void report(const char* word, const char* what);

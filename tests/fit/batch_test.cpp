@@ -1,3 +1,5 @@
+// Tests fits of many files: results that are reused, files that fail, and names of results that would
+// collide.
 #include "fit/file_batch.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +48,7 @@ class BatchOfFiles : public ::testing::Test {
 
 TEST_F(BatchOfFiles, KeepsWhatIsFinishedAndRedoesTheRest) {
   for (const BatchRow& row : run()) EXPECT_FALSE(row.reused);
-  fs::remove(folder_ / "out" / "s1.fit.json");  // as if killed before the second was finished
+  fs::remove(folder_ / "out" / "s1.fit.json");  // as if killed before the second file was finished
   const auto again = run();
   EXPECT_TRUE(again[0].reused);
   EXPECT_FALSE(again[1].reused);
@@ -64,7 +66,7 @@ TEST_F(BatchOfFiles, RedoesFilesAndSettingsThatChanged) {
   for (const BatchRow& row : run()) EXPECT_FALSE(row.reused);
 }
 
-// Also where what is left has no row, no name or no number.
+// This includes an edited report that has no ranking, no row, no name of the form or no numeric error.
 TEST_F(BatchOfFiles, RedoesReportsThatWereEdited) {
   run();
   const fs::path report = folder_ / "out" / "s0.fit.json";
@@ -89,7 +91,7 @@ TEST_F(BatchOfFiles, OneBadFileDoesNotStopTheOthers) {
   const auto rows = run();
   EXPECT_TRUE(usable(rows[0]));
   EXPECT_FALSE(usable(rows[1]));
-  for (const std::string& line : said)  // each names its file, once
+  for (const std::string& line : said)  // each line names its file, once
     EXPECT_EQ(line.find(".csv"), line.rfind(".csv")) << line;
   EXPECT_EQ(said.size(), 3u);
   EXPECT_NE(rows[1].error.find("line 2"), std::string::npos) << rows[1].error;
@@ -141,7 +143,7 @@ TEST_F(BatchOfFiles, NoResultTakesTheNameOfTheSummaryOrOfAnotherResult) {
 }
 
 TEST_F(BatchOfFiles, ASampleFileIsNotReplacedByAResult) {
-  const fs::path to = folder_ / "in" / "s0.json";  // what a file holds is known by its content
+  const fs::path to = folder_ / "in" / "s0.json";  // the content of a file decides its format
   fs::rename(files_[0], to);
   files_[0] = to.string();
   batch_.folder = folder_ / "in";
@@ -159,7 +161,7 @@ TEST_F(BatchOfFiles, AFileWithoutASolutionIsARowAndNoMaterial) {
 }
 
 TEST_F(BatchOfFiles, FilesWhoseResultsWouldOverwriteEachOtherAreRefused) {
-  files_.push_back(files_[0]);  // its results would be called s0.csv: the stem is taken
+  files_.push_back(files_[0]);  // its results would be s0.csv, but the stem is taken
   EXPECT_EQ(run().back().name, "s0.csv");
   files_.push_back(files_[0]);
   EXPECT_THROW(run(), InputError);

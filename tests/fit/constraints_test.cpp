@@ -1,3 +1,5 @@
+// Tests parameters that are fixed, bounded or started by the user: which constraints are refused, and that
+// the others are obeyed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -121,7 +123,8 @@ TEST(Constraints, OfUnknownNamesAreRefused) {
   EXPECT_THAT(refusal({"ward"}, bounding({{"exponent", 1, 2}})), HasSubstr("no such parameter"));
 }
 
-// A bounded width is not exchanged with one that has other bounds.
+// The two widths can be exchanged if the tangent turns by 90 degrees. The fit must not exchange them here,
+// because their bounds differ.
 TEST(Constraints, AreObeyedByEquivalentParametersToo) {
   Material truth = make_material(*find_form("ward"), {"f"});
   truth.terms[0].shape[0] = {0.05, 0.16};

@@ -1,3 +1,4 @@
+// Tests the derivatives that the solver uses, and a fit that takes the aperture into account.
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +10,8 @@
 namespace brdf::fit {
 namespace {
 
-// The solver's derivatives come from Dual, in batches; ceres::Jet is an independent implementation.
+// Compares the solver's derivatives, which come from Dual in batches, with the independent implementation
+// ceres::Jet.
 template <class F>
 double worst_against_jets(F form) {
   constexpr int n = int(parameter_count<typename F::template Shape<double>>);
@@ -51,7 +53,8 @@ TEST(Derivatives, OfEveryFormEqualJets) {
   });
 }
 
-// The gradient of the streamed cost against central differences of the cost, for every residual and loss.
+// Compares the gradient of the streamed cost with central differences of the cost, for every residual and
+// loss.
 TEST(Derivatives, OfTheCostEqualDifferences) {
   Material truth = make_material(*find_form("oren_nayar"));
   truth.terms.push_back(make_term(*find_form("cook_torrance"), 3));

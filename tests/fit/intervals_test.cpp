@@ -1,4 +1,5 @@
-// Intervals where another parameter stands at its bound, along valleys, and of few rows: what they may claim.
+// Tests how wide intervals must be if another parameter is at its bound, along valleys of the cost, and for
+// few rows.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ Material material_of(const char* form, std::vector<double> shape, std::vector<do
   return m;
 }
 
-// The values of a material at these pairs, with noise in proportion to them; light at azimuth 180.
+// Returns the values of a material at these pairs (theta_i, theta_o, phi_o in degrees) with noise in
+// proportion to the values. The light is at azimuth 180.
 io::SampleTable at_pairs(const Material& material, const std::vector<std::array<double, 3>>& pairs,
                          double noise, std::uint64_t seed) {
   io::SampleTable table;
@@ -41,14 +43,14 @@ io::SampleTable at_pairs(const Material& material, const std::vector<std::array<
   return table;
 }
 
-// Light and viewer in one place.
+// Returns pairs with light and viewer in the same direction.
 std::vector<std::array<double, 3>> collocated() {
   std::vector<std::array<double, 3>> pairs;
   for (int k = 0; k < 50; ++k) pairs.push_back({1.4 * k, 1.4 * k, 180});
   return pairs;
 }
 
-// One ring of half angles alone, 3 degrees, sees a narrow lobe.
+// Returns pairs of which a single ring of half angles, 3 degrees, sees a narrow lobe.
 std::vector<std::array<double, 3>> ring() {
   std::vector<std::array<double, 3>> pairs;
   for (const double theta_i : {0, 24})
@@ -66,7 +68,8 @@ TEST(Profiles, OfCollocatedSamplesKnowOnlyTheProductOfWeightAndReflectance) {
   EXPECT_TRUE(estimate(f, "ks").high_open);
   EXPECT_LT(estimate(f, "ks").low, 0.06);
   EXPECT_THAT(f.findings, Contains(HasSubstr("ks f0 = 0.04")));
-  // Where light and viewer part, the albedo may be anything from here on.
+  // These samples have light and viewer in the same direction. For any other pair the albedo has no upper
+  // bound.
   const std::vector<double> value{0};
   const auto albedo = intervals(f.material, knowledge_of(f), value, [](const Material& m) {
     return std::vector<double>{m.terms[0].weights[0][1]};
@@ -97,7 +100,7 @@ TEST(Profiles, OfAParameterBesideABoundReachTheTruth) {
     EXPECT_LT(f0.low, 0.96);
   }
   EXPECT_GE(at_limit, 4);
-  EXPECT_GE(held, 17);  // by the curvature of what is not at a bound it was about half
+  EXPECT_GE(held, 17);  // about half, if only the curvature of the parameters inside their bounds is used
 }
 
 TEST(Profiles, OfOneRingOfHalfAnglesAreOpenAndTheFormIsNotIdentified) {
@@ -173,7 +176,7 @@ TEST(FewRows, AreNamedWithTheParametersThatTheyDecide) {
   EXPECT_GT(estimate(f, "kd").deciding, 4);
   EXPECT_THAT(f.few_rows_decide, HasSubstr("42 of the table"));
   EXPECT_THAT(f.few_rows_decide, HasSubstr("ks"));
-  // A hemisphere of rows around the lobe says nothing of the kind.
+  // A hemisphere of rows around the lobe must not give this finding.
   const FormFit dense = fit_one(measured(material_of("ward", {0.3, 0.3}, {0.2, 0.5}), {"hemisphere"}, 0.02),
                                 {"ward"}, without_cross_validation());
   EXPECT_EQ(dense.few_rows_decide, "");
@@ -189,8 +192,8 @@ TEST(HiddenHighlight, IsToldByTheDirections) {
     mirror.push_back({30, 30.0 + k, 0});
     beside.push_back({30, 30.0 + 4 * k + 2, 0});
   }
-  EXPECT_FALSE(width(mirror));  // a row in the mirror direction sees the narrowest
-  ASSERT_TRUE(width(beside));   // rows 2 degrees beside it: half angles of 1 degree
+  EXPECT_FALSE(width(mirror));  // a row in the mirror direction sees even the narrowest lobe
+  ASSERT_TRUE(width(beside));   // rows 2 degrees from the mirror direction: half angles of 1 degree
   EXPECT_GT(*width(beside), 0.002);
   EXPECT_LT(*width(beside), 0.02);
 }
@@ -210,7 +213,8 @@ TEST(HeldOut, AreWholeLightsFromTwoOn) {
   EXPECT_EQ(groups({10}, 20).held_out, HeldOut::interpolation);
 }
 
-// On machines of any width, and of a table that is turned about its normal.
+// The folds must be the same on machines with any vector width, and for a table that is turned about its
+// normal.
 TEST(HeldOut, FoldsFollowFromTheDirectionsAlone) {
   const auto folds = [](double turn) {
     DirectionArrays<double> d(24);

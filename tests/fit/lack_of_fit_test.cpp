@@ -1,3 +1,4 @@
+// Tests how systematic deviations are found: missing highlights, and lack of fit with its place and factor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +37,8 @@ FitOptions with(Metric metric) {
 TEST(Highlight, GlossIsNoMattForm) {
   for (const double alpha : {0.03, 0.1, 0.5, 1.0}) {
     const io::SampleTable table = hemisphere(cook_torrance(0.8, 1, 0.04, alpha), 0.03);
-    // Seven rows above twice the diffuse light at alpha .5; at 1 the lobe adds less than half to it anywhere.
+    // At alpha 0.5 seven rows exceed twice the diffuse light. At alpha 1 the lobe adds less than half of
+    // the diffuse light to any row.
     const bool gloss = alpha < 1;
     for (const Metric metric : {Metric::log, Metric::cosine_l2, Metric::cube_root, Metric::log_relative})
       for (const char* form : {"lambert", "oren_nayar"}) {
@@ -48,7 +50,8 @@ TEST(Highlight, GlossIsNoMattForm) {
   }
 }
 
-// Half of a scan lies in a broad lobe: a robust fit takes its level for the surface's.
+// Half of the scan lies in a broad lobe. A robust fit takes the level of the lobe for the level of the
+// surface; the highlight must be found nevertheless.
 TEST(Highlight, WhatAMattFormTakesForTheSurfaceIsOneToo) {
   Material m = make_material(*find_form("phong"), {"f"});
   m.terms[0].shape[0] = {2.74};
@@ -96,7 +99,7 @@ TEST(LackOfFit, OfTheRightFormIsNoneBeyondTheScatter) {
   }
 }
 
-// Values times a factor where theta_h and theta_d lie between these angles, in degrees.
+// Multiplies the values by `factor` if theta_h and theta_d lie between these angles, in degrees.
 void scale_cell(io::SampleTable& table, std::pair<double, double> theta_h, std::pair<double, double> theta_d,
                 double factor) {
   const auto within = [](Angle angle, const std::pair<double, double>& range) {
@@ -111,8 +114,8 @@ void scale_cell(io::SampleTable& table, std::pair<double, double> theta_h, std::
   }
 }
 
-// A lambertian surface, but three times as bright where theta_h is from 5 to 10 and theta_d from 30 to 45
-// degrees.
+// The surface is lambertian, except that it is three times as bright if theta_h is from 5 to 10 and theta_d
+// from 30 to 45 degrees.
 TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
   const FitResult before = fit(table, {forms({"lambert"})}, {});
@@ -135,7 +138,7 @@ TEST(LackOfFit, IsSaidWithItsPlaceAndFactor) {
   EXPECT_NE(html_report(result, table, {}).find("Lack of fit: residual"), std::string::npos);
 }
 
-// As above, and two thirds as bright in a second cell, further from the normal.
+// As above, and in addition two thirds as bright in a second cell further from the normal.
 TEST(LackOfFit, NamesWhatElseIsOffAndItsSign) {
   io::SampleTable table = hemisphere(make_material(*find_form("lambert"), {"f"}), 0.02);
   EXPECT_TRUE(fit_one(table, {"lambert"}).lack_of_fit.others.empty());

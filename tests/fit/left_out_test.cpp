@@ -1,3 +1,4 @@
+// Tests the held-out error, the paired test between forms, and the ranking that is based on both.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -19,7 +20,7 @@ Material gloss(double alpha) {
   return m;
 }
 
-// The rows that `keep` says of a table without sigmas.
+// Returns the rows with the numbers in `keep`, from a table without sigmas.
 io::SampleTable rows_of(const io::SampleTable& table, const std::vector<std::size_t>& keep) {
   io::SampleTable out = table;
   const auto pick = [&keep](auto& column) {
@@ -106,8 +107,8 @@ TEST(LeftOut, ManyDirectionsOfBothSidesShareCells) {
   EXPECT_EQ(rows, 5000u);
 }
 
-// Bit for bit: rows are sorted before anything is summed. 11,000 rows are above what the starts are solved
-// on.
+// The results are bit-identical, because rows are sorted before anything is summed. The table has 11,000
+// rows, more than the number on which the starting points are solved (8,192).
 TEST(LeftOut, TheRankingIsTheSameForShuffledRows) {
   io::SampleTable table = measured(gloss(0.05), {"hemisphere"}, 0.03, 1, 2.5);
   ASSERT_GT(table.rows(), 8192u);
@@ -139,15 +140,17 @@ std::vector<RowGroup> equal_groups(std::size_t n) {
 }
 
 TEST(PairedTest, AgreesWithTheTables) {
-  // t = 3 / (sqrt(2.5) / sqrt(5)) = 4.2426 with 4 degrees of freedom; ranks: 1 of 32 draws.
+  // t = 3 / (sqrt(2.5) / sqrt(5)) = 4.2426 with 4 degrees of freedom. By ranks, 1 of 32 draws is as
+  // extreme.
   const PairedTest five = paired_test(equal_groups(5), {1, 2, 3, 4, 5}, {0, 0, 0, 0, 0});
   EXPECT_NEAR(five.t, 0.0066178, 1e-6);
   EXPECT_NEAR(five.ranks, 1.0 / 32, 1e-12);
-  // One against four: ranks of the positive ones sum to 5 of 15, which 25 of 32 draws reach.
+  // One positive against four negative differences: the ranks of the positive ones sum to 5 of 15, which 25
+  // of 32 draws reach.
   EXPECT_NEAR(paired_test(equal_groups(5), {-1, -2, -3, -4, 5}, {0, 0, 0, 0, 0}).ranks, 25.0 / 32, 1e-12);
-  // A single group that is far worse decides neither.
+  // A single group that is far worse does not decide either test.
   EXPECT_FALSE(paired_test(equal_groups(6), {0, 0, 0, 0, 0, 9}, {0, 0, 0, 0, 0, 0}).worse());
-  // Beyond 25 groups by the normal approximation: all of 30 the same way.
+  // Above 25 groups the normal approximation is used. Here all 30 groups differ in the same direction.
   std::vector<double> up(30), zero(30, 0);
   std::iota(up.begin(), up.end(), 1.0);
   EXPECT_LT(paired_test(equal_groups(30), up, zero).ranks, 2e-6);

@@ -10,7 +10,8 @@
 namespace brdf::fit {
 namespace {
 
-// Whether docs/models.md knows the form; what is said here of the best fit is said of these.
+// Returns whether docs/models.md describes the form. The figures of the best fit below hold for documented
+// forms.
 bool is_documented(std::string_view form) {
   static const std::string page = io::read_content(BRDF_SOURCE_DIR "/docs/models.md").bytes;
   return page.find("### `" + std::string(form) + "`") != std::string::npos;
@@ -21,8 +22,8 @@ std::vector<std::vector<Reflectance>> documented_models() {
   return models;
 }
 
-// Fits of real measurements. Bounds are two-sided: an error
-// that drops by half is as suspicious as one that grows.
+// Fits of real measurements. Bounds are two-sided, because an error that drops by half is as suspicious as
+// an error that grows.
 class Measured : public ::testing::Test {
  protected:
   std::map<std::string, FormFit> fit_all(const std::string& sample) {
@@ -33,7 +34,7 @@ class Measured : public ::testing::Test {
     for (const FormFit& f : result_.ranking) by_form[f.form] = f;
     return by_form;
   }
-  // By how much --form auto lowers the root mean square residual (log) of the best single form.
+  // Returns by how much --form auto lowers the root mean square residual (log) of the best single form.
   double gain_of_auto(const std::string& sample) {
     const std::string folder = std::getenv("BRDF_DATA_DIR");
     result_ = fit(io::read_samples(folder + "/measured/" + sample + ".csv"), {}, {});
@@ -42,7 +43,8 @@ class Measured : public ::testing::Test {
       if (f.material.terms.size() == 1) single = std::min(single, f.metrics.log);
     return 1 - result_.ranking.front().metrics.log / single;
   }
-  // A form of the ranking that came after the figures here.
+  // Returns a form of the ranking that was added after the figures in this file were taken, if there is
+  // one.
   std::optional<std::string> undocumented() const {
     for (const FormFit& f : result_.ranking)
       for (const Term& term : f.material.terms)
@@ -64,7 +66,8 @@ TEST_F(Measured, WhitePaperIsCookTorranceWithinItsNoise) {
   EXPECT_NEAR(fits["lambert"].median_relative_error, 0.041, 0.002);
   EXPECT_EQ(fits["cook_torrance"].verdict, Verdict::converged);
   EXPECT_EQ(estimate(fits["oren_nayar"], "sigma").status, Status::at_bound);
-  // Towards grazing ten rows of each channel are above twice a matt form's values, up to 4.5 times.
+  // Towards grazing angles ten rows of each channel exceed twice the values of a matt form, by up to 4.5
+  // times.
   EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
   EXPECT_EQ(fits["oren_nayar"].verdict, Verdict::misfit);
   EXPECT_EQ(result_.ranking.front().form, "cook_torrance");
@@ -74,7 +77,7 @@ TEST_F(Measured, SatinPaint) {
   auto fits = fit_all("rgl_satin_rosaline");
   EXPECT_LT(result_.ranking.front().median_relative_error, 0.060);
   EXPECT_GT(result_.ranking.front().median_relative_error, 0.040);
-  // At 75 degrees, which were measured, it would reflect a tenth more than it receives.
+  // At 75 degrees, which were measured, the material would reflect a tenth more than it receives.
   EXPECT_EQ(result_.ranking.front().verdict, Verdict::breaks_energy);
   EXPECT_NEAR(result_.ranking.front().largest_measured_albedo->value, 1.1, 0.03);
   EXPECT_TRUE(usable(result_.ranking[result_.recommended].verdict));
@@ -89,8 +92,8 @@ TEST_F(Measured, BlackCoating) {
   EXPECT_EQ(fits["lambert"].verdict, Verdict::misfit);
 }
 
-// A second lobe takes two fifths of the residual of the rows that are fitted; of lights that are not it
-// predicts less than one lobe does.
+// A second lobe removes two fifths of the residual of the fitted rows. For held-out lights it predicts
+// worse than one lobe does, so the step is not kept.
 TEST_F(Measured, FourLightsOfBlackNickelDoNotBearASecondLobe) {
   const double gain = gain_of_auto("ua_AnoBlackNiTEonINVAR");
   if (const auto later = undocumented())

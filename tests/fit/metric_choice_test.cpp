@@ -1,4 +1,5 @@
-// The residual is the one whose noise is the most even on the data, and the choice is told.
+// Tests that the residual with the most uniform noise on the data is chosen, and that the choice is
+// reported.
 #include "fit/assess/metric_choice.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +12,8 @@
 namespace brdf::fit {
 namespace {
 
-// Values from 0.003 to 8 /sr, or so many times that.
+// Returns measurements from 0.003 to 8 /sr, multiplied by `scale`. `share` is the noise relative to the
+// value, `floor` its constant part.
 io::SampleTable dark_gloss(double share, double floor, bool sigma = false, double scale = 1) {
   Material m = make_material(*find_form("cook_torrance"), {"f"});
   m.terms[0].shape[0] = {0.15, 0.15};

@@ -1,4 +1,4 @@
-// Quantiles of values over an error that a few of them decide.
+// Tests the quantiles of values divided by an error that a few of these values dominate.
 #include "fit/solve/noise_shares.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,8 @@ TEST(NoiseShares, AsManyEqualValuesAreStudentsT) {
   }
 }
 
-// One value's share w among many small ones: P(z^2 > c^2 (w x^2 + 1 - w)) = .05 by quadrature over x.
+// One value has the share w of the error and many small values have the rest. The reference figures solve
+// P(z^2 > c^2 (w x^2 + 1 - w)) = 0.05 by quadrature over x.
 TEST(NoiseShares, ManySmallOnesBoundWhatOneLargeOneCanDo) {
   EXPECT_NEAR(t_quantile(shares(1, 0.5, 100000)), 2.30753, 1e-3);
   EXPECT_NEAR(t_quantile(shares(1, 0.7, 100000)), 2.72264, 1e-3);

@@ -1,3 +1,4 @@
+// Tests the verdict in plain words and the page of a fit.
 #include "fit/report/plain_words.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace brdf::fit {
 namespace {
 
-// A fit with one value for both widths, whose intervals the tests set.
+// Returns a fit with one value for both widths. The tests set its intervals.
 FormFit fitted() {
   FormFit f;
   f.form = "cook_torrance";
@@ -33,7 +34,7 @@ FormFit fitted() {
   for (std::size_t c = 0; c < 2; ++c) {
     f.material.terms[0].weights[c] = {0.01, 0.8, 0.1};
     const std::string& channel = f.material.channels[c];
-    add("kd", channel.c_str(), 0.01, 0, 0.05);  // wide beside itself, small beside the lobe
+    add("kd", channel.c_str(), 0.01, 0, 0.05);  // wide relative to the value, small relative to the lobe
     add("ks", channel.c_str(), 0.8, 0.7, 0.9);
     add("f0", channel.c_str(), 0.1, 0.08, 0.12);
   }
@@ -101,7 +102,8 @@ TEST(FitPage, CurvesAreSmoothAndNothingIsSaidTwice) {
   const io::SampleTable table = synth::measure(truth, {});
   const FitResult result = fit(table, {{*find_form("ward")}}, {});
   const std::string html = html_report(result, table, {});
-  // The grid's steps are degrees wide, the curve's half a degree.
+  // The steps of the grid are several degrees; the steps of the curve are half a degree, which gives more
+  // than 100 points.
   const std::size_t line = html.find("\"light at ");
   ASSERT_NE(line, std::string::npos);
   const std::size_t x = html.find("\"x\":[", line), end = html.find(']', x);

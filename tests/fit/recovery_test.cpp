@@ -1,3 +1,4 @@
+// Tests that fits recover the truth of synthetic samples, for every form, metric and kind of model.
 #include <gtest/gtest.h>
 
 #include "samples.h"
@@ -63,7 +64,7 @@ TEST(Recovery, DiffuseTermPlusLobeAndTwoLobes) {
   truth.terms.push_back(make_term(*find_form("ward"), 3));
   truth.terms[0].shape[0] = {0.5};
   truth.terms[1].shape[0] = {0.1, 0.1};
-  for (auto& w : truth.terms[1].weights) w[0] = 0;  // the diffuse part is the first term's
+  for (auto& w : truth.terms[1].weights) w[0] = 0;  // the first term has the diffuse part
   FormFit f = fit_one(measured(truth), {"oren_nayar", "ward"}, without_cross_validation());
   EXPECT_EQ(f.verdict, Verdict::converged);
   EXPECT_LT(std::abs(f.material.terms[0].shape[0][0] - 0.5), 1e-7);

@@ -1,4 +1,5 @@
-// Folds and bootstrap replicates: in parts, and what the replicates' spread is.
+// Tests the refits of folds and bootstrap replicates: that parts add up to the whole, and how the
+// replicates spread.
 #include <gtest/gtest.h>
 
 #include "fit/assess/refits.h"
@@ -30,7 +31,7 @@ TEST(Refits, InPartsAreThoseOfTheFitAtOnce) {
     FitOptions options = with_bootstrap(7);
     options.cross_validation = folds;
     const std::size_t count = count_refits(table, models.size(), options);
-    ASSERT_EQ(count, 2u * (7u + (folds ? 5u : 0u)));  // five incidences
+    ASSERT_EQ(count, 2u * (7u + (folds ? 5u : 0u)));  // 5 incidences
     RefitSolutions all;
     for (std::size_t first = 0; first < count; first += 5)  // parts that end within a model
       for (auto& solution :
@@ -48,7 +49,8 @@ TEST(Refits, InPartsAreThoseOfTheFitAtOnce) {
   }
 }
 
-// Of groups with independent noise the replicates spread as the standard error says.
+// For groups with independent noise, the spread of the replicates agrees with the standard error. The
+// bounds allow a factor of 2.5.
 TEST(Bootstrap, OfIndependentValuesSpreadsAsTheStandardErrorSays) {
   const io::SampleTable table = fine_hemisphere(satin(), 0.03, 3);
   FitOptions options = with_bootstrap(200);

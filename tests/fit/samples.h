@@ -1,4 +1,4 @@
-// Samples for the tests: known materials on known directions.
+// Samples for the tests: known materials at known directions.
 #pragma once
 
 #include <functional>
@@ -27,7 +27,7 @@ inline io::SampleTable measured(const Material& material, std::vector<std::strin
   return synth::measure(material, instrument);
 }
 
-// Eight incidences over a hemisphere of viewers, for the steps of --form auto.
+// Returns eight incidences over a hemisphere of viewers, for the steps of --form auto.
 inline io::SampleTable fine_hemisphere(const Material& material, double noise, std::uint64_t seed) {
   synth::Instrument instrument;
   instrument.grid.parts = {"hemisphere"};
@@ -44,8 +44,8 @@ inline FitOptions without_cross_validation() {
   return options;
 }
 
-// The first estimate with this name, of this channel where one is given ("": what all channels share); null
-// without.
+// Returns the first estimate with this name, or null. If `channel` is given, the estimate must belong to
+// that channel; "" is a parameter that all channels share.
 inline const Estimate* find_estimate(const FormFit& f, std::string_view name,
                                      std::optional<std::string_view> channel = std::nullopt) {
   for (const Estimate& e : f.estimates)
@@ -64,7 +64,8 @@ inline std::vector<Reflectance> forms(std::initializer_list<const char*> names) 
   return out;
 }
 
-// What a model of these forms with these channels answers to the options; empty: it takes them.
+// Returns the message with which a model of these forms and channels refuses the options, or an empty
+// string if the model accepts them.
 inline std::string refusal(std::initializer_list<const char*> names, const FitOptions& options,
                            std::vector<std::string> channels = {"r", "g", "b"}) {
   try {
@@ -80,7 +81,8 @@ inline FormFit fit_one(const io::SampleTable& table, std::initializer_list<const
   return fit(table, {forms(names)}, options).ranking.front();
 }
 
-// Parameters drawn from their tables' usual ranges, alpha >= .02, ks >= .05, f0 .02 to .9.
+// Returns a material with parameters drawn from the usual ranges of their tables, with alpha at least 0.02,
+// ks at least 0.05 and f0 from 0.02 to 0.9.
 inline Material random_material(const Reflectance& form, std::mt19937_64& random, std::size_t channels = 1,
                                 bool tied = true) {
   const auto uniform = [&](double low, double high) {

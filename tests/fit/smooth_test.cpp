@@ -1,4 +1,4 @@
-// Shapes that follow a polynomial in 1/wavelength.
+// Tests shapes that follow a polynomial in 1/wavelength.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ double width_at(std::size_t band) {
   return std::exp(kTruth[0] + kTruth[1] * x + kTruth[2] * x * x);
 }
 
-// A metal whose width falls with wavelength.
+// Returns a metal with a width that decreases with wavelength.
 Material metal() {
   Material m = make_material(*find_form("cook_torrance"), bands());
   m.terms[0].shape.assign(m.channels.size(), {});
@@ -72,7 +72,7 @@ TEST(Smooth, AHigherDegreeHoldsALowerOne) {
     EXPECT_NEAR(f.material.terms[0].shape[band][0], width_at(band), 1e-7) << band;
 }
 
-// 95 % of 40 x 3: binomial, 99 % between 90 and 99 %.
+// 95 % of 40 x 3 intervals: by the binomial distribution, 99 % of the runs lie between 90 and 99 %.
 TEST(Smooth, IntervalsHoldTheTruth) {
   const int fits = std::getenv("BRDF_THOROUGH") ? 40 : 12;
   int held_bands = 0, held_coefficients = 0, all_bands = 0, all_coefficients = 0;
@@ -121,7 +121,8 @@ TEST(Smooth, BothWidthsAndTheTangentAreFitted) {
   }
 }
 
-// Of every unknown, nodes among them, against central differences.
+// Compares the derivatives by every unknown, the nodes of the polynomial included, with central
+// differences.
 TEST(Smooth, DerivativesEqualDifferences) {
   const io::SampleTable table = measured(metal(), {"hemisphere"}, 0.1, 1, 20);
   for (const char* form : {"cook_torrance", "oren_nayar", "cook_torrance_student", "phong"}) {

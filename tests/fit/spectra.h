@@ -1,4 +1,5 @@
-// A metal of many bands whose f0 rises over wavelength, on a faint diffuse term.
+// Returns a metal of many bands, `apart` nm from each other, with an f0 that rises with wavelength, on a
+// faint diffuse term.
 #pragma once
 
 #include <cmath>

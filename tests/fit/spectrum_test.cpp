@@ -1,4 +1,4 @@
-// Many bands that share a shape.
+// Tests fits of many bands that share a shape.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// The minima are looked for on three of the bands: what is found must be the minimum of all.
+// The search for minima uses three of the bands. The result must be the minimum of all bands.
 TEST(Spectrum, OfThirtyOneBandsTheTruthComesBack) {
   const Material truth = metal_of_31_bands();
   for (const Metric metric : {Metric::log, Metric::cosine_l2, Metric::log_relative}) {
@@ -52,7 +52,7 @@ TEST(Spectrum, AReportDrawsItOverWavelength) {
               Not(HasSubstr("over wavelength")));
 }
 
-// Models are fitted side by side; nothing may depend on it.
+// Models are fitted in parallel. The result must not depend on the number of threads.
 TEST(FitThreads, AnyNumberGivesTheSameResult) {
   const io::SampleTable table = measured(make_material(*find_form("ward")), {"hemisphere"}, 0.03);
   FitOptions one, three;

@@ -1,5 +1,5 @@
-// What the samples determine, and what they do not divide: weights that share a prediction, widths without a
-// turn of the sample, energy.
+// Tests which quantities the samples determine and which they cannot separate: weights that share a
+// prediction, widths without sample rotation, and energy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Material gloss(double alpha, std::vector<double> weights, std::vector<std::strin
   return m;
 }
 
-// Light and viewer near the normal: only ks f0 is seen.
+// Returns measurements with light and viewer near the normal, where only the product ks f0 is visible.
 io::SampleTable head_on(const Material& material, double noise) {
   synth::Instrument instrument;
   instrument.grid.theta_i = {5, 10, 15, 20, 25};
@@ -52,7 +52,8 @@ TEST(Determined, IsAPredictionWhoseSplitIsNot) {
                                                   HasSubstr("--physical"), HasSubstr("grazing"))));
   ASSERT_TRUE(f.prediction_error);
   EXPECT_LT(*f.prediction_error, kDetermined);
-  // What it gives is as right as it says.
+  // The actual errors agree with the stated prediction error: 95 % of the values lie within three times
+  // that error.
   const DirectionArrays<double> arrays = io::unit_directions(table);
   const Directions<double> d = arrays.view();
   std::vector<double> fitted(3), exact(3), off;
@@ -76,14 +77,16 @@ TEST(Determined, AndADielectricSplitsIt) {
   EXPECT_LT(estimate(f, "f0").standard_error, 0.002);
 }
 
-// Where the width itself is unknown, so is what the model gives elsewhere.
+// If the width itself is not identifiable, the values of the model in other directions are not determined
+// either.
 TEST(Determined, IsNotWhatHasNoWidth) {
   io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}));
   const FormFit f = fit_one(table, {"ward"}, without_cross_validation());
   EXPECT_EQ(f.verdict, Verdict::not_identifiable);
 }
 
-// The light from one azimuth only; the highlight of `truth` is round or not.
+// Returns measurements with the light at these azimuths only. The highlight of `truth` may be isotropic or
+// anisotropic.
 io::SampleTable at_azimuths(const Material& truth, std::vector<double> azimuths) {
   synth::Instrument instrument;
   instrument.grid.azimuths = std::move(azimuths);
@@ -152,9 +155,9 @@ TEST(Turn, IsTheSameConfigurationAtAnotherAzimuth) {
   EXPECT_FALSE(sample_was_turned(directions_of({{30, 0, 40, 100}, {30, 180, 40, 280}})));
   EXPECT_FALSE(sample_was_turned(directions_of({{30, 0, 40, 100}, {30, 45, 40, 100}})));
   EXPECT_FALSE(sample_was_turned(directions_of({{30, 0, 40, 100}, {30, 0, 40, -100}})));
-  // With the light upright, the viewer's way round is a turn of the sample.
+  // With the light along the normal, an azimuth of the viewer is a rotation of the sample.
   EXPECT_TRUE(sample_was_turned(directions_of({{0, 0, 40, 10}, {0, 0, 40, 80}})));
-  // Rows whose half vector stands still tell nothing, whatever the light does.
+  // Rows with one constant half vector give no evidence of a rotation, however the light moves.
   std::vector<std::array<double, 4>> cells;
   for (int k = 1; k < 18; ++k) {
     const double a = k * 10 * (kPi / 180);
@@ -193,11 +196,11 @@ TEST(Energy, WithinAllLightIsNotMentioned) {
   EXPECT_THAT(f.findings, Not(Contains(HasSubstr("more light"))));
 }
 
-// The intervals of what is a parameter are that parameter's own; only their degrees of freedom are counted
-// otherwise.
+// If a derived value is itself a parameter, its interval equals the interval of that parameter, except that
+// the degrees of freedom are counted differently. The widths may therefore differ, by at most 20 %.
 TEST(DerivedIntervals, AreTheParametersOwn) {
   FitOptions options = without_cross_validation();
-  options.metric = Metric::log_relative;  // under which no few values decide
+  options.metric = Metric::log_relative;  // no few values dominate under this metric
   const FormFit f =
       fit_one(measured(gloss(0.2, {0.3, 0.5, 0.3}), {"hemisphere"}, 0.02), {"cook_torrance"}, options);
   ASSERT_TRUE(f.covariance);
@@ -231,8 +234,9 @@ TEST(DerivedIntervals, ComeBackFromAMaterialsFile) {
   EXPECT_FALSE(intervals(f.material, stranger, {}, [](const Material&) { return std::vector<double>{}; }));
 }
 
-// The deviations of 60 replicates in units of the standard error; their mean square's own deviation is .18.
-// The slow test counts coverage.
+// Checks the root mean square deviation of 60 replicates in units of the standard error. The standard
+// deviation of their mean square is 0.18; the bounds 0.7 and 1.3 allow for it. The slow test counts the
+// coverage.
 TEST(DerivedIntervals, OfTheAlbedoAreAsWideAsItScatters) {
   for (const CoverageCase& c : coverage_cases())
     for (const auto& [theta, covered] : covered_albedos(c, 60, 3, Metric::log_relative)) {

@@ -1,4 +1,4 @@
-// Every row of the table of states, as the terminal, JSON and the page show it.
+// Tests every row of the table of states in the terminal, in JSON and on the page.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A good fit of one channel, which the tests spoil.
+// Returns a good fit of one channel, which the tests then spoil.
 FitResult good() {
   const Material truth = make_material(*find_form("lambert"), {"f"});
   FitResult result = fit(measured(truth, {"hemisphere"}, 0.02), {forms({"lambert"})}, {});
@@ -126,8 +126,8 @@ TEST(States, EveryRowHasOneSentenceOneMarkAndOneExitCodeOnEveryFace) {
   EXPECT_EQ(reached.size(), kNames<Condition>.size());
 }
 
-// What is said of a spoilt fit is not said of a good one, and a spoilt one is never called as good as its
-// scatter.
+// The sentence of a spoilt fit must not appear for a good one. A spoilt fit must never be described as
+// accurate to the measurement noise.
 TEST(States, NoSentenceAppearsWithoutItsCondition) {
   const io::SampleTable table = measured(make_material(*find_form("lambert"), {"f"}), {"hemisphere"}, 0.02);
   const auto printed = [&](const FitResult& result) {

@@ -1,4 +1,4 @@
-// As many terms as the samples ask for.
+// Tests that --form auto keeps as many terms as the samples support.
 
 #include <gtest/gtest.h>
 

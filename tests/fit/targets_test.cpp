@@ -1,4 +1,4 @@
-// Other programs' models are fitted as forms are: their own values come back.
+// Tests that models of other programs can be fitted like forms: the fit recovers their values.
 #include "brdf/targets.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace brdf::fit {
 namespace {
 
-// Weights and shape between the tables' ends, colours that differ.
+// Returns a material with weights and shape inside the ranges of the tables and with colours that differ.
 Material truth_of(const Reflectance& target) {
   Material truth = make_material(target, {"r", "g", "b"});
   const auto inside = [](const ParameterInfo& p, double share) {

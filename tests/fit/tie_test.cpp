@@ -1,4 +1,4 @@
-// Parameters of one value for all channels, and weights that keep energy.
+// Tests parameters with one value for all channels, and weights that conserve energy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ TEST(Tie, WithoutNoiseWhatIsSharedIsRecoveredUnderEveryMetric) {
       EXPECT_LT(largest_relative_difference(f.material.terms[0].weights[c], truth.terms[0].weights[c]), 1e-6);
       EXPECT_EQ(f.material.terms[0].weights[c][2], f.material.terms[0].weights[0][2]);
     }
-    ASSERT_NE(find_estimate(f, "f0", ""), nullptr);  // once, of no channel
+    ASSERT_NE(find_estimate(f, "f0", ""), nullptr);  // once, without a channel
     EXPECT_EQ(find_estimate(f, "f0", "r"), nullptr);
     EXPECT_NE(find_estimate(f, "ks", "r"), nullptr);
   }
@@ -57,12 +57,12 @@ TEST(Tie, OfAnyWeightOrSeveral) {
   EXPECT_LT(largest_relative_difference(f.material.terms[0].weights[1], grey.terms[0].weights[1]), 1e-6);
 }
 
-// Three channels say more of one f0 than one channel of its own.
+// Three channels that share one f0 determine it more precisely than one channel alone.
 TEST(Tie, NarrowsTheIntervalOfWhatIsShared) {
   const Material truth = paint({{0.2, 0.6, 0.06}, {0.2, 0.6, 0.06}, {0.2, 0.6, 0.06}});
   const io::SampleTable table = measured(truth, {"hemisphere"}, 0.02);
   FitOptions options = tying({});
-  options.metric = Metric::log_relative;  // under which the noise is uniform
+  options.metric = Metric::log_relative;  // the noise is uniform under this metric
   const FormFit own = fit_one(table, {"cook_torrance"}, options);
   options.tie = {"f0"};
   const FormFit tied = fit_one(table, {"cook_torrance"}, options);
@@ -97,7 +97,8 @@ TEST(Tie, OfAShapeLeavesTheOthersToTheChannels) {
   EXPECT_NE(find_estimate(f, "terms[0].sigma", "g"), nullptr);
 }
 
-// The two lobes of a sum change places together with what they share.
+// If the two lobes of a sum are exchanged, the parameters that their channels share must be exchanged with
+// them.
 TEST(Tie, InASumOfEqualFormsTheNarrowLobeComesFirst) {
   Material truth = paint({{0.2, 0.5, 0.1}, {0.2, 0.3, 0.1}, {0.2, 0.1, 0.1}}, 0.06);
   truth.terms.push_back(truth.terms[0]);
@@ -151,7 +152,8 @@ TEST(PhysicalWeights, KeepTheirSumWithinOne) {
   EXPECT_LT(w[1][0] + w[1][1], 0.9);
   EXPECT_EQ(f.verdict == Verdict::at_bound || f.verdict == Verdict::misfit, true);
   EXPECT_THAT(f.findings, Contains(HasSubstr("kd + ks is at its bound 1 in r")));
-  // The best of all that are allowed: no point of the edge has a lower cost.
+  // The result is the best of all permitted points: moving along the bound in either direction raises the
+  // cost.
   FitOptions held = physical();
   held.fix = {{"kd", {w[0][0] + 0.01, w[1][0], w[2][0]}}};
   EXPECT_GT(fit_one(table, {"ward"}, held).minima[0].cost, f.minima[0].cost);
@@ -196,7 +198,7 @@ TEST(PhysicalWeights, OfWhatIsNoDielectricAddUpToLessThanOne) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(f.material.terms[0].weights[c][1], 0.5, 0.05);
 }
 
-// What is held is not f0's.
+// The part that a held kd takes is not available to f0: the largest f0 is 1 minus the held kd.
 TEST(PhysicalWeights, OfADielectricLeaveF0WhatIsHeld) {
   const Material metal = paint({{0.3, 1, 0.9}, {0.3, 1, 0.9}, {0.3, 1, 0.9}});
   FitOptions options = physical(Physical::dielectric);

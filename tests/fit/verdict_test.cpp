@@ -1,3 +1,4 @@
+// Tests the verdict of a fit on good samples, on misfits, and on tables that determine too little.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -34,9 +35,10 @@ TEST(Verdict, NoisyConstantDataIsStillLambert) {
   EXPECT_EQ(result.ranking[result.recommended].form, "lambert");
 }
 
-// `table` with a lobe back to the light of the same shape added, `share` times as strong: no form has both.
+// Adds a retroreflective lobe of the same shape to `table`, `share` times as strong. No form has both
+// lobes.
 void add_retro_lobe(io::SampleTable& table, const Material& lobe, double share) {
-  io::SampleTable mirrored = table;  // seen from the light's side, the mirror lobe is a retro-reflection
+  io::SampleTable mirrored = table;  // viewed from the light's side, the mirror lobe is a retroreflection
   for (double& phi : mirrored.phi_o) phi += 180;
   const DirectionArrays<double> arrays = io::unit_directions(mirrored);
   const Directions<double> d = arrays.view();
@@ -47,7 +49,7 @@ void add_retro_lobe(io::SampleTable& table, const Material& lobe, double share) 
   }
 }
 
-// alpha .05 and .1 on a bright base: the lobes are a few rows among a thousand that fit well.
+// With alpha 0.05 and 0.1 on a bright base, the lobes are a few rows among a thousand that fit well.
 TEST(Verdict, RetroReflectorIsAMisfit) {
   struct Case {
     double alpha, kd;
@@ -63,7 +65,8 @@ TEST(Verdict, RetroReflectorIsAMisfit) {
   }
 }
 
-// A tenth of the mirror's lobe back to the light of a dull surface is within what measurements show.
+// A retroreflection of a tenth of the mirror lobe on a dull surface is within the usual deviations of
+// measurements.
 TEST(Verdict, AFaintHighlightBackToTheLightIsNotAMisfit) {
   Material material = make_material(*find_form("cook_torrance"), {"f"});
   material.terms[0].shape[0] = {0.3, 0.3};
@@ -201,7 +204,7 @@ TEST(Verdict, TheShareOfTheLightDoesNotReverseTheRanking) {
   EXPECT_EQ(result.ranking.back().findings.size(), worse.findings.size() + 1);
 }
 
-// Three values at one pair of directions: their mean, known with two degrees of freedom.
+// For three values at one pair of directions, the interval of the mean has two degrees of freedom.
 TEST(Verdict, IntervalsOfFewValuesAreStudents) {
   io::SampleTable table;
   table.channels = {"f"};

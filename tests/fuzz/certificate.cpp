@@ -1,4 +1,4 @@
-// Certificates: sealed anew, so that what is inside is looked at.
+// Certificates. Each input is sealed anew, so that the fuzzer reaches the checks behind the seal.
 #include "prove/check/certificate.h"
 #include "io/files/json.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,4 +1,4 @@
-// Our own JSON: what it says is kept, and written again it is the same text.
+// The project's own JSON documents: reading keeps the content, and writing it again gives the same text.
 #include "io/material/material_json.h"
 #include "render/compare/state.h"
 #include "render/scene/scene_json.h"

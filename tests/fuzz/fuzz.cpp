@@ -20,7 +20,7 @@
 namespace brdf::fuzz {
 namespace {
 
-// Links with every suffix that was asked for, to the one file in memory.
+// The folder with a link for every requested suffix to the one file in memory.
 const std::filesystem::path& folder() {
   static const io::TemporaryFolder folder;
   return folder.path();
@@ -51,7 +51,7 @@ void check_columns(const io::SampleTable& table) {
   }
 }
 
-// Writing treats every row alike: some are enough.
+// Keeps at most 100 rows. Writing treats every row alike, so that these are enough.
 void cut(io::SampleTable& table) {
   const std::size_t rows = std::min<std::size_t>(table.rows(), 100);
   for (auto* angle : {&table.theta_i, &table.phi_i, &table.theta_o, &table.phi_o}) angle->resize(rows);

@@ -1,4 +1,5 @@
-// The entry of libFuzzer. The program's own name says the target: tests/fuzz/run makes a link for each.
+// The entry of libFuzzer. The name of the program selects the target: tests/fuzz/run makes a link for each
+// target.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -26,7 +27,8 @@ extern "C" int LLVMFuzzerInitialize(int*, char*** arguments) {
   return 0;
 }
 
-// Three of four inputs by the target's own way of changing them; half of the texts by their words and lines.
+// If the target has a mutator of its own, it changes three of four inputs. Otherwise half of the texts are
+// changed by words and lines. libFuzzer changes all other inputs.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
   const std::string_view input(reinterpret_cast<const char*>(data), size);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kHeader = 12, kBytes = kHeader + 3 * io::merl::kCells * sizeof(double);
 
-// A file of full size without a valid cell, in memory.
+// Creates a file of full size without a valid cell, in memory.
 int empty_file() {
   const int memory = memfd_create("merl", 0);
   std::vector<double> cells(3 * io::merl::kCells, -1.0);
@@ -30,8 +30,8 @@ struct Change {
 };
 constexpr std::size_t kChange = sizeof(std::uint32_t) + sizeof(double);
 
-// The input changes single values of the file: a place, modulo the values that it has, and eight bytes. As
-// many bytes as are left over are cut from the file's end.
+// The input changes single values of the file. Each change consists of a position, modulo the number of
+// values, and eight bytes. The number of remaining bytes is cut from the end of the file.
 const Registered merl("merl", [](std::string_view input) {
   static const int memory = empty_file();
   std::vector<Change> changes;

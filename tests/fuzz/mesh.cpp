@@ -7,7 +7,7 @@
 namespace brdf::fuzz {
 namespace {
 
-// Assimp goes by the name first: the one that the content's first bytes call for.
+// Assimp selects the format by the name first. Returns the suffix for the first bytes of the content.
 std::string suffix_of(std::string_view input) {
   for (const auto& [magic, suffix] :
        {std::pair{"ply", ".ply"}, {"solid", ".stl"}, {"xof ", ".x"}, {"glTF", ".glb"}})

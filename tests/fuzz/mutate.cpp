@@ -28,7 +28,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// Statements end with semicolons and braces, or with their lines.
+// Splits a text into tokens. Statements end with semicolons and braces, or at the ends of lines.
 std::vector<Token> tokens_of(std::string_view text, bool by_lines) {
   std::vector<Token> out;
   for (std::size_t at = 0; at < text.size();) {
@@ -63,7 +63,7 @@ std::string text_of(const std::vector<Token>& tokens) {
   return out;
 }
 
-// The statement that a token stands in: from behind the end before it to its own end.
+// Returns the statement that contains a token, including its end.
 std::pair<std::size_t, std::size_t> statement(const std::vector<Token>& tokens, std::size_t at) {
   std::size_t begin = at, stop = at;
   while (begin > 0 && tokens[begin - 1].kind != Kind::end) --begin;
@@ -78,7 +78,7 @@ void change(std::vector<Token>& tokens, Engine& engine) {
   const std::size_t at = below(engine, tokens.size());
   Token& token = tokens[at];
   const std::size_t how = below(engine, 8);
-  if (how == 0 || how == 1) {  // a statement again, or not at all
+  if (how == 0 || how == 1) {  // repeat or remove a statement
     const auto [begin, stop] = statement(tokens, at);
     const std::vector<Token> copy(tokens.begin() + long(begin), tokens.begin() + long(stop));
     if (how == 0)
@@ -92,7 +92,7 @@ void change(std::vector<Token>& tokens, Engine& engine) {
     token.text = kNumbers[below(engine, std::size(kNumbers))];
   } else if (token.kind == Kind::sign && how < 4 && token.text != "(" && token.text != ")") {
     token.text = kSigns[below(engine, std::size(kSigns))];
-  } else {  // another of its kind
+  } else {  // another token of its kind
     for (int k = 0; k < 20; ++k) {
       const Token& other = tokens[below(engine, tokens.size())];
       if (other.kind != token.kind || other.text == token.text) continue;
@@ -116,7 +116,7 @@ std::string mutate_text(std::string_view text, std::uint32_t seed) {
 }
 
 std::string mutate_bytes(std::string_view bytes, std::uint32_t seed) {
-  constexpr std::size_t kLongest = 64;  // of a run
+  constexpr std::size_t kLongest = 64;  // length of a run
   Engine engine(seed);
   std::string out(bytes);
   for (std::size_t k = 1 + below(engine, 4); k > 0 && !out.empty(); --k) {

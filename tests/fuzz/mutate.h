@@ -1,4 +1,4 @@
-// Changes of inputs; those of a text's words and of a module's instructions keep the form of what is changed.
+// Changes of inputs. Changes of a text's words and of a module's instructions keep the form of the input.
 #pragma once
 
 #include <cstdint>
@@ -7,14 +7,16 @@
 
 namespace brdf::fuzz {
 
-// Whether it holds no control characters but blanks.
+// Returns whether the bytes hold no control characters except white space.
 bool is_text(std::string_view bytes);
-// A text with one to four of its words, numbers, signs or statements exchanged, repeated or left out.
+// Returns the text with one to four of its words, numbers, signs or statements exchanged, repeated or
+// removed.
 std::string mutate_text(std::string_view text, std::uint32_t seed);
-// One to four of the bytes changed, or runs of them exchanged, repeated or left out.
+// Returns the bytes with one to four changes: single bytes changed, or runs of bytes exchanged, repeated or
+// removed.
 std::string mutate_bytes(std::string_view bytes, std::uint32_t seed);
-// A SPIR-V module with one to four operands, operations or instructions exchanged, repeated or left out;
-// lengths stay right.
+// Returns a SPIR-V module with one to four operands, operations or instructions exchanged, repeated or
+// removed. The lengths of instructions remain right.
 std::string mutate_spirv(std::string_view bytes, std::uint32_t seed);
 
 }  // namespace brdf::fuzz

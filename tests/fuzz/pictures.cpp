@@ -13,7 +13,8 @@ namespace brdf::fuzz {
 namespace {
 
 const Registered textures("texture", [](std::string_view input) {
-  // Large pictures take the time and no other path: small ones, and those that are refused.
+  // Large pictures take longer but follow the same path through the code. Only small pictures, and pictures
+  // that are refused for their size, are tested.
   constexpr std::int64_t kLarge = 1000;  // texels
   int width = 0, height = 0, channels = 0;
   const bool known = stbi_info_from_memory(reinterpret_cast<const stbi_uc*>(input.data()), int(input.size()),

@@ -1,6 +1,7 @@
 // ctest: fuzz.corpus label=fuzz needs=replay_fuzz @build@/tests/replay_fuzz @source@/tests/fuzz/corpus shader=@source@/data/shaders
-// Runs every file of FOLDER/<target> through its target: the corpus, and what was once found; then changes of
-// them, the same ones every time. Further arguments TARGET=FOLDER name folders that are seeds as they stand.
+// Passes every file of FOLDER/<target> to its target: the corpus, and earlier findings. Then it passes
+// changes of these files, the same changes in every run. Further arguments TARGET=FOLDER name folders with
+// additional seeds.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -25,7 +26,7 @@ std::vector<std::string> inputs_in(const std::filesystem::path& folder) {
   return inputs;
 }
 
-// About a second or two of each.
+// Returns the number of changes that take about one or two seconds.
 std::size_t count_changes(const std::string& target) {
   if (target == "merl") return 10;
   return target.starts_with("exr") || target == "mesh" || target == "shader" ? 100 : 1000;

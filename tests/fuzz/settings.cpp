@@ -1,4 +1,4 @@
-// A form's name, and in every line below it a --set.
+// The first line is the name of a form, and each further line is an argument of --set.
 #include <sstream>
 
 #include "io/material/material_file.h"

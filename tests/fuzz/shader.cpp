@@ -1,7 +1,7 @@
-// A shader's text through the front end and the interpreter (the name in its first line, after //, says the
-// language), and SPIR-V that no compiler wrote through the rest. Both are changed word by word as well as
-// byte by byte: most bytes make a text that no compiler takes, and the checker, the flattening and the
-// interpreter would see few.
+// Passes the text of a shader through the front end and the interpreter, and SPIR-V that no compiler wrote
+// through the later stages. The name in the first line of the text, after //, gives the language. Both
+// kinds of input are changed by words as well as by bytes: most changes of bytes give a text that no
+// compiler accepts, so that the checker, the flattening and the interpreter would receive few inputs.
 #include <cmath>
 #include <cstring>
 
@@ -15,7 +15,7 @@
 namespace brdf::fuzz {
 namespace {
 
-// Runs to its end, or says that it has none.
+// Runs the program to its end, or until an endless loop is detected.
 template <class T>
 void run_once(const shader::Program& program) {
   shader::Bank<T, 4> bank(program);
@@ -25,7 +25,7 @@ void run_once(const shader::Program& program) {
   }
 }
 
-// The function at its defaults, in every lane, or says that it does not end.
+// Runs the function at its defaults in every lane, or until an endless loop is detected.
 template <class T, int W>
 void run_function(const shader::Function& f) {
   shader::Runner<T, W> runner(f);
@@ -40,14 +40,15 @@ void run_function(const shader::Function& f) {
     wo[0][l] = T(o.x), wo[1][l] = T(o.y), wo[2][l] = T(o.z);
   }
   runner.set_directions(f, wi, wo);
-  constexpr std::size_t kMostSteps = 5000;  // that there is no end costs the more the later it is found
+  constexpr std::size_t kMostSteps = 5000;  // a later limit makes endless loops more expensive
   try {
     shader::run<T, W>(f.program<T>(), runner.bank(), W, kMostSteps);
   } catch (const shader::EndlessLoop&) {
   }
 }
 
-// As a reflectance, whose tables take a thousand evaluations: one text of sixteen.
+// Makes a reflectance of the function. Its tables take a thousand evaluations, so that only one text of
+// sixteen is used.
 void make_reflectance(shader::Function f) {
   const auto shader = std::make_shared<const shader::ShaderReflectance>(std::move(f));
   const Material m = shader->material(shader);

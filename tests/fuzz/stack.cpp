@@ -1,4 +1,4 @@
-// Stacks of photographs: the one image of a stack, and the table of lights beside two good images.
+// Stacks of photographs: the single image of a stack, and the table of lights of two valid images.
 #include <cmath>
 
 #include "tests/fuzz/fuzz.h"
@@ -8,7 +8,7 @@
 namespace brdf::fuzz {
 namespace {
 
-constexpr std::size_t kMostPixels = 1000;  // large pictures take the time and no other path
+constexpr std::size_t kMostPixels = 1000;  // larger pictures only take longer
 
 void check_pixels(const texel::Stack& stack) {
   require(stack.width > 0 && stack.height > 0 && !stack.channels.empty(), "a stack has texels and channels");

@@ -1,4 +1,5 @@
-// Sample tables, ours and other programs': one target per format, so that each has its own corpus.
+// Sample tables of this project and of other programs. Each format has a target and thus a corpus of its
+// own.
 #include "io/files/content.h"
 #include "io/files/text.h"
 #include "io/formats/astm.h"
@@ -23,7 +24,7 @@ void read_table(std::string_view input) {
 const Registered csv("csv", read_table), astm("astm", read_table), lens("lens", read_table),
     alta("alta", read_table), tensor("tensor", read_table);
 
-// What is made of a table where somebody asks for it.
+// The conversions of a table that a user can request.
 const Registered arranged("arranged", [](std::string_view input) {
   io::SampleTable table = io::read_samples(content_of(input));
   io::arrange(table, {.repeats = io::Repeats::average});
@@ -32,7 +33,7 @@ const Registered arranged("arranged", [](std::string_view input) {
   check_samples(table);
 });
 
-// As OpenEXR, which rounds once.
+// Tables as OpenEXR files. Values are rounded only once.
 const Registered exr_tables("exr_table", [](std::string_view input) {
   const io::SampleTable table = io::read_samples(content_of(input));
   check_samples(table);
@@ -47,7 +48,7 @@ const Registered exr_tables("exr_table", [](std::string_view input) {
           "floats come back as they were");
 });
 
-// Other programs' formats: what is written reads back to the same numbers.
+// Formats of other programs: a table that is written must read back to the same numbers.
 const Registered written("written", [](std::string_view input) {
   const io::SampleTable table = io::read_samples(content_of(input));
   const std::filesystem::path path = output();

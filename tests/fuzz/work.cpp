@@ -1,4 +1,5 @@
-// Planned work: plans and units with keys and hashes that fit, so that what is inside is looked at.
+// Planned work. Plans and units have valid keys and hashes, so that the fuzzer reaches the checks behind
+// them.
 #include "io/files/digest.h"
 #include "io/files/json.h"
 #include "tests/fuzz/fuzz.h"

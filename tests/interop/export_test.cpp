@@ -1,4 +1,5 @@
-// Materials in other programs' formulas and files: right, with the loss said, or refused with the reason.
+// Tests materials in the formulas and files of other programs. They must be exact, or state the loss, or be
+// refused with the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ Exported exported(const std::string& program, const Material& m, bool naive = fa
 }
 std::string refusal(const std::string& program, const Material& m) {
   try {
-    exported(program, m, true);  // what is refused is refused before it is fitted
+    exported(program, m, true);  // a refused material is refused before it is fitted
   } catch (const InputError& error) {
     return error.what();
   }
@@ -39,8 +40,8 @@ Material plastic() {
   return material("cook_torrance", {"kd=0.3,0.2,0.1", "ks=0.5", "f0=0.04", "alpha=0.2"});
 }
 
-// The number after a key of a text: `"Roughness"].default_value = 0.4`, `name="alpha" value="0.2"`, `eta" [
-// 1.5`.
+// Returns the number after a key of a text, such as `"Roughness"].default_value = 0.4`, `name="alpha"
+// value="0.2"` or `eta" [ 1.5`.
 double number_after(const std::string& text, const std::string& key) {
   const std::size_t at = text.find(key);
   EXPECT_NE(at, text.npos) << key << " is not in\n" << text;
@@ -62,8 +63,8 @@ TEST(Export, IsExactWhereTheFormulaIsOurs) {
   }
 }
 
-// The separable masking of Blender 3.4 and Mitsuba: the figures that were measured there (13 % at alpha .3,
-// median tiny).
+// Blender 3.4 and Mitsuba have separable masking. The loss was measured there: up to 13 % at alpha 0.3,
+// with a very small median.
 TEST(Export, SaysWhatCopiedParametersLose) {
   const Exported copy = exported("mitsuba", metal(0.3), true);
   EXPECT_FALSE(copy.refitted);
@@ -105,7 +106,8 @@ TEST(Export, RefusesWhatCannotBeCarried) {
   }
 }
 
-// A lobe of any weight is a closure of that weight in Cycles' sum; others clamp, and say so.
+// In the sum of Cycles a lobe is a closure of any weight. Other programs clamp the weight at 1, and the
+// message reports it.
 TEST(Export, TakesAWeightAboveOneOnlyWhereTheProgramDoes) {
   const Material bright = material("blender_glossy", {"kd=0.1", "ks=1.5,0.7,0.3", "alpha=0.2"});
   const Exported glossy = exported("blender-3.4", bright);
@@ -115,7 +117,7 @@ TEST(Export, TakesAWeightAboveOneOnlyWhereTheProgramDoes) {
     EXPECT_THAT(refusal(program, bright), HasSubstr("ks 1.5 is above 1")) << program;
 }
 
-// Tangent 30 degrees, alpha_x < alpha_y: the wider axis is at 120.
+// The tangent is at 30 degrees and alpha_x < alpha_y, so that the wider axis is at 120 degrees.
 TEST(Export, TurnsTheTangentOrSaysThatTheMeshMust) {
   const Material m = material(
       "cook_torrance", {"kd=0", "ks=1", "f0=0.9,0.6,0.3", "alpha_x=0.1", "alpha_y=0.3", "tangent_phi=30"});
@@ -143,7 +145,7 @@ TEST(Export, RefusesARatioThatNoControlReaches) {
               HasSubstr("where the program shows a mirror"));
 }
 
-// What stands in the text, read as the program reads it, is the projected material.
+// The numbers in the text, interpreted like the program does, give the projected material.
 TEST(Export, MitsubaTextSaysWhatWasProjected) {
   const Exported e = exported("mitsuba", plastic());
   const Term& t = e.carried.terms[0];
@@ -152,7 +154,7 @@ TEST(Export, MitsubaTextSaysWhatWasProjected) {
   EXPECT_NEAR(number_after(e.text, "name=\"eta\" value=\""), t.shape[0][2], 1e-7);
   EXPECT_NEAR(share * number_after(e.text, "name=\"specular_reflectance\" value=\""), t.weights[0][1], 1e-8);
   EXPECT_NEAR((1 - share) * number_after(e.text, "name=\"reflectance\" value=\""), t.weights[0][0], 1e-8);
-  EXPECT_THAT(e.text, HasSubstr("<?brdf\n"));  // an instruction holds the commands as they are
+  EXPECT_THAT(e.text, HasSubstr("<?brdf\n"));  // a processing instruction holds the commands unchanged
 }
 
 TEST(Export, PbrtTextSaysWhatWasProjected) {

@@ -1,4 +1,4 @@
-// C++ as `brdf export --to cpp` writes it, compiled: the library's float values bit for bit.
+// Tests compiled C++ from `brdf export --to cpp`: its float values equal the library's bit for bit.
 #include <gtest/gtest.h>
 
 #include "brdf/material.h"

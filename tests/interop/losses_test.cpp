@@ -1,5 +1,6 @@
 // ctest: interop.largest label=interop timeout=7200 env=BRDF_THOROUGH=1 needs=plain @tests@/test_interop --gtest_filter=Largest.*
-// Stated losses: found by a search, measured as the files' users read them, and never made worse by a refit.
+// Tests the stated losses: a search finds them, they are measured in the way in which the users of the
+// files read them, and a refit never increases them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ Exported written(const char* program, const Material& m, bool naive = false) {
   return export_to(*find_program(program), m, "thing", naive);
 }
 
-// A rough wood of a faint wide lobe, a smooth varnish, a brushed metal, a paint of a coloured lobe.
+// A rough wood with a faint wide lobe, a smooth varnish, a brushed metal, and a paint with a coloured lobe.
 std::vector<Material> subjects() {
   return {chosen("cook_torrance", {"kd=0.21,0.09,0.05", "ks=0.35", "f0=0.03", "alpha=0.32"}),
           chosen("cook_torrance", {"kd=0.05,0.02,0.02", "ks=0.9", "f0=0.045", "alpha=0.06"}),
@@ -40,7 +41,8 @@ std::vector<Material> subjects() {
           chosen("cook_torrance", {"kd=0.12", "ks=0.5,0.35,0.15", "f0=0.4", "alpha=0.28"})};
 }
 
-// Over a grid that has no direction of the search's own net, some ten times as dense.
+// Returns the largest difference on a grid that avoids all directions of the search's own grid and is about
+// ten times as dense.
 double densest(const Material& wanted, const Material& carried, double step) {
   const bool turned = is_anisotropic(wanted);
   double worst = 0;
@@ -57,7 +59,8 @@ double densest(const Material& wanted, const Material& carried, double step) {
   return worst;
 }
 
-// Four; with BRDF_THOROUGH every material of the data folder and every form at its defaults, too.
+// Returns four materials. With BRDF_THOROUGH it adds every material of the data folder and every form at
+// its defaults.
 std::vector<Material> many_subjects() {
   std::vector<Material> all = subjects();
   if (!std::getenv("BRDF_THOROUGH")) return all;
@@ -76,12 +79,12 @@ TEST(Largest, IsNotExceededOnADenserGrid) {
       try {
         e = export_to(program, m, "thing", !thorough);
       } catch (const InputError&) {
-        continue;  // refused, which other tests look at
+        continue;  // refused: other tests check this
       }
       ++written_ones;
       const double found = densest(m, e.carried, thorough ? 1.3 : 3.7);
       EXPECT_LE(found, 1.05 * e.loss.largest.difference + 1e-9) << program.name << ": " << in_words(e.loss);
-      // It is a value that is there.
+      // The reported value must be an actual value in the reported direction.
       std::vector<double> f(m.channels.size()), g(f.size());
       const Largest& l = e.loss.largest;
       eval(m, io::unit_vector(l.theta_i, l.phi_i), io::unit_vector(l.theta_o, l.phi_o), f);
@@ -96,7 +99,8 @@ TEST(Largest, IsNotExceededOnADenserGrid) {
   EXPECT_GE(written_ones, thorough ? 320 : 28);
 }
 
-// What the search must notice: else nothing differs, and the sentence would be "exact".
+// The search must notice a difference at one azimuth and a value that is not a number. Nothing else
+// differs, so that the loss would otherwise be "exact".
 TEST(Largest, SeesOneAzimuthAndWhatIsNoNumber) {
   const auto constant = [](const Vec3<double>&, const Vec3<double>&, std::span<double> f) { f[0] = 0.1; };
   const auto brighter = [](const Vec3<double>& wi, const Vec3<double>&, std::span<double> f) {
@@ -123,7 +127,7 @@ TEST(Largest, IsAtGrazingLightWhereNoEvenGridHasIt) {
   EXPECT_THAT(in_words(loss), HasSubstr("largest at least"));
 }
 
-// A lobe of half the weight is a share of a half, and its colour has a place of its own.
+// The weight of a lobe is written as the share specularFactor, and its colour as specularColorFactor.
 TEST(Gltf, HoldsTheLobesWeightAndColour) {
   const Exported plain = written(
       "gltf", chosen("cook_torrance", {"kd=0.2,0.05,0.02", "ks=0.45", "f0=0.042", "alpha=0.02"}), true);
@@ -136,7 +140,8 @@ TEST(Gltf, HoldsTheLobesWeightAndColour) {
   EXPECT_GT(coloured.loss.rms, 1e-4);
 }
 
-// KHR_materials_anisotropy: V = clamp(0.5/(N.L |(at T.V, ab B.V, N.V)| + N.V |(at T.L, ab B.L, N.L)|), 0, 1).
+// KHR_materials_anisotropy: V = clamp(0.5/(N.L |(at T.V, ab B.V, N.V)| + N.V |(at T.L, ab B.L, N.L)|), 0,
+// 1).
 TEST(Gltf, OfTwoWidthsIsHeldWhereTheExtensionHoldsIt) {
   const double at = 0.28, ab = 0.09;
   const Material source = chosen("cook_torrance", {"kd=0", "ks=1", "f0=0.8", "alpha_x=0.28", "alpha_y=0.09"});
@@ -155,7 +160,7 @@ TEST(Gltf, OfTwoWidthsIsHeldWhereTheExtensionHoldsIt) {
     EXPECT_NEAR(exact, d * free * fresnel, 1e-9 * exact);
   }
   EXPECT_TRUE(written("gltf", chosen("cook_torrance", {"kd=0", "ks=1", "f0=0.8", "alpha=0.09"})).exact());
-  EXPECT_FALSE(written("three", source, true).loss.largest.difference > 1);  // three.js holds nothing
+  EXPECT_FALSE(written("three", source, true).loss.largest.difference > 1);  // three.js does not clamp V
 }
 
 TEST(Pbrt, ShowsSpectraOfColouredIndices) {
@@ -165,15 +170,15 @@ TEST(Pbrt, ShowsSpectraOfColouredIndices) {
                                                                            "k=3.42,2.35,1.77", "alpha=0.2"}));
   EXPECT_FALSE(gold.exact());
   EXPECT_THAT(gold.text, Not(HasSubstr(": exact")));
-  // The form's values are not the program's.
+  // The values of the form differ from the values of the program.
   EXPECT_THAT(gold.text, Not(HasSubstr("the same here")));
   EXPECT_THAT(gold.text, HasSubstr("by channel here, without the program's spectra: brdf eval --form"));
   const Exported grey =
       written("pbrt", chosen("cook_torrance_conductor", {"kd=0.1", "ks=0.6", "n=1.1", "k=6", "alpha=0.2"}));
   EXPECT_TRUE(grey.exact());
   EXPECT_THAT(grey.text, HasSubstr("the same here: brdf eval --form"));
-  // Red of a yellow metal whose red is nearly all extinction: an eighth brighter along the normal than by
-  // channel.
+  // In a yellow metal, the red index is nearly pure extinction. With the program's spectra its red is one
+  // eighth brighter along the normal than by channel.
   Material yellow = make_material(find_program("pbrt")->targets[0].target, {"r", "g", "b"});
   Term& term = yellow.terms[0];
   const std::array n{0.0087, 0.505, 1.60}, k{9.8, 2.28, 1.80};
@@ -190,8 +195,8 @@ TEST(Pbrt, ShowsSpectraOfColouredIndices) {
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(shown[c] / by_channel[c] - 1, expected[c], 0.002) << c;
 }
 
-// Indices by colour are Mitsuba's as they stand; the others hold the reflectance along the normal of each
-// colour.
+// Mitsuba takes the indices of each colour directly. The other programs hold the reflectance along the
+// normal of each colour.
 TEST(Conductors, OfAnIndexPerColourAreWrittenByEveryProgram) {
   const Material copper =
       chosen("cook_torrance_conductor", {"kd=0", "ks=1", "n=0.25,0.95,1.2", "k=3.4,2.6,2.4", "alpha=0.25"});
@@ -234,14 +239,14 @@ TEST(Sums, OfTwoLobesAreTheSumOfTheirParts) {
     const Exported e = export_to(program, two, "two", true);
     EXPECT_EQ(e.words.size(), 2u) << program.name;
     EXPECT_THAT(e.text, HasSubstr(", term 2 of 2 that add up: brdf eval --form"));
-    EXPECT_THAT(e.text, Not(HasSubstr("/dev/stdin")));  // no one command has the sum
+    EXPECT_THAT(e.text, Not(HasSubstr("/dev/stdin")));  // no single command evaluates the sum
     EXPECT_LT(e.loss.rms, 0.08) << program.name << in_words(e);
     two = coated();
   }
   EXPECT_TRUE(written("blender", two).exact());
 }
 
-// Shares of nested mixes: a of the second, 1 - a of the first.
+// Shares of nested mixes: a for the second material, 1 - a for the first.
 TEST(Sums, ArePbrtsNestedMixes) {
   Material two = coated();
   two.terms[1].tangent_phi = {};
@@ -251,13 +256,13 @@ TEST(Sums, ArePbrtsNestedMixes) {
     amounts.push_back(std::stod(e.text.substr(at += 16)));
   ASSERT_EQ(amounts.size(), 2u);
   const int ks = info(e.carried.terms[0].form).weight_index(Role::specular);
-  // The second lobe's share of all; the first's share of what that leaves.
+  // The second lobe has a share of the whole; the first lobe has a share of the remainder.
   EXPECT_NEAR(amounts[1], e.carried.terms[1].weights[0][std::size_t(ks)], 1e-8);
   EXPECT_NEAR(amounts[0] * (1 - amounts[1]), e.carried.terms[0].weights[0][std::size_t(ks)], 1e-8);
   EXPECT_THAT(e.text, HasSubstr("MakeNamedMaterial \"thing\"\n    \"string type\" \"mix\""));
 }
 
-// Who follows the advice gets the material: dp/du laid at the angle that is named, and tangent_phi 0.
+// Following the advice must give the material: dp/du laid at the stated angle, and tangent_phi 0.
 TEST(Advice, OnTheTangentGivesTheMaterialWhenItIsFollowed) {
   for (const auto& [along, across, phi] : {std::tuple{0.11, 0.31, -37.0}, {0.33, 0.12, 62.0}})
     for (const char* program : {"mitsuba", "pbrt"}) {
@@ -283,7 +288,7 @@ TEST(Advice, OnTheTangentGivesTheMaterialWhenItIsFollowed) {
       const Vec3<double> wi = io::unit_vector(40, -37), wo = io::unit_vector(58, 141);
       eval(at(phi), wi, wo, {&f, 1});
       eval(turned, wi, wo, {&g, 1});
-      // Of Mitsuba the separable masking remains.
+      // For Mitsuba, the separable masking remains.
       EXPECT_NEAR(g / f, 1, std::string(program) == "mitsuba" ? 6e-5 : 1e-12) << program << " " << angle;
     }
 }

@@ -1,4 +1,5 @@
-// OSL's closures are forms of ours: against the lines of its testrender, and in what is written.
+// OSL's closures are forms of our catalogue. They are compared with the code of OSL's testrender, and
+// checked in the written files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ double value(const Exported& e, const Vec3<double>& wi, const Vec3<double>& wo) 
   return f;
 }
 
-// src/testrender/shading.cpp: the product of a sample's weight and density holds cos_i.
+// From src/testrender/shading.cpp: the product of a sample's weight and density includes cos_i.
 double oren_nayar(const Vec3<double>& wi, const Vec3<double>& wo, double sigma) {
   const double s = dot(wo, wi) - wi.z * wo.z, s2 = sigma * sigma;
   return (1 - 0.50 * s2 / (s2 + 0.33) + 0.45 * s2 / (s2 + 0.09) * (s > 0 ? s / std::max(wi.z, wo.z) : 0)) *

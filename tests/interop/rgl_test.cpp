@@ -1,4 +1,4 @@
-// A material through an RGL file and back: its width comes out of a fit to what our reader reads.
+// Tests a material that is written to an RGL file and read back: a fit to the samples recovers its width.
 #include "interop/rgl.h"
 
 #include <gtest/gtest.h>

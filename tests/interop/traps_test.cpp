@@ -1,6 +1,7 @@
 // ctest: interop.refitted_traps label=slow timeout=7200 env=BRDF_REFIT=1 needs=plain @tests@/test_interop --gtest_filter=Traps.*
-// What programs cannot all carry, for every program: written as it is, in the surface's own frame, or refused
-// with the reason; never silently another material.
+// Tests materials that not all programs can hold, for every program. They must be written unchanged,
+// written in the surface's own frame, or refused with the reason, but never silently changed into another
+// material.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// As a loss has it, on pairs all around the surface.
+// Returns the root mean square difference in the residual of a loss, for pairs all around the surface.
 double rms_between(const Material& a, const Material& b) {
   Random random(5);
   double sum = 0;
@@ -28,7 +29,7 @@ double rms_between(const Material& a, const Material& b) {
       return direction(degrees(random.uniform(0, 80)), degrees(random.uniform(0, 360)));
     };
     const Vec3<double> wi = anywhere();
-    // Half of them about the mirror direction.
+    // Half of the pairs are near the mirror direction.
     Vec3<double> wo = k % 2 ? anywhere() : Vec3<double>{0.1 * random.uniform() - wi.x, -wi.y, wi.z};
     wo = wo * (1 / std::sqrt(dot(wo, wo)));
     std::vector<double> f(a.channels.size()), g(b.channels.size());
@@ -44,7 +45,7 @@ struct Trap {
   const char* name;
   Material material;
   std::map<std::string, const char*>
-      refused;  // by which programs, and what they say; "": by all that are not named
+      refused;  // by program: the text of the refusal; "": by all programs that are not named
 };
 
 Material made(const std::string& form, const std::vector<std::string>& set) {
@@ -99,13 +100,14 @@ TEST(Traps, AreCarriedAsTheyAreSaidOrRefusedWithTheReason) {
       SCOPED_TRACE(std::string(trap.name) + " to " + std::string(program.name));
       const char* refused = refusal_of(trap, program);
       try {
-        // Copied, which takes no time; BRDF_REFIT in the environment refits.
+        // The material is copied, which takes no time. The environment variable BRDF_REFIT requests a refit
+        // instead.
         const Exported e = export_to(program, trap.material, "thing", std::getenv("BRDF_REFIT") == nullptr);
         EXPECT_EQ(refused, nullptr) << "was not refused";
         const double said = e.loss.rms, found = rms_between(trap.material, e.carried);
         EXPECT_LE(found, 5 * said + 1e-9) << said;
         EXPECT_GE(found, e.exact() ? 0 : said / 10);
-        EXPECT_LT(said, 0.15);  // it is that material still
+        EXPECT_LT(said, 0.15);  // still recognisable as the same material
         EXPECT_THAT(e.text, HasSubstr(e.exact()    ? ": exact"
                                       : e.refitted ? "refitted: largest at least"
                                                    : "copied: largest at least"));

@@ -1,4 +1,4 @@
-// ALTA's tables: one measurement, written by each of its parametrisations.
+// Tests the tables of ALTA: one measurement, written in each of the parametrisations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ std::string header(const std::string& dimensions, const std::string& name) {
   return "#SAMPLE \"Gray tape\"\n#DIM " + dimensions + "\n#PARAM_IN " + name + "\n#PARAM_OUT INV_STERADIAN\n";
 }
 
-// The light at 30 degrees, the viewer at 50 degrees, 120 degrees of azimuth between them. The half and
-// difference angles are those of Rusinkiewicz 1998, worked out apart from the reader.
+// The light is at 30 degrees and the viewer at 50 degrees, with 120 degrees of azimuth between them. The
+// half and difference angles follow Rusinkiewicz 1998 and were calculated independently of the reader.
 class Parametrisations : public testing::TestWithParam<Written> {};
 
 TEST_P(Parametrisations, SayTheSameDirections) {

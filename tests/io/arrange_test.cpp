@@ -1,4 +1,4 @@
-// What is made of polarised channels and of directions that were measured more than once.
+// Tests the conversion of polarised channels, and of directions that were measured more than once.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -94,8 +94,8 @@ TEST(Repeats, BecomeTheirMeanWithItsStandardDeviation) {
   ASSERT_EQ(got.rows(), 2u);
   EXPECT_DOUBLE_EQ(got.values[0][0], 1.1);
   EXPECT_EQ(got.values[0][1], 2);
-  // One pair is repeated: its sample variance .01 is all that is known; the other value is larger and
-  // scatters in proportion.
+  // Only one pair is repeated, so that its sample variance 0.01 is the only evidence of the noise. The
+  // other value is larger, and its noise is assumed to be in proportion.
   EXPECT_NEAR(got.sigma[0][0], .1 / std::sqrt(3.), 1e-15);
   EXPECT_NEAR(got.sigma[0][1], .1 * 2 / 1.1, 1e-15);
   EXPECT_THAT(got.lines, ElementsAre(2u, 3u));
@@ -119,7 +119,8 @@ TEST(Repeats, ThatAreCopiesTellNoScatter) {
   expect_same(arranged(once, kAverage), read(once));
 }
 
-// Relative noise of 5 %, values over three decades, each measured twice: (mean - truth)/sigma has variance 1.
+// Relative noise of 5 % on values over three decades, each measured twice: (mean - truth)/sigma must have
+// variance 1.
 TEST(Repeats, HaveStandardDeviationsThatHold) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -142,7 +143,7 @@ TEST(Repeats, HaveStandardDeviationsThatHold) {
   }
   EXPECT_GT(sum / kPairs, .9);
   EXPECT_LT(sum / kPairs, 1.25);
-  EXPECT_LT(largest, 8);  // of two values alone one in 4000 would be off by hundreds
+  EXPECT_LT(largest, 8);  // from the two values alone, one in 4000 would be off by hundreds
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is red is decided by names and wavelengths, not by the order of columns.
+// Tests that names and wavelengths decide which channel is red, not the order of the columns.
 #include "io/colour/channel_colours.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(ChannelColours, TheLongestOfThreeWavelengthsIsRed) {
   EXPECT_EQ(colours->of, (Three{2, 1, 0}));
   EXPECT_EQ(colours->by, By::wavelength);
   EXPECT_NE(colours->note.find("by their wavelengths"), std::string::npos);
-  // In the infrared, too.
+  // This holds for infrared channels, too.
   EXPECT_EQ(channel_colours({"1550nm", "905nm", "1064nm"})->of, (Three{0, 2, 1}));
 }
 
@@ -48,7 +48,7 @@ TEST(ChannelColours, OfASpectrumTheNearestToThePrimariesAreTaken) {
   EXPECT_EQ(names[colours->of[1]], "550nm");
   EXPECT_EQ(names[colours->of[2]], "460nm");
   EXPECT_NE(colours->note.find("31 bands are shown as they are seen"), std::string::npos) << colours->note;
-  // A spectrum that lies on one side of them has no three colours.
+  // A spectrum that lies entirely on one side of the primaries has no three colours.
   EXPECT_FALSE(channel_colours({"900nm", "1000nm", "1100nm", "1200nm"}));
 }
 

@@ -1,5 +1,5 @@
-// The 24 colours of a ColorChecker as its makers' customers measured them: mean spectra of 30 charts, and
-// their x, y, Y under D50 (Pascale, BabelColor 2012, "ColorChecker RGB and spectra").
+// The 24 colours of a ColorChecker, as measured by users: mean spectra of 30 charts, and their x, y, Y
+// under D50 (Pascale, BabelColor 2012, "ColorChecker RGB and spectra").
 #pragma once
 
 namespace brdf::io {

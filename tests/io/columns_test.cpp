@@ -1,4 +1,4 @@
-// Columns that are no values: wavelengths in every unit, the turn of the sample, metadata and text.
+// Tests columns other than values: wavelengths in every unit, the sample rotation, metadata and text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ TEST(SampleRotation, LowersBothAzimuths) {
   }
   const SampleTable radians = read("theta_i,theta_o,phi,rotation (rad),fr\n30,20,170,0.5235987755982988,1\n");
   EXPECT_EQ(radians.phi_i[0], -30);
-  // Two signed angles, too.
+  // This holds for two signed angles, too.
   const SampleTable plane = read("theta_i,theta_o,rotation,fr\n30,-20,45,1\n30,30,45,2\n");
   EXPECT_THAT(plane.phi_i, ElementsAre(135, 135));
   EXPECT_THAT(plane.phi_o, ElementsAre(135, -45));
@@ -119,7 +119,8 @@ TEST(Metadata, IsSetAsideInOneLine) {
                                             HasSubstr("(15) are set aside: no values of f_r"))));
 }
 
-// In any header a unit of something else, or cells that are no numbers, tell.
+// A column is metadata under any name if its unit belongs to another quantity, or if its cells are not
+// numbers.
 TEST(Metadata, IsToldByItsUnitOrItsCells) {
   for (const char* name : {"a (deg)", "b [rad]", "c (K)", "d (°C)", "e (h)", "g [mm]", "h (ms)", "bias (V)",
                            "i (nA)", "j (hPa)", "k (%)", "delay (s)", "solid angle (sr)", "thickness (um)"})
@@ -130,7 +131,7 @@ TEST(Metadata, IsToldByItsUnitOrItsCells) {
     }
   const SampleTable text = read("theta_i,phi_i,theta_o,phi_o,what,fr\n1,2,3,4,,5\n1,2,3,5,gold,6\n");
   EXPECT_THAT(text.channels, ElementsAre("fr"));
-  // A column of f_r with a bad cell is no metadata.
+  // A column of f_r with a bad cell is not metadata.
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,550nm,fr\n1,2,3,4,x,5\n"),
               HasSubstr("(550nm): 'x' is not a number"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,what\n1,2,3,4,x\n"),

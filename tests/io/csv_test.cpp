@@ -1,3 +1,4 @@
+// Tests the project's own tables (CSV) and the trigonometric functions of degrees.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,7 +108,8 @@ TEST_F(Csv, NamesExchangedColumns) {
   EXPECT_THAT(message(header + "30,180,0,10,1\n30,180,95,10,1\n30,180,270,80,1\n30,180,355,0,1\n"),
               HasSubstr("theta_o reaches 355 degrees and phi_o only 80: the columns theta_o and phi_o look "
                         "exchanged"));
-  // One angle of many that is too large, or azimuths beyond a quarter turn: a wrong angle.
+  // One angle of many that is too large, or polar angles above 90 degrees with azimuths beyond a quarter
+  // turn, are reported as a wrong angle, not as exchanged columns.
   EXPECT_THAT(message(header + "0,0,10,0,1\n0,0,20,0,1\n0,0,30,0,1\n0,0,91,0,1\n"),
               HasSubstr("must be between"));
   EXPECT_THAT(message(header + "0,0,95,180,1\n0,0,96,180,1\n"), HasSubstr("must be between"));
@@ -144,7 +146,8 @@ TEST(Degrees, AreExactAtQuartersAndAccurateBetween) {
   EXPECT_EQ(sin_degrees(180), 0.0);
   EXPECT_EQ(sin_degrees(-90), -1.0);
   EXPECT_EQ(cos_degrees(540), -1.0);
-  // Near a zero away from the origin the reference itself would need more digits of pi.
+  // Results close to 0 at angles away from the origin are not compared, because there the reference itself
+  // would need more digits of pi.
   double worst = 0;
   const auto compare = [&](double value, long double exact, double degrees) {
     if (std::abs(exact) > .1L || std::abs(degrees) < 45)

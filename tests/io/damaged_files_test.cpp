@@ -1,4 +1,4 @@
-// Whatever a file holds, reading it ends in a table or in an InputError.
+// Tests that reading any content ends in a table or in an InputError.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -35,7 +35,7 @@ constexpr const char* kMaterial =
 
 class Damaged : public testing::Test {
  protected:
-  // Overwrites, deletes, repeats or cuts at random places, with bytes that the formats care about.
+  // Overwrites, deletes, repeats or cuts at random places, with bytes that are significant in the formats.
   std::string damaged(std::string content) {
     constexpr std::string_view kBytes = "0189.,-+eE#:\n\r\t \"{}[]nai\0\xff\x7f";
     for (int changes = 1 + static_cast<int>(random_() % 4); changes > 0 && !content.empty(); --changes) {
@@ -84,7 +84,7 @@ class Damaged : public testing::Test {
       EXPECT_TRUE(table.theta_i[k] >= 0 && table.theta_i[k] <= 90);
       EXPECT_TRUE(table.theta_o[k] >= 0 && table.theta_o[k] <= 90);
     }
-    // What is read can be written, and that is a fixed point.
+    // A table that was read can be written, and reading it back gives the same text again.
     const auto written = [](const SampleTable& t) {
       std::ostringstream out;
       write_samples(out, t);
@@ -119,7 +119,7 @@ TEST_F(Damaged, TensorFilesAreReadOrRefused) {
   if (!folder) GTEST_SKIP() << "BRDF_DATA_DIR is unset";
   std::ifstream in(*folder / "paper_white_rgb.bsdf", std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(in), {}};
-  // Only the table of fields: the arrays are mere numbers.
+  // Only the table of fields is damaged, because the arrays contain nothing but numbers.
   for (int trial = 0; trial < 50; ++trial) {
     std::ofstream(folder_.path() / "file", std::ios::binary)
         << damaged(content.substr(0, 416)) << content.substr(416);

@@ -1,3 +1,4 @@
+// The folder with measured samples for tests.
 #pragma once
 
 #include <cstdlib>
@@ -6,7 +7,8 @@
 
 namespace brdf {
 
-// The folder with measured samples, or nothing where BRDF_DATA_DIR is unset: such tests say so and skip.
+// Returns the folder with measured samples, or std::nullopt if BRDF_DATA_DIR is unset or empty. Tests that
+// need the folder then skip with a message.
 inline std::optional<std::filesystem::path> measured_data() {
   const char* const folder = std::getenv("BRDF_DATA_DIR");
   if (!folder || !*folder) return std::nullopt;

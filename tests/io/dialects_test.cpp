@@ -1,5 +1,5 @@
-// Tables as laboratories write them: the same samples in 32 dialects read to the same table, bit for bit;
-// what is not understood is refused with what was found.
+// Tables as laboratories write them: the same samples in 32 dialects must read to the same table, bit for
+// bit. Other dialects are refused with a message that names the text found.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ constexpr const char* kPlain = "theta_i,phi_i,theta_o,phi_o,fr\n30,0,40.5,180,1.
 struct DialectFile {
   const char* name;
   std::string text;
-  const char* note;  // of what is announced; empty where nothing is
+  const char* note;  // part of the announcement; empty: no announcement
 };
 
 std::ostream& operator<<(std::ostream& out, const DialectFile& d) {
@@ -36,7 +36,7 @@ class SameTable : public testing::TestWithParam<DialectFile> {};
 TEST_P(SameTable, BitForBit) {
   const SampleTable got = read(GetParam().text);
   SampleTable expected = read(kPlain);
-  expected.metadata = got.metadata;  // a sheet's own comments
+  expected.metadata = got.metadata;  // the comments of the spreadsheet itself
   expect_same(got, expected);
   std::string notes;
   for (const std::string& warning : got.warnings) notes += warning + '\n';
@@ -137,7 +137,7 @@ TEST(LongFormat, IsTheWideTable) {
   EXPECT_THAT(got.warnings.back(), HasSubstr("long format: 6 rows of 3 wavelengths, 465 to 630 nm"));
 }
 
-// Every pair has a wavelength of its own: no memory is asked for pairs times wavelengths.
+// Every pair has a wavelength of its own. The reader must not allocate memory for pairs times wavelengths.
 TEST(LongFormat, OfPairsThatShareNoWavelengthIsRefused) {
   std::string text = "theta_i,phi_i,theta_o,phi_o,wavelength,fr\n";
   for (int k = 0; k < 4000; ++k)
@@ -145,7 +145,8 @@ TEST(LongFormat, OfPairsThatShareNoWavelengthIsRefused) {
   EXPECT_THAT(message(text), HasSubstr("line 2: these directions have no value at 401 nm"));
 }
 
-// What stands in quotes is in memory of its own: it was joined by the distance between the two.
+// Text in quotes is stored in separate memory. A former version joined such a name with its unit by the
+// distance between the two in memory.
 TEST(Quotes, BeforeAUnitBetweenBlanks) {
   const SampleTable got = read("\"theta_i\" (deg) \"phi_i\" theta_o (deg) phi_o \"a b\" (1/sr)\n1 2 3 4 5\n");
   EXPECT_THAT(got.channels, ElementsAre("a b"));
@@ -231,7 +232,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWasFoundAndWhere) {
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 
-// A message says what to write instead.
+// The message must contain a suggestion of readable text.
 TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
   const std::string names = "theta_i,phi_i,theta_o,phi_o,fr\n", bars = "theta_i;phi_i;theta_o;phi_o;fr\n";
   const std::pair<std::string, const char*> cases[] = {
@@ -274,7 +275,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
               testing::Not(HasSubstr("lines above")));
 }
 
-// What we write must be read back as it was, whatever other formats call their channels.
+// A table that we write must be read back unchanged, whatever other formats call their channels.
 TEST(PlainFormat, KeepsTheNamesOfItsChannels) {
   const SampleTable t =
       read("# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,azimuth,fr (1/sr),sigma,thetar\n1,2,3,4,5,6,7,8\n");

@@ -1,3 +1,5 @@
+// Tests the readers of ASTM E1392 files, lens-design text and tensor files, and measured files in these
+// formats.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -93,8 +95,8 @@ constexpr const char* kLensHeader =
 TEST_F(Formats, LensDesignAnglesTurnFromTheMirrorDirectionToTheNormal) {
   const SampleTable t = read(std::string(kLensHeader) + "1\t2\t3\n1\t4\t5\nDataEnd\n");
   EXPECT_EQ(t.format, "zemax");
-  // Azimuth 0 runs from the mirror direction through the
-  // normal; 70 degrees the other way is below the horizon.
+  // Azimuth 0 runs from the mirror direction through the normal. An angle of 70 degrees the other way is
+  // below the horizon.
   ASSERT_EQ(t.rows(), 4u);
   EXPECT_EQ(t.theta_o, (std::vector<double>{30, 20, 40, 40}));
   EXPECT_EQ(t.phi_o, (std::vector<double>{0, 0, 180, 0}));
@@ -148,7 +150,7 @@ TEST_F(MeasuredFiles, TensorFileEqualsItsPublishedSamples) {
   for (std::size_t k = 0; k < read.rows(); ++k) {
     ASSERT_EQ(read.theta_o[k], expected.theta_o[k]);
     ASSERT_EQ(read.phi_o[k], expected.phi_o[k]);
-    // Where the half vector is the normal its azimuth is rounding noise, in the reference too.
+    // If the half vector is the normal, its azimuth is rounding noise, in the reference too.
     const bool is_mirror = read.theta_i[k] == read.theta_o[k] && read.phi_o[k] == 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const double error = std::abs(read.values[c][k] / expected.values[c][k] - 1);
@@ -160,8 +162,9 @@ TEST_F(MeasuredFiles, TensorFileEqualsItsPublishedSamples) {
   EXPECT_LT(at_mirror, 1e-3);
 }
 
-// The two files come from one measurement by two scripts of its authors: a few per cent apart in the plane of
-// incidence, more beside it. Any other reading of the azimuth is far off in the plane.
+// The two files come from one measurement, by two scripts of its authors. They agree within a few per cent
+// in the plane of incidence and less well out of plane. With any other definition of the azimuth they would
+// disagree widely in the plane.
 TEST_F(MeasuredFiles, LensDesignTextAgreesWithItsTableInThePlaneOfIncidence) {
   const SampleTable table = read_samples(folder_ / "ua_AnoBlackNiTEonINVAR.csv");
   std::map<std::array<double, 3>, double> reference;

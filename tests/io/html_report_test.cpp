@@ -1,3 +1,4 @@
+// Tests the pages of reports and their glossary.
 #include "io/page/html_report.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ int count_of(const std::string& text, std::string_view what) {
   return count;
 }
 
-// The page without its style and scripts.
+// Returns the page without its style and scripts.
 std::string body_of(const HtmlReport& report) {
   const std::string html = report.document({"1.0", "", {}});
   const std::size_t begin = html.find("<body>");

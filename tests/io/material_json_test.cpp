@@ -1,3 +1,5 @@
+// Tests material files: every material round-trips, and invalid files are refused with the place of the
+// error.
 #include "io/material/material_json.h"
 #include "brdf/forms.h"
 
@@ -16,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A material of this form with every parameter drawn from its range.
+// Returns a material of this form with every parameter drawn from its range.
 Material random_material(const Reflectance& form, std::size_t channels, bool shared_shape,
                          std::mt19937_64& random) {
   Material material;
@@ -91,7 +93,7 @@ TEST(MaterialJson, AnyTangentInWholeDegreesOrDecimalsReadsAndWritesTheSame) {
 
 class Refused : public testing::Test {
  protected:
-  // The message for the Ward material with the text `from` replaced by `to`.
+  // Returns the error message for the Ward material in which the text `from` is replaced by `to`.
   std::string message(const std::string& from, const std::string& to) {
     std::string text =
         R"({"format": "brdf-material", "version": 1, "form": "ward", "channels": ["r", "g"],)"

@@ -1,3 +1,4 @@
+// Tests the cells and the files of the MERL format.
 #include "io/formats/merl.h"
 
 #include <gmock/gmock.h>
@@ -32,7 +33,8 @@ TEST(MerlCells, EveryCellFindsItselfAndItsExchange) {
 }
 
 TEST(MerlCells, TheHalfVectorIsAtTheCellsCentre) {
-  // theta_half 90 (9.5/90)^2, theta_difference 0.5: both directions within half a degree of it
+  // theta_half is 90 (9.5/90)^2 and theta_difference 0.5: both directions are within half a degree of
+  // theta_half.
   const CellDirections d = cell_directions((9 * kThetaDifference + 0) * kPhiDifference);
   EXPECT_NEAR(d.theta_i, 90 * std::pow(9.5 / 90, 2) + .5, 1e-4);
   EXPECT_NEAR(d.theta_o, 90 * std::pow(9.5 / 90, 2) - .5, 1e-2);

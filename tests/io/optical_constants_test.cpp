@@ -1,4 +1,4 @@
-// Tables of refractive indices as they are published.
+// Tests tables of refractive indices in their published formats.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::string refusal(const std::string& text, const std::string& material = "") {
   return message_of([&] { constants(text, material); });
 }
 
-// Johnson and Christy 1972, three rows.
+// Three rows of Johnson and Christy 1972.
 constexpr const char* kRecord =
     "REFERENCES: |\n  P. B. Johnson: 12 eV\nDATA:\n  - type: tabulated nk\n    data: |\n        0.4959 1.04 "
     "1.833\n"
@@ -108,7 +108,8 @@ TEST(OpticalConstants, OfGoldGiveItsColour) {
                                                                              {756.0, .14, 4.542},
                                                                              {821.1, .16, 5.083}})
     text += to_text(nm) + "," + to_text(n) + "," + to_text(k) + "\n";
-  // data/materials/gold.json, every 10 nm by the whole table: 1 (outside of sRGB), .7286, .3646.
+  // data/materials/gold.json, computed every 10 nm from the whole table, has 1 (outside of sRGB), 0.7286
+  // and 0.3646.
   const std::vector<double> f0 = constants(text).reflectances({"B", "green", "r"});
   EXPECT_EQ(f0[2], 1);
   EXPECT_NEAR(f0[1], .7286, .003);
@@ -121,7 +122,7 @@ TEST(OpticalConstants, OfGoldGiveItsColour) {
               HasSubstr("channel 'fr' is not named by a wavelength"));
 }
 
-// The published table's own column of reflectances, of its 130 rows.
+// Compares with the column of reflectances that the published table of 130 rows itself contains.
 TEST(OpticalConstants, OfPublishedMetalsGiveTheirReflectance) {
   const auto folder = measured_data();
   if (!folder) GTEST_SKIP() << "BRDF_DATA_DIR is unset";

@@ -1,4 +1,4 @@
-// Files of other programs are recognised by their content and refused with what to do.
+// Tests that files of other programs are recognised by their content and refused with advice.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 
-// JSON is read for a material by some verbs and for a table by others: both name a table.
+// Some verbs read JSON as a material and others as a table. Both messages recognise the file as a table.
 TEST(OtherFormats, InJsonAreToldByTheirKeys) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",

@@ -1,3 +1,4 @@
+// Tests the atomic replacement of files: failures, signals, and remains of killed runs.
 #include "io/files/output.h"
 
 #include <fcntl.h>
@@ -73,7 +74,7 @@ TEST(Output, AMissingFolderIsBadInputAndAFullDeviceAnEnvironmentError) {
   EXPECT_FALSE(fs::is_regular_file("/dev/full"));
 }
 
-// Runs `child` in a process of its own; how that ended.
+// Runs `child` in a process of its own and returns the exit status of that process, as waitpid() gives it.
 int status_of_child(const std::function<void()>& child) {
   const pid_t process = ::fork();
   if (process == 0) {
@@ -144,7 +145,7 @@ TEST(Output, ASignalRemovesTheTemporaryAndEndsTheProcessAsItWould) {
     const int status = status_of_child([&] {
       const rlimit no_core{0, 0};
       ::setrlimit(RLIMIT_CORE, &no_core);
-      std::signal(signal, SIG_DFL);  // what runs the tests may ignore some
+      std::signal(signal, SIG_DFL);  // the program that runs the tests may ignore some signals
       remove_temporaries_on_signals();
       write_file_atomically(path, [&](std::ostream& out) {
         out << "half" << std::flush;
@@ -179,8 +180,8 @@ TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
   });
   ASSERT_TRUE(WIFSIGNALED(status));
   EXPECT_EQ(entries(folder.path()), 1);
-  // Nobody's of this target: of a target whose name begins alike, a user's own, and one that is being
-  // written.
+  // These temporaries must be kept: they belong to a target with a name that begins alike, to the user, or
+  // to a file that is still being written.
   for (const char* name : {"a.txt.b.1.0.tmp", "a.txt.tmp", "a.txt.1.x.tmp"})
     std::ofstream(folder.path() / name) << "x";
   const fs::path busy = folder.path() / "a.txt.1.0.tmp";
@@ -193,7 +194,7 @@ TEST(Output, TheNextRunRemovesWhatAKilledOneLeftOfTheSameTarget) {
   ::close(held);
 }
 
-// Of the process that made them: a child that is forked meanwhile leaves them alone.
+// A folder belongs to the process that made it. A child that is forked meanwhile leaves the folder alone.
 TEST(Output, AFolderOnTheWayIsRemovedByASignalAndByTheNextRun) {
   const io::TemporaryFolder above;
   const auto die_by = [&](int signal) {
@@ -262,7 +263,7 @@ TEST(Output, AnInputIsNoTargetAndNoTargetIsNamedTwice) {
               testing::HasSubstr("is the input"));
 }
 
-// What a shell makes of the text's only word.
+// Returns the text that a shell makes of this single word.
 std::string through_a_shell(const std::string& word) {
   const io::TemporaryFolder folder;
   const fs::path script = folder.path() / "script", out = folder.path() / "out";

@@ -1,4 +1,4 @@
-// Which bytes are a whole PNG file.
+// Tests which byte strings are recognised as complete PNG files.
 #include "io/files/png.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Every word of a quantity and every unit is converted, refused by its name, or asked about; nothing but the
-// words of f_r becomes f_r without a line that says so.
+// Tests that every word of a quantity and every unit is converted, refused by its name, or leads to a
+// question. Only the words of f_r become f_r without an announcement.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-// Light at 60 degrees, viewer at 45: cosines of 1/2 and sqrt(1/2).
+// Light at 60 degrees, viewer at 45 degrees: the cosines are 1/2 and sqrt(1/2).
 const double kCosLight = cos_degrees(60), kCosViewer = cos_degrees(45);
 constexpr double kTruth = 0.2;  // f_r
 
@@ -43,7 +43,7 @@ std::string all_notes(const SampleTable& table) {
 
 struct Word {
   const char* name;
-  double value;  // that stands for kTruth
+  double value;  // represents kTruth in the unit of the name
 };
 
 std::ostream& operator<<(std::ostream& out, const Word& word) {
@@ -170,7 +170,7 @@ TEST_P(ConvertedName, BecomesFrAndIsAnnouncedByItsName) {
     EXPECT_NEAR(table.values[0][0], kTruth, 1e-12);
     EXPECT_THAT(table.warnings,
                 Contains(AllOf(HasSubstr("column " + shown(GetParam().name) + " is "), HasSubstr(": "))));
-    // What is written is f_r and stays so.
+    // The written table holds f_r and is read back as f_r.
     expect_same(read(written(table)), table);
   }
 }
@@ -221,7 +221,7 @@ const RefusedName kRefused[] = {
     {"BRDF (a.u.)", "without a scale"},
     {"relative BRDF", "without a scale"},
     {"normalised BRDF (1/sr)", "without a scale"},
-    // Asked about: several quantities have the name.
+    // These names are ambiguous, because several quantities have them. The message asks for --quantity.
     {"reflectance (%)", "--quantity BRF"},
     {"Reflectance", "--quantity BRF"},
     {"reflectivity", "--quantity BRF"},
@@ -231,7 +231,7 @@ const RefusedName kRefused[] = {
     {"scatter [ppm/sr]", "--quantity f_r or --quantity f_r*cos_o (ARS)"},
     {"ppm/sr", "--quantity f_r or"},
     {"scatter (1/sr)", "--quantity f_r or"},
-    // The unit and the word do not go together.
+    // In these names the unit and the word contradict each other.
     {"BRDF (%)", "has the unit '%', which its word cannot have"},
     {"BRDF (V)", "has the unit 'V'"},
     {"BRF (1/sr)", "has the unit '1/sr'"},
@@ -259,7 +259,7 @@ TEST(Quantities, OfASetOfColumnsAreToldTogether) {
               HasSubstr("column 'X' with X, Y and Z is a tristimulus value"));
   const SampleTable stated = read("# quantity: f_r\n" + angles + "X,Y,Z\n1,2,3,4,5,6\n");
   EXPECT_THAT(stated.channels, ElementsAre("X", "Y", "Z"));
-  // A column of another quantity beside one of f_r is none of its channels.
+  // A column of another quantity next to a column of f_r is not one of the channels.
   const SampleTable beside = read(angles + "counts,BRDF (1/sr),BTDF (1/sr),R (dB)\n1,2,3,4,5,6,7\n");
   EXPECT_THAT(beside.channels, ElementsAre("BRDF"));
   EXPECT_THAT(beside.warnings,
@@ -284,7 +284,7 @@ TEST(Quantities, OfNeutralNamesAreFrWithALineInAForeignHeader) {
       Contains("each of the columns 'r', 'g', 'b' is taken for f_r in 1/sr: the column names no quantity"));
 }
 
-// Standard deviations of what is converted are converted with it.
+// Standard deviations are converted by the same factor as their values.
 TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
   struct Deviation {
     const char *name, *sigma_name;
@@ -303,7 +303,8 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
     ASSERT_TRUE(t.has_sigma(0)) << d.name;
     EXPECT_NEAR(t.sigma[0][0], d.expected, 1e-12) << d.name;
   }
-  // One whose value is named otherwise belongs to the only channel; of several none is known.
+  // A standard deviation under another name belongs to the only channel. With several channels its channel
+  // is unknown, and the column is set aside.
   EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
               HasSubstr("'std dev' is set aside"));
@@ -314,7 +315,7 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
               HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
   EXPECT_THAT(message("Incidence,View angle,uncertainty\n60,45,1\n"),
               HasSubstr("no value column beside the four angles; no values are in 'uncertainty'"));
-  // A relative one is none of them.
+  // A relative standard deviation is set aside, too.
   const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
   EXPECT_FALSE(relative.has_sigma(0));
   EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is set aside"));
@@ -356,7 +357,7 @@ TEST(StatedQuantity, InACommentOutranksNames) {
   const SampleTable cos = read("# quantity: ARS\nIncidence,View angle,BRDF (1/sr)\n60,45,1\n");
   EXPECT_DOUBLE_EQ(cos.values[0][0], 1 / kCosViewer);
   EXPECT_THAT(all_notes(cos), HasSubstr("outranks the name 'BRDF (1/sr)'"));
-  // A scale that only the name states stays.
+  // A scale that only the name states is applied nevertheless.
   EXPECT_DOUBLE_EQ(read("# quantity: BRF\nIncidence,View angle,Reflectance (%)\n60,45,100\n").values[0][0],
                    1 / kPi);
   EXPECT_DOUBLE_EQ(read("# quantity: BRDF\nIncidence,View angle,log10\n60,45,2\n").values[0][0], 100);
@@ -393,7 +394,8 @@ TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
               HasSubstr("--quantity 'what' is unknown (known: f_r, BRF, f_r*cos_o, "));
 }
 
-// Names of our own tables stay, whatever they are; what is written in any format is read back as it was.
+// Channel names of our own tables are kept, whatever they are. A table that was written in any format is
+// read back unchanged.
 TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
   const SampleTable table = read(
       "# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,BRF,reflectance (%),temperature "
@@ -402,7 +404,7 @@ TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
   EXPECT_EQ(table.values[0][0], 5);
   EXPECT_THAT(all_notes(table), HasSubstr("outranks the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
   expect_same(read(written(table)), table);
-  // A deviation is of the channel of exactly that name.
+  // A standard deviation belongs to the channel with exactly that name.
   const SampleTable alike =
       read("SZA,VZA,RAA,ln BRDF (1/sr),BRF (%),f_r cos_o,sigma_BRF\n20,50,0,0,30,.1,3\n");
   EXPECT_THAT(alike.channels, ElementsAre("ln BRDF (1/sr)", "BRF (%)", "f_r cos_o"));
@@ -431,7 +433,7 @@ TEST(StatedQuantity, MayBeInATitle) {
   EXPECT_EQ(read("quantity: f_r\n" + rows).values[0][0], 1);
 }
 
-// A comment that is free text states nothing; that it names another quantity is said.
+// A free-text comment does not state a quantity. If it mentions another quantity, a warning reports it.
 TEST(StatedQuantity, OfFreeTextIsAHint) {
   const std::string rows = "theta_i,phi_i,theta_o,phi_o,450nm\n60,0,45,180,1\n";
   const SampleTable t = read("# BRF values\n" + rows);
@@ -453,7 +455,7 @@ TEST(Quantities, OfAstmAndOpenExrColumnsAreReadAlike) {
   EXPECT_EQ(read("QUANTITY f_r\nVARS theta_i,phi_i,theta_s,phi_s,BRF\n30,180,60,5,1\n").values[0][0], 1);
 }
 
-// The documentation's table is this one.
+// The table in the documentation must equal the table in the code.
 TEST(Quantities, OfTheDocumentationAreThese) {
   const std::string document = read_content(BRDF_SOURCE_DIR "/docs/formats.md").bytes;
   for (const QuantityKind& kind : quantity_kinds())

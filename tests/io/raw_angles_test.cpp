@@ -1,4 +1,4 @@
-// The angles' cells as a file holds them are kept as evidence for their unit.
+// Tests that the angles of a file are kept in their original form, as evidence for their unit.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ TEST(RawAngles, AreTheCellsBeforeUnitsSignsAndConventions) {
   EXPECT_EQ(t.raw_angles[0].name, "Theta_i (rad)");
   EXPECT_TRUE(t.raw_angles[0].has_unit);
   EXPECT_THAT(t.raw_angles[0].magnitudes, ElementsAre(0.5, 0.25));
-  EXPECT_THAT(t.raw_angles[1].name, IsEmpty());  // the one azimuth is the viewer's
+  EXPECT_THAT(t.raw_angles[1].name, IsEmpty());  // the single azimuth is the viewer's
   EXPECT_THAT(t.raw_angles[1].magnitudes, IsEmpty());
   EXPECT_EQ(t.raw_angles[2].name, "elevation_o");
   EXPECT_FALSE(t.raw_angles[2].has_unit);
@@ -58,7 +58,7 @@ TEST(RawAngles, AreKeptOfTheLongFormatAstmAndOpenExr) {
   EXPECT_THAT(exr.raw_angles[3].magnitudes, ElementsAre(180));
 }
 
-// An azimuth beyond a whole turn is in degrees, however small the polar angles are.
+// An azimuth beyond a whole turn must be in degrees, however small the polar angles are.
 TEST(Astm, ScansNearTheNormalAreInDegrees) {
   const SampleTable t =
       read("VARS theta_i,phi_i,theta_s,phi_s,Y\n0,0,.3,180,60\n0,0,.9,180,20\n0,0,1.3,180,9\n");

@@ -1,4 +1,4 @@
-// Small texts of every format, and what reading them says.
+// Small texts of every format, and helpers that return the table or the message from reading them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Files, pipes and text: read once, within limits, refused by name.
+// Tests that files, pipes and text are read once, within limits, and refused by name.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -27,7 +27,7 @@ TEST(Pipes, AreReadOnceIntoMemoryInEveryFormat) {
   const io::TemporaryFolder folder;
   const std::filesystem::path pipe = folder.path() / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const std::string big = repeated(kRow, 20000);  // more than a pipe holds
+  const std::string big = repeated(kRow, 20000);  // more than the buffer of a pipe holds
   for (const std::string& bytes :
        {kHeader + big, std::string(kAstm), std::string(kLens), TensorBytes().bytes()}) {
     std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << bytes; });
@@ -86,7 +86,8 @@ TEST(Limits, AzimuthsAreWithinAMillionDegrees) {
   EXPECT_EQ(message(kHeader + replaced(kRow, "5,1", "-1000001,1")), "file, line 2: phi_o -1000001" + rule);
   EXPECT_EQ(message(kHeader + replaced(kRow, "180", "1e6")), "accepted");
   EXPECT_EQ(message(replaced(kAstm, "180", "1e308")), "file, line 2: phi_i 1e+308" + rule);
-  // Radians: the million counts after the conversion, and what overflows in it is no angle either.
+  // Radians: the limit of a million applies after the conversion to degrees. A value that overflows in the
+  // conversion is refused as an angle, too.
   const std::string radians = "ANGLE_UNIT radians\n" + replaced(replaced(kAstm, "30", ".3"), "60", ".6");
   EXPECT_EQ(message(replaced(radians, "180", "17454")), "file, line 3: phi_i 1000040.5356213389" + rule);
   EXPECT_EQ(message(replaced(radians, "180", "1e308")), "file, line 3: phi_i inf" + rule);

@@ -1,5 +1,5 @@
-// What a format repeats because of its coordinates counts once; what was measured again, or written twice,
-// stays.
+// Rows that a format repeats because of its coordinates count once. Rows that were measured again, or
+// written twice, are kept.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Repetition, OfOtherValuesOrTheSameNumbersStays) {
   const SampleTable t = read(kNames + "30,0,20,0,1\n30,0,20,360,1.5\n30,0,0,0,1\n30,0,0,90,2\n30,0,20,0,1\n");
   EXPECT_THAT(t.values[0], ElementsAre(1, 1.5, 1, 2, 1));
   EXPECT_THAT(t.warnings, Not(Contains(HasSubstr("repeat"))));
-  // A sample that was turned is another one.
+  // A rotated sample is a different configuration.
   EXPECT_EQ(read(kNames + "30,0,20,180,1\n30,90,20,270,1\n").rows(), 2u);
 }
 
@@ -58,10 +58,10 @@ TEST(Repetition, OfLensDesignTextCountsOnce) {
       "35\nMonochrome\nDataBegin\n";
   const std::string block = "TIS 0.1\n5 4 3\n5 2 1\n5 6 7\n5 8 9\n5 4 3\n";
   const SampleTable t = read(head + block + block + "DataEnd\n");
-  EXPECT_EQ(t.rows(), 18u);  // of 30: the mirror direction once, the azimuth 360 never
+  EXPECT_EQ(t.rows(), 18u);  // of 30: the mirror direction counts once, the azimuth 360 is dropped
   EXPECT_EQ(t.skipped, 0u);
   EXPECT_THAT(t.warnings, Contains(HasSubstr("12 rows repeat a direction")));
-  // Other values at 360 degrees, or at the mirror direction, are measurements.
+  // If the values at 360 degrees or at the mirror direction differ, they are measurements of their own.
   EXPECT_EQ(read(head + block + "TIS 0.1\n5 4 3\n5 2 1\n5 6 7\n5 8 9\n5 4.5 3\n" + "DataEnd\n").rows(), 19u);
 }
 

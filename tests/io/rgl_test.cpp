@@ -1,4 +1,4 @@
-// RGL's files with spectra and with azimuths, made small.
+// Tests small versions of RGL's files with spectra and with azimuths.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,8 @@ SampleTable read_tensor(const TensorBytes& tensor) {
   return read(tensor.bytes());
 }
 
-// The values of each band are the same all over the square, azimuth by azimuth of the file.
+// Returns a file in which the values of each band are constant over the square. `value_at` has one value
+// for each azimuth of the file.
 TensorBytes of_azimuths(const std::vector<float>& phi_i, const std::vector<float>& value_at) {
   TensorBytes tensor;
   const std::size_t n = phi_i.size();

@@ -1,4 +1,4 @@
-// RGL files of known reflectances: read back, and sampled as importers do.
+// RGL files of known reflectances are read back, and sampled in the same way as by importers.
 #include "io/formats/rgl_writer.h"
 
 #include <gmock/gmock.h>
@@ -37,7 +37,8 @@ Vec3<double> anywhere(Random& random) {
   return direction(degrees(random.uniform(0, 80)), degrees(random.uniform(0, 360)));
 }
 
-// The median relative error over pairs, half of them within a few widths of the mirror direction.
+// Returns the median relative error over pairs. Half of the pairs are within a few widths of the mirror
+// direction.
 double median_error(const Material& m, const Content& content) {
   const rgl::Measurement read(content);
   const double alpha = m.terms[0].shape[0][0];
@@ -70,7 +71,7 @@ TEST(RglWriter, ReadsBackWithinItsBounds) {
       EXPECT_NEAR(double(small.bytes.size()), 4e6, 2e5);
       const double error = median_error(m, small);
       EXPECT_LT(error, 0.002) << alpha << " " << kd;
-      EXPECT_GT(error, 1e-6);  // a table is no formula
+      EXPECT_GT(error, 1e-6);  // a table cannot be as exact as a formula
     }
   const Material hardest = glossy(0.05, 0.3);
   EXPECT_LT(median_error(hardest, file_of(hardest, 25'000'000)), 0.0005);
@@ -93,8 +94,8 @@ TEST(RglWriter, RefusesChannelsWithoutAPlace) {
   EXPECT_THROW(file_of(glossy(0.2, 0.1), 1000), InputError);
 }
 
-// One slice of a file's `luminance` as importers use it (measured.cpp of Mitsuba, Warp2D's bilinear density):
-// rows by their marginal distribution, then columns.
+// One slice of a file's `luminance`, sampled like importers do (measured.cpp of Mitsuba, the bilinear
+// density of Warp2D): rows by their marginal distribution, then columns.
 class Luminance {
  public:
   Luminance(const TensorFile& file, std::size_t slice) : side_(file.shape("luminance")[3]) {
@@ -105,7 +106,7 @@ class Luminance {
     whole_ = total(totals_.data());
   }
 
-  // Of the square, mean 1.
+  // Returns the density on the unit square, with mean 1.
   double density(double x, double y) const {
     const auto [row, v] = cell_of(y);
     return value(interpolated(row, v), x) * square(double(side_ - 1)) / whole_;
@@ -138,7 +139,7 @@ class Luminance {
     const auto [k, t] = cell_of(u);
     return (1 - t) * nodes[k] + t * nodes[k + 1];
   }
-  // Where the integral of the piecewise linear nodes reaches `area`.
+  // Returns the position at which the integral of the piecewise linear nodes reaches `area`.
   double invert(const std::vector<double>& nodes, double area) const {
     std::size_t k = 0;
     for (; k + 2 < side_; ++k) {
@@ -158,7 +159,7 @@ class Luminance {
   double whole_ = 0;
 };
 
-// The importer's density of wo per solid angle.
+// Returns the importer's density of wo per solid angle.
 double pdf_of(const Luminance& luminance, const Vec3<double>& wi, const Vec3<double>& wo) {
   Vec3<double> m = wi + wo;
   m = m * (1 / std::sqrt(dot(m, m)));
@@ -198,14 +199,14 @@ TEST(RglWriter, ImportersSampleWithBoundedWeightsAndTheirDensity) {
     const int sector = std::min(int(kSectors * (std::atan2(wo.y, wo.x) / (2 * kPi) + 0.5)), kSectors - 1);
     ++counts[std::size_t(ring * kSectors + sector)];
   }
-  // Weights: bounded, and their mean is the albedo.
+  // The sampling weights are bounded and their mean is the albedo.
   double albedo = 0;
   for (const AlbedoResult& a : directional_albedo(m, radians(theta_i), {})) albedo += a.value / 3;
   const double mean = sum / kSamples, error = std::sqrt((squares / kSamples - mean * mean) / kSamples);
   EXPECT_NEAR(mean, albedo, 4 * error + 0.003 * albedo);
   EXPECT_LT(largest, 2 * albedo);
   EXPECT_LT(error * std::sqrt(kSamples), 0.2 * albedo);
-  // Counts in rings of equal solid angle and sectors against the integral of the density.
+  // Compares the counts in rings of equal solid angle and sectors with the integral of the density.
   constexpr int kSteps = 24;
   double chi2 = 0;
   for (int ring = 0; ring < kRings; ++ring)
@@ -222,7 +223,7 @@ TEST(RglWriter, ImportersSampleWithBoundedWeightsAndTheirDensity) {
       const double count = counts[std::size_t(ring * kSectors + sector)];
       chi2 += square(count - wanted) / std::max(wanted, 5.0);
     }
-  // 48 cells: mean 48, standard deviation 10.
+  // chi2 of 48 cells has mean 48 and standard deviation 10; the bounds are 4 standard deviations.
   EXPECT_LT(chi2, 48 + 4 * 10);
   EXPECT_GT(chi2, 48 - 4 * 10);
 }

@@ -1,5 +1,5 @@
-// What is written in other programs' formats reads back to the same table, or is refused, or its loss is
-// said.
+// A table that is written in the format of another program is read back unchanged, or is refused, or the
+// loss is reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,8 @@ using testing::IsEmpty;
 
 class RoundTrips : public testing::Test {
  protected:
-  // Written under this suffix and read again; `lost_` is what writing said.
+  // Writes the table under this suffix and reads it again. `lost_` receives the losses that the writer
+  // reported.
   SampleTable again(const SampleTable& table, const std::string& suffix) {
     const std::filesystem::path path = folder_.path() / ("file" + suffix);
     lost_ = write_table(path, table);
@@ -108,7 +109,7 @@ TEST_F(RoundTrips, LensDesignTextHoldsWhatWasReadFromIt) {
   EXPECT_THAT(lost_, IsEmpty());
 }
 
-// Rows by their directions: a grid has an order of its own.
+// Returns the rows sorted by their directions, because a grid has an order of its own.
 std::vector<std::array<double, 5>> sorted_rows(const SampleTable& t) {
   std::vector<std::array<double, 5>> rows;
   for (std::size_t k = 0; k < t.rows(); ++k)
@@ -160,7 +161,7 @@ TEST_F(RoundTrips, LensDesignTextSaysWhatItCannotHold) {
                         "126 rows stand at 1 incidences, "));
 }
 
-// f_r 1/pi everywhere reflects all light.
+// f_r = 1/pi everywhere reflects all light.
 TEST_F(RoundTrips, LensDesignTextStatesTheScatteredShare) {
   std::string text = kAngles + "fr\n";
   for (int theta = 0; theta < 90; theta += 2)
@@ -171,7 +172,7 @@ TEST_F(RoundTrips, LensDesignTextStatesTheScatteredShare) {
   EXPECT_NEAR(std::stod(written.substr(written.find("TIS") + 4)), 1, .002);
 }
 
-// Numbers of six digits are themselves again; order, comments and standard deviations are kept, too.
+// Numbers of six digits are read back unchanged; order, comments and standard deviations are kept, too.
 TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
   std::string text =
       "# sample: x\n# free text\n# sample: y\n# type: deepscanline\n# columns: none\n# : quantity: counts\n" +
@@ -183,7 +184,7 @@ TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
   const SampleTable table = read(text), back = again(table, ".exr");
   EXPECT_EQ(back.format, "exr");
   SampleTable expected = table;
-  expected.sigma[0] = back.sigma[0];  // below what a float holds to six digits
+  expected.sigma[0] = back.sigma[0];  // too small for a float to hold six digits
   expect_same(back, expected);
   EXPECT_NEAR(back.sigma[0][7], 1e-40, 1e-45);
   EXPECT_THAT(lost_, ElementsAre("digits beyond 32-bit float (7 significant ones)"));
@@ -191,7 +192,7 @@ TEST_F(RoundTrips, OpenExrHoldsNumbersOfSixDigits) {
   expect_same(again(back, ".exr"), back);
 }
 
-// Other programs read these as numbers and the like, and complain about a string.
+// Other programs expect numbers or other types under these names and complain about a string.
 TEST_F(RoundTrips, OpenExrHasNoStringUnderTheNameOfAnAttributeOfAnotherType) {
   constexpr const char* kTyped[] = {"aperture",    "expTime",        "isoSpeed",       "focus",
                                     "xDensity",    "utcOffset",      "timeCode",       "worldToCamera",
@@ -205,7 +206,7 @@ TEST_F(RoundTrips, OpenExrHasNoStringUnderTheNameOfAnAttributeOfAnotherType) {
   expect_same(again(table, ".exr"), table);
   const std::string bytes = read_content(folder_.path() / "file.exr").bytes;
   const auto holds = [&](const std::string& name) {
-    const std::size_t at = bytes.find(name + '\0' + "string" + '\0');  // after another attribute's value
+    const std::size_t at = bytes.find(name + '\0' + "string" + '\0');  // follows the value of another one
     return at != bytes.npos && bytes[at - 1] != '.';
   };
   for (const std::string key : kTyped) {
@@ -257,7 +258,7 @@ TEST_F(RoundTrips, OfMeasuredFilesAreTheSameTable) {
     const SampleTable table = read_samples(entry.path());
     for (const char* suffix : {".csv", ".astm"}) {
       SampleTable back = again(table, suffix);
-      if (!lost_.empty()) back.metadata = table.metadata;  // free text is lost, and said to be
+      if (!lost_.empty()) back.metadata = table.metadata;  // free text is lost, and the loss is reported
       expect_same(back, table);
     }
     const SampleTable as_float = again(table, ".exr");

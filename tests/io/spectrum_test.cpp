@@ -1,4 +1,4 @@
-// Spectra and the colours that they are seen in.
+// Tests spectra and their conversion to visible colours.
 #include "io/colour/spectrum.h"
 
 #include <gmock/gmock.h>
@@ -49,7 +49,7 @@ TEST(Spectrum, TheColourCheckersColoursAreThePublishedOnes) {
   EXPECT_GT(worst_y, 3e-4);
 }
 
-// The tabulated illuminants, by the chromaticities that CIE 15 states for them.
+// Tests the tabulated illuminants against the chromaticities that CIE 15 gives for them.
 TEST(Spectrum, WhiteHasTheIlluminantsChromaticity) {
   const auto chromaticity = [](double kelvin) {
     const Tristimulus w = xyz_weights(std::vector{500.0}, kelvin)[0];
@@ -83,7 +83,8 @@ TEST(Spectrum, IsToldByTheNamesOfItsChannels) {
   EXPECT_THAT(colours->note, HasSubstr("31 bands are shown as they are seen"));
 }
 
-// A material of bands that share a shape is the sum of its bands, wherever it is looked at: f0, too.
+// A material of bands that share a shape equals the sum of its bands in every pair of directions. This
+// includes f0.
 TEST(InColour, AMaterialIsTheSumOfItsBands) {
   const std::vector<double> nm = every(10, 400, 700);
   const auto weights = srgb_weights(nm);
@@ -125,7 +126,7 @@ TEST(InColour, ATableIsTheSumOfItsBandsAndItsDeviationsAddAsSquares) {
     EXPECT_NEAR(seen.values[c][0], sum, 1e-14);
     EXPECT_NEAR(seen.sigma[c][0], std::sqrt(squares), 1e-14);
   }
-  EXPECT_EQ(in_colour(seen).channels, seen.channels);  // colours stay as they are
+  EXPECT_EQ(in_colour(seen).channels, seen.channels);  // colours are unchanged
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The block of a report with a sphere to turn: its table of what was measured, its still picture, its text.
+// Tests the block of a report with a turnable sphere: its table of measurements, its still picture, its
+// text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ TEST(Base64, PadsAsTheStandardsExamples) {  // RFC 4648, section 10
 TEST(SphereTable, HoldsTheRatioWithinItsStatedAccuracy) {
   BRDF_LONG_UNDER_SANITIZERS();
   const FittedPairs fitted = fitted_pairs(make_material(cook_torrance{}));
-  // Half of it, then four times as much beyond 45 degrees.
+  // The measured values are half of the fitted values, and four times the fitted values beyond 45 degrees.
   const MeasuredPairs measured = [&](const Vec3<double>& wi, const Vec3<double>& wo) {
     return std::optional(times(fitted(wi, wo), wi.z > 0.7 ? 0.5 : 4.0));
   };
@@ -55,16 +56,17 @@ TEST(SphereTable, HoldsTheRatioWithinItsStatedAccuracy) {
   EXPECT_NEAR(table.low, std::log(0.5), 0.02);
   EXPECT_NEAR(table.high, std::log(4), 0.02);
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(table.bytes[k]); };
-  // theta_h and theta_d 0: the first node.
+  // theta_h and theta_d are 0 at the first node.
   EXPECT_EQ(byte(3), 255);
   EXPECT_NEAR(std::exp(table.low + (table.high - table.low) * byte(0) / 255), 0.5, 0.011 * 0.5);
-  // The half vector at 90 degrees: the directions are no longer above the horizon, those beside them are.
+  // At a half vector of 90 degrees the directions themselves are below the horizon, but neighbouring
+  // directions are above it.
   EXPECT_LT(byte(4 * std::size_t(n.theta_h - 1) + 3), 128);
 }
 
 TEST(SphereTable, AtTheEdgeOfWhatWasMeasuredANodeHoldsAShare) {
   const FittedPairs fitted = fitted_pairs(make_material(lambert{}));
-  // Half vectors up to 40 degrees: between the nodes 42 (40 degrees) and 43 of theta_h.
+  // Half vectors are measured up to 40 degrees, between the nodes 42 (40 degrees) and 43 of theta_h.
   const MeasuredPairs measured = [&](const Vec3<double>& wi, const Vec3<double>& wo) {
     const Vec3<double> h = wi + wo;
     const bool within = h.z > std::cos(40.0 / 180 * kPi) * std::sqrt(dot(h, h));
@@ -82,7 +84,8 @@ TEST(SphereTable, AtTheEdgeOfWhatWasMeasuredANodeHoldsAShare) {
 
 TEST(SphereTable, ANodeAtTheEdgeOfTheSamplesTurnsHoldsAShareToo) {
   const FittedPairs fitted = fitted_pairs(make_material(lambert{}));
-  // Half vectors of azimuths up to 47 degrees: just beyond the third node of phi_h, 45 degrees.
+  // Half vectors are measured for azimuths up to 47 degrees, just beyond the third node of phi_h, 45
+  // degrees.
   const MeasuredPairs measured = [&](const Vec3<double>& wi, const Vec3<double>& wo) {
     const Vec3<double> h = wi + wo;
     const double turn = std::atan2(h.y, h.x) / kPi * 180;
@@ -127,7 +130,7 @@ TEST(SphereView, SeesTheMiddleAlongTheNormalAndTheRimAlongTheSurface) {
   EXPECT_NEAR(rim.wo.z, 0, 1e-15);
   for (const Pair& pair : {middle, rim}) {
     EXPECT_NEAR(dot(pair.wi, pair.wi), 1, 1e-14);
-    // Far away light and viewer: the angle between them is the same everywhere.
+    // Light and viewer are far away, so that the angle between them is the same everywhere.
     EXPECT_NEAR(dot(pair.wi, pair.wo), dot(middle.wi, middle.wo), 1e-14);
   }
 }

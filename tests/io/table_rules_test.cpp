@@ -1,4 +1,5 @@
-// What is read can be written and read back, whatever the format; what could not is refused.
+// A table that was read can be written and read back, whatever its format. A table that could not be
+// written is refused on reading.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ TEST(Values, ThatTheCosineMakesInfiniteAreRefused) {
       "file, line 3: 1e+300 divided by the cosine 2.4802620430283604e-16 is beyond the range of numbers");
 }
 
-// Names that a header row would not give back.
+// Names that could not be read back from a header row.
 TEST(ChannelNames, AreOneRuleInEveryReaderAndTheWriter) {
   const std::vector<std::pair<std::string, std::string>> bad = {
       {"", "must not be empty"},
@@ -51,10 +52,10 @@ TEST(ChannelNames, AreOneRuleInEveryReaderAndTheWriter) {
     EXPECT_THAT(message_of([&] { written(table); }), AllOf(HasSubstr("file: channel"), HasSubstr(rule)))
         << name;
     const Material material = make_material(catalogue().front(), {name});
-    if (name == "\xff") continue;  // cannot be said in JSON
+    if (name == "\xff") continue;  // cannot be written in JSON
     EXPECT_THAT(message_of([&] { check_material(material, "m"); }), HasSubstr("m: $.channels: channel"))
         << name;
-    if (name.find_first_of(",\n") != name.npos || name == " a") continue;  // cannot be said in one field
+    if (name.find_first_of(",\n") != name.npos || name == " a") continue;  // cannot be written in one field
     EXPECT_NE(message(replaced(kAstm, "Y", name)), "accepted") << name;
     EXPECT_NE(message(replaced(kHeader, ",f\n", "," + name + "\n") + kRow), "accepted") << name;
   }
@@ -94,7 +95,7 @@ TEST(Comments, ThatNameTheQuantityNeverChangeValues) {
     expect_same(second, first);
     EXPECT_EQ(written(second), once);
   }
-  // A table that was made in memory: the file is as safe.
+  // For a table that was made in memory, the written file must be as safe.
   SampleTable table = read(std::string(kHeader) + kRow);
   table.metadata = {{"quantity", "f_r*cos_i"}, {"quantity ", "f_r*cos_i"},  {"quantity:f_r", "x"},
                     {"a\nquantity", "b"},      {"", "quantity: f_r*cos_o"}, {"", "x\nquantity: f_r*cos_o"}};
@@ -114,7 +115,7 @@ TEST(Tensor, ArraysBeyondTheFilesEndAreRefused) {
   const std::string whole = TensorBytes().bytes();
   EXPECT_THAT(message(whole.substr(0, whole.size() - 1)),
               HasSubstr("field 'rgb' reaches beyond the file's end"));
-  // Products of the shape that wrap around 64 bits: to 0, and to something small.
+  // Products of the shape wrap around 64 bits: to 0, and to something small.
   for (const std::uint64_t size : {std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 1}) {
     TensorBytes tensor;
     tensor.field("ndf").shape = {size, size};
@@ -139,7 +140,7 @@ TEST(Tensor, NumbersThatAreNoneAreRefused) {
   EXPECT_THAT(message(equal.bytes()), HasSubstr("sizes do not belong together"));
 }
 
-// Found by fuzzing: an array of no values was copied from and to no place.
+// Found by fuzzing: an array without values was copied from and to a null pointer.
 TEST(Tensor, ArraysOfNoValuesAreRefused) {
   TensorBytes tensor;
   tensor.field("theta_i").shape = {0};
@@ -194,7 +195,7 @@ TEST(ExrTable, CommentsNamedAsOpenExrsOwnKeepAPrefix) {
     EXPECT_THAT(bytes, HasSubstr(std::string(name) + '\0' + "string")) << name;
 }
 
-// What the device refuses is no fault of the input, whichever format is written.
+// A write error of the device is not a fault of the input, whichever format is written.
 TEST(ExrTable, AFullDeviceIsTheEnvironmentsFault) {
   const io::TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder.path() / "t.exr");

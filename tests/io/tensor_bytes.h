@@ -1,3 +1,4 @@
+// Tensor files in memory for tests.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace brdf {
 
-// A tensor file of our own making: the smallest that is read, with fields to be changed by a test.
+// Builds a tensor file in memory: the smallest file that can be read, with fields that a test may change.
 struct TensorBytes {
   struct Field {
     std::string name;

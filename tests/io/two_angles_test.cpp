@@ -1,4 +1,4 @@
-// Tables of two signed angles in the plane of incidence: one row for each pair, or a matrix.
+// Tests tables of two signed angles in the plane of incidence, with one row for each pair or as a matrix.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// Lights at 25 and 50 degrees; the highlight at the mirror angle, a small one beside the light.
+// Lights at 25 and 50 degrees, with the highlight at the mirror angle and a small one near the light.
 const std::string kRows =
     "25,-50,.05\n25,-25,.12\n25,0,.08\n25,25,.7\n25,55,.2\n50,-40,.06\n50,0,.07\n50,50,1.4\n50,70,.5\n";
 
@@ -73,7 +73,7 @@ TEST(TwoAngles, OfNegativeLightsAreOnOneScale) {
   const SampleTable t = read("theta_i,theta_o,fr\n" + mirrored(kRows, true));
   EXPECT_THAT(in_plane_angles(t), ElementsAre(-50, -25, 0, 25, 55, -40, 0, 50, 70));
   EXPECT_THAT(t.warnings, Contains(HasSubstr("the mirror direction is at -theta_i")));
-  // A sample that sends light back stays one.
+  // A retroreflective sample is still one after reading.
   const SampleTable retro = read("theta_i,theta_o,fr\n-40,-40,2\n-40,0,.1\n-40,40,.2\n");
   EXPECT_THAT(in_plane_angles(retro), ElementsAre(-40, 0, 40));
 }
@@ -159,7 +159,7 @@ TEST(Matrix, ThatIsDamagedIsRefusedWithLineAndColumn) {
               HasSubstr("in a matrix of two angles the first cell names them"));
 }
 
-// Words of angles that are not from the normal are refused by their names.
+// Names of angles that are not measured from the normal are refused by name.
 TEST(OtherAngles, AreRefusedByName) {
   const std::pair<const char*, const char*> cases[] = {
       {"beta-beta0,BRDF (1/sr)\n.1,5\n", "column 'beta-beta0' is a difference of sines"},

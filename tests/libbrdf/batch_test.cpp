@@ -1,4 +1,5 @@
-// Batches give what the scalar template gives, bit for bit, for every form of the catalogue.
+// The batch functions return the same values as the scalar template, bit for bit, for every form of the
+// catalogue.
 #include "tests/typed.h"
 
 #include <gtest/gtest.h>
@@ -17,13 +18,14 @@ template <class Form>
 struct Batch : ::testing::Test {};
 TYPED_TEST_SUITE(Batch, CatalogueTypes, FormName);
 
-constexpr std::size_t kDirections = 1003;  // no multiple of any vector length
+constexpr std::size_t kDirections = 1003;  // not a multiple of any vector length
 
 double between(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution(low, high)(random);
 }
 
-// Random pairs, every fifth near the horizon, some below it, some exactly on it.
+// Random pairs of directions. Every fifth is near the horizon, some lie below the horizon and some exactly
+// on it.
 template <class T>
 DirectionArrays<T> random_directions(unsigned seed) {
   std::mt19937_64 random(seed);
@@ -53,7 +55,7 @@ P random_parameters(unsigned seed) {
   return p;
 }
 
-// NaN equals NaN here: the claim is about bits, and the payload is not promised.
+// Two NaN count as equal here: the test is about bits, and the payload of a NaN is not promised.
 template <class T>
 void expect_same_bits(T batch, T scalar, std::size_t i) {
   using Bits = kernels::Precision<T>::Bits;
@@ -145,7 +147,7 @@ TYPED_TEST(Batch, DerivativeByTangentPhiIsTheSlopeOfTurnedDirections) {
   if constexpr (LinearForm<TypeParam>) {
     using Shape = typename TypeParam::template Shape<double>;
     constexpr std::size_t K = lobe_count<TypeParam>, D = parameter_count<Shape> + 1;
-    // Pairs well above the horizon, moderate widths: the difference quotient is accurate there.
+    // Pairs well above the horizon and moderate widths, for which the difference quotient is accurate.
     std::mt19937_64 random(3);
     DirectionArrays<double> arrays(200), turned(200);
     for (std::size_t i = 0; i < arrays.size(); ++i)

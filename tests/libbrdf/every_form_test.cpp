@@ -1,4 +1,5 @@
-// Claims that hold for every form of the catalogue: a new form is tested by existing.
+// Properties that hold for every form of the catalogue. A new form is tested as soon as it is in the
+// catalogue.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +28,7 @@ T value(const Vec3<T>& wi, const Vec3<T>& wo, std::span<const double> shape,
   return eval(Form{}, w, w, s, geometry(wi, wo));
 }
 
-// Parameters at the corners of their tables and at the defaults.
+// Visits the parameters at the corners of their tables and at the defaults.
 template <class Visit>
 void for_each_corner(std::span<const ParameterInfo> table, Visit&& visit) {
   std::vector<double> values;
@@ -113,8 +114,8 @@ TYPED_TEST(EveryForm, EvalCosIsEvalTimesTheCosine) {
   EXPECT_NEAR(f_cos, f * wi.z, 4e-16 * f_cos);
 }
 
-// Exactly reciprocal unless declared otherwise: swapping
-// the directions may change the last bit of a sum, no more.
+// A form is reciprocal unless it declares otherwise. Exchanging the directions may change only the last bit
+// of a sum, hence the bound 1e-14; a form with a declared violation must differ by more than 1e-3.
 TYPED_TEST(EveryForm, IsReciprocalUnlessDeclaredOtherwise) {
   bool declared = false;
   for (const Violation& v : info(TypeParam{}).violations) declared |= v.check == "reciprocity";
@@ -137,7 +138,7 @@ TYPED_TEST(EveryForm, IsReciprocalUnlessDeclaredOtherwise) {
     EXPECT_LT(worst, 1e-14);
 }
 
-// The catalogue is read from the variant alone.
+// The catalogue is derived from the variant alone.
 TEST(Catalogue, NamesAreUniqueAndFoundAgain) {
   std::set<std::string_view> names, families;
   std::size_t canonical = 0;

@@ -1,5 +1,5 @@
-// Integrals over half vectors for factors that are no form: midpoint rule in the slopes, scaled by a width.
-// Relative error about 1e-6 for smooth integrands, 1e-4 where the horizon cuts the lobe.
+// Integrals over half vectors for factors that are not forms, by the midpoint rule in the slopes, scaled by
+// a width. The relative error is about 1e-6 for smooth integrands and 1e-4 if the horizon cuts the lobe.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,8 @@
 
 namespace brdf {
 
-// Integral of f(h) over the solid angle of h, h normalised.
+// Returns the integral of f(h) over the solid angle of the normalised half vector h. `width`: scale of the
+// slopes.
 template <class F>
 double integral_over_half_vectors(double width, F&& f) {
   constexpr int kRadii = 1200, kTurns = 240;
@@ -26,7 +27,8 @@ double integral_over_half_vectors(double width, F&& f) {
   return sum;
 }
 
-// Integral of f(wi, wo) cos_i over wi, for a lobe about the half vector.
+// Returns the integral of f(wi, wo, h) cos_i over wi for a lobe about the half vector. `width`: scale of
+// the slopes.
 template <class F>
 double half_vector_albedo(double width, const Vec3<double>& wo, F&& f) {
   return integral_over_half_vectors(width, [&](const Vec3<double>& h) {

@@ -1,4 +1,5 @@
-// Directional albedos against closed forms and published values (two rules where both apply).
+// Directional albedos against closed forms and published values, and with two quadrature rules if both
+// apply.
 #include "brdf/integrals.h"
 #include "brdf/forms.h"
 #include "tests/thorough.h"
@@ -26,7 +27,8 @@ AlbedoResult albedo(const Term& term, double theta, double phi = 0, double toler
   return directional_albedo(term, 0, degrees(theta), degrees(phi), options);
 }
 
-// Within the value's printed digits (or 1e-10), and within the integral's own bound beside them.
+// The albedo must agree with `expected` within the printed digits of that value (or 1e-10), and within the
+// integral's own error bound plus these digits.
 void expect_albedo(const Term& term, double degrees, double expected, double digits = 1e-10, double phi = 0) {
   const AlbedoResult r = albedo(term, degrees, phi);
   EXPECT_TRUE(r.converged) << r.error_bound << " after " << r.evaluations;
@@ -106,7 +108,7 @@ TEST(Albedo, OfOrenNayarMatchesTheClosedForm) {
   }
 }
 
-// The rules share the form and nothing else: other variables, other panels.
+// The rules share only the form. Their variables and panels differ, so a common error is unlikely.
 TEST(Albedo, AgreesBetweenIndependentRules) {
   BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(7);
@@ -138,7 +140,7 @@ TEST(Albedo, OfAnisotropicLobesAgreesBetweenIndependentRules) {
   }
 }
 
-// A column that does not vary is counted once, not once per cell.
+// A column of cells with a constant integrand is counted once, not once per cell.
 TEST(Albedo, ByBisectionCountsADiffuseTermOnce) {
   BRDF_LONG_UNDER_SANITIZERS();
   for (const double theta : {0.0, 30.0, 75.0})
@@ -150,7 +152,7 @@ TEST(Albedo, ByBisectionCountsADiffuseTermOnce) {
   EXPECT_NEAR(adaptive.value, slope.value, adaptive.error_bound + slope.error_bound);
 }
 
-// Near the normal the kink of V-cavities turns back where it crosses the lobe's ridge.
+// Near the normal the kink of the V-cavities turns back at the ridge of the lobe.
 TEST(Albedo, OfAnisotropicVCavitiesLiesWithinItsBound) {
   BRDF_LONG_UNDER_SANITIZERS();
   struct {
@@ -168,7 +170,8 @@ TEST(Albedo, OfAnisotropicVCavitiesLiesWithinItsBound) {
     }
 }
 
-// Its lobe stands about the mirror direction, and bisection finds what no rule is told of.
+// The lobe of phong lies about the mirror direction, so the pole rule integrates it even if the slope rule
+// is requested. Bisection (the adaptive rule) is used for a form that no other rule knows.
 TEST(Albedo, IsIntegratedByARuleThatKnowsTheLobe) {
   BRDF_LONG_UNDER_SANITIZERS();
   EXPECT_EQ(albedo(make_term(phong{}, 1), 80, 0, 1e-6, Rule::slope).rule, Rule::pole);

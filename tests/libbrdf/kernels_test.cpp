@@ -1,5 +1,5 @@
-// The elementary kernels against the C library in long double,
-// bounds in units of the last place and on both sides.
+// The elementary kernels against the C library in long double. The bounds are in units of the last place
+// and hold on both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,8 +15,8 @@ struct Kernels : ::testing::Test {};
 using Plain = ::testing::Types<float, double>;
 TYPED_TEST_SUITE(Kernels, Plain);
 
-// Largest relative error, in units of epsilon, of `ours` against
-// `exact` over `count` points of the map x(t), t in (0,1).
+// Returns the largest relative error, in units of epsilon, of `ours` against `exact` over `count` points of
+// the map x(t), t in (0, 1).
 template <class T, class X, class Ours, class Exact>
 double worst_ulp(int count, X x, Ours ours, Exact exact) {
   long double worst = 0;

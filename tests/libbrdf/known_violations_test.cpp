@@ -1,5 +1,5 @@
-// What is known to be wrong, asserted as facts with their numbers, on both sides: the forms' violations, and
-// the misprints and slips of the source documents.
+// Known faults, asserted as facts with numeric bounds on both sides: the violations of the forms, and the
+// misprints and slips of the source documents.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ double value(const Reflectance& form, const Values& weights, const Values& shape
   eval(Material{{"y"}, {term}}, wi, wo, {&f, 1});
   return f;
 }
-// The angle from which on the albedo exceeds 1, bracketed to 0.01 degrees.
+// Expects the albedo to exceed 1 from the angle `theta` on, bracketed to 0.01 degrees.
 void expect_albedo_crosses_one_at(const Reflectance& form, const Values& weights, const Values& shape,
                                   double theta) {
   EXPECT_LT(albedo(form, weights, shape, theta - 0.01), 1) << info(form).name;
@@ -148,7 +148,8 @@ TEST(KnownViolations, OneSidedClampsBreakReciprocity) {
             value(cook_torrance{}, {0, 1, 1}, {0.3, 0.3}, b, a));
 }
 
-// The popular compensation f (1 + f0 (1/E(wo) - 1)): swapping the directions changes it by E(wi)/E(wo).
+// The popular compensation f (1 + f0 (1/E(wo) - 1)). Exchanging the directions changes its value by the
+// ratio E(wi)/E(wo).
 TEST(KnownViolations, ScalingByTheViewersAlbedoBreaksReciprocity) {
   const double low = albedo(cook_torrance{}, {0, 1, 1}, {1, 1}, radians(std::acos(0.1)).degrees());
   const double normal = albedo(cook_torrance{}, {0, 1, 1}, {1, 1}, 0);
@@ -199,7 +200,7 @@ TEST(KnownViolations, SchlickGgxIsNotSmithsMasking) {
   EXPECT_EQ(k_schlick_ggx(Roughness<double>{0, 0}), 0.125);
 }
 
-// Integral of G1 D/(4 cos_o) over wi: 1 for Smith's G1, G1/Smith's for another.
+// The integral of G1 D/(4 cos_o) over wi is 1 for Smith's G1, and G1 divided by Smith's G1 for another G1.
 TEST(KnownViolations, SchlickGgxFailsTheWeakWhiteFurnace) {
   const double alpha = 0.25, mu = 0.3;
   const Roughness<double> a{alpha, alpha};
@@ -305,7 +306,7 @@ TEST(KnownViolations, OrenNayarFullGainsEnergyAndTurnsNegative) {
   EXPECT_NEAR(albedo(oren_nayar_full{}, {1}, {0.304}, 89.9999, Fixed::light, 1e-6), 1.0510, 1e-4);
   for (double sigma : {0.25, 0.36})
     EXPECT_LT(albedo(oren_nayar_full{}, {1}, {sigma}, 89.9999, Fixed::light, 1e-6), 1.0509);
-  // The direct term: f/rho for rho to 0, at double grazing opposite the light, in units of 1/pi.
+  // The direct term: f/rho as rho tends to 0, at double grazing opposite the light, in units of 1/pi.
   const auto direct = [](double sigma) {
     return value(oren_nayar_full{}, {1e-9}, {sigma}, {1, 0, 0}, {-1, 0, 0}) / 1e-9 * kPi;
   };
@@ -336,7 +337,7 @@ TEST(KnownViolations, OrenNayarAsCodedIsTooBright) {
 
 // --- Declarations -----------------------------------------------------------------------------------------
 
-// "kd=0 ks=1 exponent=0" as a term of one channel.
+// Returns the witness, such as "kd=0 ks=1 exponent=0", as a term of one channel.
 Term witness_term(const Reflectance& form, std::string_view witness) {
   Term term = make_term(form, 1);
   std::istringstream words{std::string(witness)};
@@ -368,7 +369,8 @@ TEST(KnownViolations, EveryDeclaredEnergyWitnessReproducesItsValue) {
   EXPECT_GE(witnesses, 13);
 }
 
-// The largest difference that a declaration's parameters and angle allow is within 2 % of the declared value.
+// The largest difference at the parameters and the angle of a declaration is within 2 % of the declared
+// value.
 TEST(KnownViolations, EveryDeclaredReciprocityWitnessReproducesItsValue) {
   BRDF_LONG_UNDER_SANITIZERS();
   int witnesses = 0;

@@ -1,3 +1,5 @@
+// The additive recurrence: its ratio generalises the golden ratio, its steps are inverse powers of the
+// ratio, and its points leave no large gap.
 #include "brdf/low_discrepancy.h"
 
 #include <gtest/gtest.h>
@@ -24,8 +26,8 @@ TEST(LowDiscrepancy, StepsAreItsInversePowers) {
   EXPECT_TRUE(additive_recurrence_steps(0).empty());
 }
 
-// In one dimension the gaps between the first n points of the golden
-// recurrence have two or three sizes, the largest below 2 / n.
+// In one dimension the gaps between the first n points of the golden recurrence have two or three sizes, of
+// which the largest is below 2 / n.
 TEST(LowDiscrepancy, PointsLeaveNoGap) {
   const double step = additive_recurrence_steps<1>()[0];
   for (const std::size_t n : {5u, 50u, 1000u}) {

@@ -1,3 +1,5 @@
+// Normal random numbers: moments, correlation and tail agree with the distribution within four standard
+// errors of 200,000 numbers, and the numbers are the same on every machine.
 #include "brdf/random.h"
 
 #include <gtest/gtest.h>

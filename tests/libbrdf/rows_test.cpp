@@ -1,4 +1,5 @@
-// The elementary functions of a row of nodes against the C library in long double, bounds on both sides.
+// The elementary functions of a row of nodes against the C library in long double, with bounds on both
+// sides.
 #include "libbrdf/src/integrals/rows.h"
 #include "brdf/quadrature.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 using Exact = std::function<long double(long double)>;
 
-// Largest errors of both functions over a row of arguments: relative, and absolute, in units of epsilon.
+// The largest relative and absolute errors of both functions over a row of arguments, in units of epsilon.
 struct Errors {
   double relative = 0, absolute = 0;
 };

@@ -1,5 +1,5 @@
-// Samplers against their densities (chi-square), the weights they
-// promise, and albedos by Monte Carlo against the quadrature.
+// Samplers against their densities (chi-square test), against the bounds of their weights, and albedos by
+// Monte Carlo integration against the quadrature.
 #include "brdf/sampling.h"
 #include "brdf/forms.h"
 
@@ -18,7 +18,7 @@
 namespace brdf {
 namespace {
 
-// One sampler at one set of parameters.
+// One sampler with one set of parameters.
 struct Subject {
   Reflectance form;
   std::vector<double> shape;
@@ -31,7 +31,7 @@ Vec3<double> draw(const Subject& subject, double u1, double u2, double u3, const
 double density(const Subject& subject, const Vec3<double>& wi, const Vec3<double>& wo, double share) {
   return subject.form->pdf(subject.shape, wi, wo, share);
 }
-// f cos_i of the diffuse and the specular part at weight 1; F = 1.
+// Returns f cos_i of the diffuse or the specular part at weight 1, with F = 1.
 double value_cos(const Subject& subject, const Vec3<double>& wi, const Vec3<double>& wo, bool specular) {
   Term term = make_term(subject.form, 1);
   term.shape[0] = subject.shape;
@@ -79,7 +79,7 @@ int bin_of(const Vec3<double>& w) {
   return std::min(int(w.z * kRings), kRings - 1) * kSectors + int((turn - std::floor(turn)) * kSectors);
 }
 
-// Integral over a cell by adaptive quartering of Simpson's rule.
+// Returns the integral over a cell by adaptive quartering of Simpson's rule.
 double integral(const std::function<double(double, double)>& f, double x0, double x1, double y0, double y1,
                 int depth, double coarse = -1) {
   const auto simpson = [&](double a, double b, double c, double d) {
@@ -100,8 +100,8 @@ double integral(const std::function<double(double, double)>& f, double x0, doubl
          integral(f, x0, x, y, y1, depth - 1, parts[2]) + integral(f, x, x1, y, y1, depth - 1, parts[3]);
 }
 
-// Chance of a deviation at least this large. Bins are pooled until each expects 10 samples; the directions
-// below the horizon are a bin of their own.
+// Returns the probability of a deviation at least this large. Bins are pooled until each expects 10
+// samples; the directions below the horizon form a bin of their own.
 double p_value(const std::vector<double>& observed, const std::vector<double>& expected) {
   double chi2 = 0, pooled_seen = 0, pooled_expected = 0;
   int bins = 0;
@@ -153,7 +153,7 @@ TEST(Sampling, FollowsItsDensity) {
       const Vec3<double> wo = direction(degrees(theta), radians(0.6));
       const double p =
           chi_square_test(subject, wo, random, [&](const auto& wi) { return density(subject, wi, wo, 0.7); });
-      // Sidak: 1 % for all tests together.
+      // Sidak correction: a significance level of 1 % for all tests together.
       EXPECT_GT(p, 1 - std::pow(0.99, 1 / tests)) << info(subject.form).name << " at " << theta;
     }
 }
@@ -168,7 +168,7 @@ TEST(Sampling, TheTestNoticesAWrongDensity) {
 
 // --- Weights ----------------------------------------------------------------------------------------------
 
-// Largest lobe value over density among samples of the lobe alone.
+// Returns the largest ratio of lobe value to density among samples of the lobe alone.
 double largest_weight(const Subject& subject, const Vec3<double>& wo, std::mt19937_64& random) {
   std::uniform_real_distribution<double> unit(0, 1);
   double largest = 0;
@@ -191,17 +191,18 @@ TEST(SamplingWeights, AreBounded) {
       const double k = (n + 2) * (n + 4) / (8 * kPi * (std::exp2(-n / 2) + n));
       EXPECT_LE(largest_weight({blinn_phong{}, {n}}, wo, random), k * 16 * kPi / (n + 2));
     }
-    // Visible normals: the ratio of masking functions.
+    // Sampling visible normals: the weight is a ratio of masking functions and at most 1.
     for (double alpha : {0.1, 0.5, 1.0}) {
       EXPECT_LE(largest_weight({cook_torrance{}, {alpha, 0.5 * alpha}}, wo, random), 1 + 1e-12);
       EXPECT_LE(largest_weight({cook_torrance_beckmann{}, {alpha, 0.5 * alpha}}, wo, random), 1 + 1e-12);
-      // V-cavities by Gaussian slopes: G cos_d/(cos_o cos_h) <= 2, times 4/pi.
+      // V-cavities sampled by Gaussian slopes: G cos_d/(cos_o cos_h) <= 2, times 4/pi.
       EXPECT_LE(largest_weight({cook_torrance_1982{}, {alpha, 0.5 * alpha}}, wo, random),
                 8 / kPi * (1 + 1e-12));
-      // 2 cos_i/(cos_i + cos_o)
+      // The weight is 2 cos_i/(cos_i + cos_o), at most 2.
       EXPECT_LE(largest_weight({ward_bounded{}, {alpha, 0.5 * alpha}}, wo, random), 2);
     }
-    // Walter's weight of Ward's lobe: (wo.h) cos_h^3 sqrt(cos_i/cos_o), unbounded towards grazing.
+    // Walter's weight of Ward's lobe, (wo.h) cos_h^3 sqrt(cos_i/cos_o), is unbounded towards grazing
+    // angles.
     EXPECT_LE(largest_weight({ward{}, {0.2, 0.4}}, wo, random), std::sqrt(1 / wo.z) * (1 + 1e-12));
   }
   EXPECT_GT(largest_weight({cook_torrance{}, {0.1, 0.1}}, direction({}, {}), random), 0.99);
@@ -212,7 +213,7 @@ TEST(SamplingWeights, AreBounded) {
 struct Estimate {
   double mean, standard_error;
 };
-// Of f cos_i = value(wi), directions by the subject's sampler.
+// Estimates the integral of f cos_i = value(wi) from directions drawn by the subject's sampler.
 Estimate albedo_by_sampling(const Subject& subject, const Vec3<double>& wo, double share, int samples,
                             std::mt19937_64& random,
                             const std::function<double(const Vec3<double>&)>& value) {
@@ -263,8 +264,8 @@ Term with_width(const Reflectance& form, double width) {
   return term;
 }
 
-// Light from everywhere, every form: narrow lobes are found, and no direction counts for much more than its
-// share.
+// Every form under uniform light: the sampler finds narrow lobes, and no direction has a weight much larger
+// than its share.
 TEST(SamplingAlbedo, OfEveryFormIsFoundWithFewSamples) {
   BRDF_LONG_UNDER_SANITIZERS();
   std::mt19937_64 random(15);

@@ -1,4 +1,4 @@
-// The tracing scalar writes the formula down, once, as the library computes it.
+// The tracing scalar records the formula once, as the library computes it.
 #include "brdf/trace.h"
 #include "brdf/forms.h"
 
@@ -36,7 +36,7 @@ TEST_F(Tracing, KeepsTheOrderOfOperands) {
 }
 
 TEST_F(Tracing, FoldsConstantsInFloat) {
-  // 1 + 2^-25 is 1 in float and more in double.
+  // 1 + 2^-25 equals 1 in float and exceeds 1 in double.
   EXPECT_EQ((Traced(1.0) + Traced(0x1p-25)).node(), Traced(1.0).node());
   EXPECT_EQ((Traced(1.0) / Traced(3.0)).node(), Traced(double(1.0f / 3.0f)).node());
   EXPECT_EQ(sqrt(Traced(2.0)).node(), Traced(double(std::sqrt(2.0f))).node());

@@ -1,4 +1,4 @@
-// Lobes of a given width, whatever the form.
+// Lobes of a given width, for any form.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 namespace brdf {
 
-// What makes a lobe this wide, by the roles of the form's parameters; false where it has no such parameter.
+// Sets the parameters of `term` to widths `along` and `across` the tangent, according to the roles of the
+// form's parameters, and clamps each to its range. Returns false if the form has no such parameter.
 inline bool set_width(Term& term, double along, double across) {
   bool set = false;
   const std::span<const ParameterInfo> table = term.form.info().shape;

@@ -1,4 +1,4 @@
-// Maps of a synthetic stack beside the truth that it was made from.
+// Maps of a synthetic stack together with the truth from which the stack was made.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -41,8 +41,9 @@ struct Case {
   }
 };
 
-// A texel's parameters that 3 % noise would leave known to 5 % (of a normal's components, of 1): visit(name
-// without its channel, plane, truth, scale).
+// Calls visit(name without its channel, plane, truth, scale, known) for each parameter of a texel. `known`
+// is true if 3 % noise would leave a standard error below 5 % of the scale. The scale is the absolute value
+// of the parameter, or 1 for the components of a normal.
 template <class Visit>
 void for_each_known(const Case& c, std::size_t texel, Visit&& visit) {
   const Knowledge known = c.known(texel, 0.03);
@@ -59,7 +60,7 @@ struct Share {
   double value() const { return double(part) / all; }
 };
 
-// What can be told at 3 % noise to 5 % is found to a millionth where there is no noise.
+// Parameters that are known to 5 % at 3 % noise must be found to 1e-6 without noise.
 inline void expect_truth(std::size_t size, bool fits_normal, unsigned threads = 1) {
   const Case c(small_stack(size, 151), fits_normal);
   const texel::Planes maps = c.fit(std::size_t{1} << 28, threads);
@@ -89,9 +90,9 @@ inline void expect_truth(std::size_t size, bool fits_normal, unsigned threads = 
   EXPECT_GT(worst, 0);  // something was compared
 }
 
-// At 3 % noise, under the residual that noise of this kind asks for, which makes it even: no few pixels
-// decide. A width is decided by the few images that see the highlight, and so is its standard error: of few
-// texels `least_of_widths`.
+// Tests the coverage of the standard errors at 3 % noise. The residual makes this noise uniform, so that no
+// few pixels dominate. The width depends on the few images that see the highlight, and so does its standard
+// error. For small maps the coverage of widths must therefore only exceed `least_of_widths`.
 inline void expect_coverage(std::size_t size, double least_of_widths, unsigned threads = 1) {
   synth::TexelOptions o = small_stack(size, 151);
   o.noise = 0.03;
@@ -117,7 +118,7 @@ inline void expect_coverage(std::size_t size, double least_of_widths, unsigned t
   }
 }
 
-// The material of a texel as planes have it.
+// Returns the material of a texel according to the planes.
 inline Material material_at(const texel::Planes& planes, Material m, std::size_t texel) {
   const auto at = [&](const std::string& name) { return double((*planes.find(name))[texel]); };
   const ReflectanceInfo& form = info(m.terms[0].form);
@@ -129,8 +130,8 @@ inline Material material_at(const texel::Planes& planes, Material m, std::size_t
   return m;
 }
 
-// Decibels of the picture that the maps give under a light and from a viewpoint that were not photographed,
-// its peak the brightest pixel of the true one.
+// Returns the peak signal-to-noise ratio in decibels of the picture from the maps, under a light and from a
+// viewpoint that were not photographed. The peak is the brightest pixel of the true picture.
 inline double psnr(const Case& c, const texel::Planes& maps) {
   const Vec3<double> wi = io::unit_vector(40, 77), wo = io::unit_vector(15, 200);
   double peak = 0, square = 0;

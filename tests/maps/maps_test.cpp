@@ -1,4 +1,4 @@
-// Maps of synthetic stacks against the truth they were made from.
+// Compares maps of synthetic stacks with the truth from which the stacks were made.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(Maps, GiveThePictureUnderAnotherLight) {
   }
 }
 
-// The minimum and the verdict are those of a fit of the texel's table alone.
+// Compares the minimum and the verdict with a fit of the texel's table alone.
 void expect_same_as_tables(bool fits_normal) {
   synth::TexelOptions o = small_stack(16, 151);
   o.noise = 0.03;
@@ -50,7 +50,7 @@ void expect_same_as_tables(bool fits_normal) {
     const auto at = [&](const std::string& name) { return double((*maps.find(name))[k]); };
     const texel::Region here{x, y, 1, 1};
     const std::vector<float> pixels = texel::read_region(c.stack, here);
-    // Of a given normal the very one; the map's is rounded to float.
+    // A given normal is exactly the one that the fit used; the normal of the map is rounded to float.
     const texel::Planes& normals = fits_normal ? maps : c.truth;
     Vec3<double> n{double((*normals.find("normal.x"))[k]), double((*normals.find("normal.y"))[k]), 0};
     n.z = std::sqrt(1 - n.x * n.x - n.y * n.y);
@@ -60,19 +60,20 @@ void expect_same_as_tables(bool fits_normal) {
         fit::fit(maps::texel_table(c.stack, {pixels, x, y}, n), {c.settings.forms}, options);
     const fit::FormFit& best = alone.ranking[0];
     ASSERT_EQ(double(alone.rows), at("images")) << x << ", " << y;
-    // A texel's verdict does not ask for energy.
+    // The verdict of a texel does not include the check of energy conservation.
     if (!fits_normal && best.verdict != fit::Verdict::breaks_energy) {
       EXPECT_EQ(best.verdict, fit::Verdict(int(at("verdict")))) << x << ", " << y;
     }
     for (const fit::Estimate& e : best.estimates) {
       const std::string name = texel::plane_name(e.name, e.channel);
       if (e.status != fit::Status::free || e.standard_error > 0.3 * std::abs(e.value)) continue;
-      // Where a parameter is hardly known, both stop at a cost that is known to 1e-12.
+      // If a parameter is poorly determined, both fits stop at a cost with a relative accuracy of 1e-12.
       const double within = std::max(1e-6 * std::abs(e.value), 2e-5 * e.standard_error);
       EXPECT_NEAR(at(name), e.value, within) << name << " at " << x << ", " << y;
       if (fits_normal) continue;
       const double error = e.standard_error * fit::t_quantile(e.freedom) / 1.959964;
-      // The map's is approximate: it does without the noise of all values together (fit/assess/curvature.h).
+      // The standard error of the map is approximate: it omits the noise of all values together
+      // (fit/assess/curvature.h).
       EXPECT_LT(std::abs(std::log(at("standard_error." + name) / error)), 1) << name;
     }
   }
@@ -86,8 +87,8 @@ TEST(Maps, AreThoseOfATexelsTableWhereNormalsAreFitted) {
   expect_same_as_tables(true);
 }
 
-// Lights two widths of the sample away: a texel at the edge sees them some 14 degrees elsewhere, and by a
-// fifth brighter.
+// The lights are at a distance of two widths of the sample. A texel at the edge sees them about 14 degrees
+// away from their direction at the middle, and a fifth brighter.
 TEST(Maps, OfNearLightsAreTheTruth) {
   synth::TexelOptions o = small_stack(8, 100);
   o.rig = {16, 20, 1};
@@ -100,7 +101,7 @@ TEST(Maps, OfNearLightsAreTheTruth) {
     return off;
   };
   EXPECT_LT(worst(near.fit()), 2e-6);
-  near.stack.rig = {};  // taken for far
+  near.stack.rig = {};  // treated as distant
   EXPECT_GT(worst(near.fit()), 0.05);
 }
 

@@ -1,4 +1,4 @@
-// `synth --registration`: every image is the surface as it lies a little off, by as much as was asked for.
+// Tests `synth --registration`: every image shows the surface shifted a little, by the amount requested.
 #include <gtest/gtest.h>
 
 #include "tests/maps/stack.h"
@@ -6,7 +6,7 @@
 namespace brdf {
 namespace {
 
-// What a camera that is off by a shift sees of the surface in one channel, under one light.
+// Returns the image of the surface for a camera with this shift, in one channel and under one light.
 std::vector<double> shifted_image(const synth::Surface& surface, const texel::Stack& stack, std::size_t image,
                                   double shift_x, double shift_y) {
   const DirectionArrays<double> arrays = io::unit_directions(stack.lights);
@@ -28,10 +28,10 @@ double squares(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 struct Shift {
-  double x = 0, y = 0, error = 0;  // error: what is left, a share of the image
+  double x = 0, y = 0, error = 0;  // error: the remaining difference, relative to the image
 };
 
-// The shift that explains an image, by Gauss and Newton's steps.
+// Returns the shift that explains an image, by Gauss-Newton steps.
 Shift shift_of(const synth::Surface& surface, const texel::Stack& stack, std::size_t image,
                const std::vector<double>& seen) {
   Shift s;
@@ -77,7 +77,8 @@ TEST(Registration, ShiftsEveryImageByItself) {
     EXPECT_GT(std::sqrt(squares(seen, shifted_image(surface, stack, image, 0, 0))), 1e-4) << image;
     sum[0] += s.x, sum[1] += s.y, square += s.x * s.x + s.y * s.y;
   }
-  // Of 80 normal numbers the deviation is known to 8 %, their mean to a ninth of it: four times that.
+  // The standard deviation of 80 normal numbers is known to 8 %, and the mean of 40 numbers for each axis
+  // to the standard deviation divided by sqrt(40). The bounds are four times these figures.
   EXPECT_NEAR(std::sqrt(square / double(2 * images)), o.registration, 0.32 * o.registration);
   for (const double s : sum) EXPECT_LT(std::abs(s) / double(images), 4 * o.registration / std::sqrt(images));
 }

@@ -1,4 +1,4 @@
-// A width that all texels of a region have in common.
+// Tests a width that all texels of a region have in common.
 #include <gmock/gmock.h>
 
 #include <cstring>
@@ -59,7 +59,7 @@ TEST(Shared, WidthIsTheMinimumOfAllTexelsTogether) {
   EXPECT_THAT(error, testing::Each(error[0]));
   EXPECT_EQ(alpha, *maps.find("alpha_y"));
   EXPECT_LT(std::abs(double(alpha[0]) - 0.2), 4 * double(error[0]));
-  // As certain as the mean of what every texel knows by itself.
+  // The standard error must agree with that of the weighted mean of the separate estimates of all texels.
   double known = 0;
   for (const float e : *alone.find("standard_error.alpha_x"))
     if (e > 0) known += 1 / (double(e) * double(e));
@@ -74,7 +74,7 @@ TEST(Shared, WidthIsTheMinimumOfAllTexelsTogether) {
   const double here = cost_at(width), below = cost_at(width - step), above = cost_at(width + step);
   EXPECT_LT(here, below);
   EXPECT_LT(here, above);
-  // The parabola through the three has its lowest point at the width.
+  // The parabola through the three costs has its minimum at the width.
   EXPECT_NEAR(0.5 * (below - above) / (below - 2 * here + above), 0, 0.02);
   EXPECT_NEAR(total_cost(maps), here, 1e-6 * here);
 }

@@ -1,4 +1,4 @@
-// Synthetic stacks for the tests of maps, and what such a stack can tell.
+// Synthetic stacks for the tests of maps, and the accuracy that such a stack permits.
 #pragma once
 
 #include <Eigen/Dense>
@@ -38,15 +38,15 @@ inline maps::Settings settings_of(const Material& material, bool fits_normal) {
   return s;
 }
 
-// A texel's free parameters under their planes' names, and their standard errors where every pixel scatters
-// by `noise` of itself, from the Jacobian at the truth (Cramer and Rao's bound); infinite along what nothing
-// tells.
+// The free parameters of a texel under the names of their planes, and their standard errors if every pixel
+// has relative noise `noise`. The errors come from the Jacobian at the truth (the bound of Cramer and Rao).
+// They are practically infinite along directions without information.
 struct Knowledge {
   std::vector<std::string> names;
   std::vector<double> values, errors;
 };
 
-// `planes` the truth: those of them that are of free parameters, alpha counted once.
+// Returns the names, true values and standard errors of the free parameters; alpha counts once.
 inline Knowledge known_of(const Material& material, const Vec3<double>& normal, bool fits_normal,
                           const io::SampleTable& lights, double noise) {
   Knowledge out;

@@ -1,3 +1,5 @@
+// Tests measured samples as a reflectance: interpolation, directions without measurements, and sample
+// rotation.
 #include <gtest/gtest.h>
 
 #include "io/files/error.h"
@@ -42,7 +44,7 @@ TEST(Measured, FillsMerlsCellsWhereItWasMeasured) {
   const io::SampleTable cells = at_merl_cells(
       std::make_shared<const MeasuredReflectance>(scanned(truth, {10, 25, 40, 55, 70}, 0), &wrong));
   EXPECT_GT(cells.rows(), 400000u);
-  EXPECT_LT(cells.rows(), 1000000u);  // of 1,458,000, a third of which lie below the horizon
+  EXPECT_LT(cells.rows(), 1000000u);  // of 1,458,000; a third is below the horizon
   double largest = 0;
   int checked = 0, off = 0;
   for (std::size_t k = 0; k < cells.rows(); k += 97) {
@@ -72,12 +74,12 @@ TEST(Measured, WhatWasNotMeasuredIsSaidAndNotInvented) {
   const MeasuredReflectance measured(table, &wrong);
   EXPECT_TRUE(measured.at(at(30, 180), at(40, 0)).measured);   // in the plane, between rows
   EXPECT_TRUE(measured.at(at(38, 180), at(45, 0)).measured);   // between incidences
-  EXPECT_TRUE(measured.at(at(30, 180), at(31, 10)).measured);  // beside it, in the highlight
+  EXPECT_TRUE(measured.at(at(30, 180), at(31, 10)).measured);  // out of the plane, in the highlight
   const Vec3<double> wi = at(40, 180), beside = at(40, 90);
   EXPECT_FALSE(measured.at(wi, beside).measured);              // at right angles to the plane
   EXPECT_FALSE(measured.at(at(60, 180), at(60, 0)).measured);  // steeper than any light
   EXPECT_FALSE(measured.at(at(30, 180), at(88, 0)).measured);  // steeper than any viewer
-  // The ratio of 2 is not carried there: it goes to 1.
+  // The ratio of 2 is not extrapolated to these directions: it approaches 1.
   const double ratio = measured.at(wi, beside).f[0] / value(wrong, wi, beside);
   EXPECT_GT(measured.at(at(30, 180), at(30, 0)).f[0] / value(wrong, at(30, 180), at(30, 0)), 1.9);
   EXPECT_LT(ratio, 1.7);
@@ -149,9 +151,9 @@ TEST(Measured, ATurnedSampleKeepsItsAzimuth) {
   }
   EXPECT_LT(std::sqrt(square / count), 0.05);
   EXPECT_GT(std::sqrt(of_fit / count), 0.2);
-  // One that looks the same from every azimuth needs none.
+  // A sample that looks the same from every azimuth needs no turning.
   EXPECT_EQ(MeasuredReflectance(scanned(round, {0, 30, 60}, 0.01, azimuths, 10), &brushed).turning(),
-            Turning::turned);  // beside a fit that does not
+            Turning::turned);  // with a fit that is not isotropic
   EXPECT_EQ(MeasuredReflectance(scanned(round, {0, 30, 60}, 0.01, azimuths, 10), &round).turning(),
             Turning::isotropic);
 }
@@ -215,7 +217,7 @@ TEST(Measured, IsAReflectanceLikeAnyOther) {
   Material truth = make_material(*find_form("lambert"), {"465nm", "525nm", "630nm"});
   for (std::size_t c = 0; c < 3; ++c) truth.terms[0].weights[c] = {0.2 + 0.1 * double(c)};
   const io::SampleTable table = scanned(truth, {0, 30, 60}, 0.001, {0}, 10);
-  // Channels stand for each other by name, and by colour.
+  // Channels are matched by name, and by colour.
   Material rgb = make_material(*find_form("lambert"));
   rgb.terms[0].weights = {{0.4}, {0.3}, {0.2}};
   const auto measured = std::make_shared<const MeasuredReflectance>(table, &rgb);
@@ -229,7 +231,7 @@ TEST(Measured, IsAReflectanceLikeAnyOther) {
     EXPECT_EQ(f[c], measured->at(wi, wo).f[c]);
     EXPECT_NEAR(f[c], expected[c], 2e-3 * expected[c]);
   }
-  // Without a fit, about the mean of each channel.
+  // Without a fit, the values are interpolated about the mean of each channel.
   EXPECT_NEAR(MeasuredReflectance(table).at(wi, wo).f[2], expected[2], 2e-3 * expected[2]);
 }
 

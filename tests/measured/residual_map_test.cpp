@@ -1,4 +1,4 @@
-// The map of residuals: cells, their means, and what is left out where there are many rows.
+// Tests the map of residuals: its cells, their means, and the omission of rows in large tables.
 #include "measured/residual_map.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(ResidualMap, PutsARowWhereItsHalfVectorLies) {
   };
   add(41, 41, 180, 2);  // the mirror direction: theta_h 0, theta_d 41
   add(31, 31, 0, 4);    // back towards the light: theta_h 31, theta_d 0
-  add(70, 11, 0, 0);    // nothing there: a value of 0 has no logarithm
+  add(70, 11, 0, 0);    // no entry: a value of 0 has no logarithm
   const Material one = make_material(*find_form("lambert"), {"f"});
   std::vector<double> f(1);
   eval(one, io::unit_vector(41, 0), io::unit_vector(41, 180), f);

@@ -9,13 +9,13 @@
 
 namespace brdf::measured {
 
-// A diffuse weight, a specular one and a width.
+// A diffuse weight, a specular weight and a width.
 struct Lobe {
   double diffuse, specular, width;
-  double width_across = 0;  // 0: as along
+  double width_across = 0;  // 0: equal to `width`
 };
 
-// A sum of microfacet terms, one channel.
+// Returns a sum of microfacet terms with one channel.
 inline Material lobes(const std::vector<Lobe>& of) {
   const Reflectance form = *find_form("cook_torrance");
   const ReflectanceInfo& info = form.info();
@@ -35,7 +35,8 @@ inline Material lobes(const std::vector<Lobe>& of) {
   return m;
 }
 
-// Over the hemisphere of viewers, 5 degrees apart (10 in azimuth) unless `step` says otherwise.
+// Returns samples over the hemisphere of viewers. `step` is the distance of the viewers in degrees; in
+// azimuth the default is 10 degrees.
 inline io::SampleTable scanned(const Material& truth, std::vector<double> theta_i, double noise,
                                std::vector<double> azimuths = {0}, double step = 5) {
   synth::Instrument instrument;

@@ -1,5 +1,6 @@
-// The renderer's default sphere without a renderer: unit sphere, camera at distance 4 with 32 degrees, a
-// directional light from the upper left front of irradiance pi, a pixel's ray through its centre.
+// The renderer's default sphere without a renderer: a unit sphere, a camera at distance 4 with a field of
+// view of 32 degrees, a directional light of irradiance pi from the upper left front. The ray of a pixel
+// passes through its centre.
 #pragma once
 
 #include <cmath>
@@ -15,7 +16,7 @@ struct Pixel {
   double theta_i, theta_o, theta_h;  // degrees
 };
 
-// The pixels whose surface faces light and viewer.
+// Returns the pixels on which the surface faces light and viewer.
 inline std::vector<Pixel> lit_pixels(int size) {
   const double distance = 4, half = std::tan(16 * kPi / 180), third = 1 / std::sqrt(3.0);
   const Vec3<double> light{-third, third, third};
@@ -29,7 +30,7 @@ inline std::vector<Pixel> lit_pixels(int size) {
       const double t = b - std::sqrt(root);
       const Vec3<double> n{t * ray.x, t * ray.y, distance + t * ray.z};
       const Vec3<double> to_viewer = ray * -1.0;
-      // Tangent along the sphere's circles of latitude.
+      // The tangent follows the sphere's circles of latitude.
       const double across = std::hypot(n.x, n.z);
       const Vec3<double> tangent{n.z / across, 0, -n.x / across};
       const Vec3<double> bitangent = cross(n, tangent);

@@ -1,3 +1,4 @@
+// Tests measured samples as they appear on a sphere, compared with the truth and with their fit.
 #include "tests/measured/sphere.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace brdf::measured {
 namespace {
 
-// f_r cos_i E of the renderer's light.
+// Returns f_r cos_i E for the light of the renderer.
 double shown(const Material& material, const Pixel& p, std::size_t channel) {
   std::vector<double> f(material.channels.size());
   eval_cos(material, p.wi, p.wo, f);
@@ -22,12 +23,13 @@ double shown(const Seen& seen, const Pixel& p, std::size_t channel) {
   return seen.f[channel] * p.wi.z * kPi;
 }
 
-// As the renderer compares two pictures.
+// Returns the relative square error with which the renderer compares two pictures.
 double relative_square(double value, double truth) {
   return (value - truth) * (value - truth) / (truth * truth + 0.01);
 }
 
-// Pixels of the renderer's default sphere at 256 x 256 whose surface is lit and seen at 60 degrees or less.
+// Pixels of the renderer's default sphere at 256 x 256, on which light and viewer are at 60 degrees or
+// less.
 TEST(Sphere, TwoLobesAreSeenBetweenFourIncidences) {
   const Material truth = lobes({{0.2, 0.3, 0.08}, {0.0, 0.6, 0.3}});
   const io::SampleTable table = scanned(truth, {0, 20, 40, 60}, 0.02);
@@ -71,7 +73,7 @@ TEST(Sphere, TheLatticeGivesTheSamePicture) {
   EXPECT_LT(otherwise, 0.01 * lit);
 }
 
-// Mean squares of the distances from their mean of the pixels above half the brightest one's value.
+// Variances of the position, along x and y, of the pixels above half the value of the brightest pixel.
 struct Spread {
   double x = 0, y = 0, pixels = 0;
 };
@@ -92,7 +94,7 @@ Spread spread(const std::vector<Pixel>& pixels, Value value) {
   return {xx / n - x * x / n / n, yy / n - y * y / n / n, n};
 }
 
-// Pixels about the place where the half vector is the normal.
+// Returns the pixels near the place at which the half vector equals the normal.
 std::vector<Pixel> highlight(int size) {
   std::vector<Pixel> pixels = lit_pixels(size);
   std::erase_if(pixels, [](const Pixel& p) { return p.theta_h > 15; });
@@ -119,9 +121,10 @@ TEST(Sphere, AHighlightKeepsItsSizeWhateverTheFit) {
   }
 }
 
-// Of its luminance, by two lobes and the residual that sees the highlight. A single lobe under the default
-// residual is drawn to the values at grazing angles: its highlight is wider here than the samples (half
-// maximum at 3.7 degrees of the half vector, where the rows say 2.6).
+// Compares the luminance of the measurement with a fit of two lobes under the residual that is sensitive to
+// the highlight. A single lobe under the default residual follows the values at grazing angles instead: its
+// highlight would be wider than that of the samples (half maximum at 3.7 degrees of the half vector,
+// compared with 2.6 in the rows).
 TEST(Sphere, RosalinesHighlightIsAsWideAsItsFit) {
   const auto folder = measured_data();
   if (!folder) GTEST_SKIP() << "BRDF_DATA_DIR is unset: no rgl_satin_rosaline.csv";

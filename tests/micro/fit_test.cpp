@@ -1,4 +1,4 @@
-// Parameters fitted to traced samples come back as the geometry's.
+// Parameters fitted to traced samples reproduce the parameters of the geometry.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace brdf::micro {
 namespace {
 
-// The fitted shape, by the form's name of the parameter; expects a usable fit.
+// Returns the fitted shape parameter that the form calls `name`; expects a usable fit.
 double fitted(const fit::FormFit& result, std::string_view name) {
   EXPECT_TRUE(fit::usable(result.verdict)) << name_of(result.verdict);
   const Term& term = result.material.terms.front();
@@ -59,7 +59,7 @@ TEST(FitOfTracedSamples, FindsSlopeAndIndexOfMirrorGrooves) {
   EXPECT_NEAR(fitted(result, "eta"), 1.5, 0.03);
 }
 
-// The qualitative form is an approximation of its own grooves: its sigma comes out a fifth too small.
+// The qualitative form only approximates its own grooves: the fitted sigma is a fifth too small.
 TEST(FitOfTracedSamples, OrenNayarUnderestimatesSigma) {
   SampleSettings settings = quick("lambert_grooves", {{"sigma", 0.35}, {"rho", 0.9}});
   settings.bounces = 16;

@@ -1,3 +1,5 @@
+// The virtual goniometer against surfaces with a known result (flat, perfectly reflecting, white), its
+// energy balance, reciprocity and reproducibility.
 #include "micro/goniometer.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +61,7 @@ TEST(Goniometer, FlatMirrorSendsEverythingIntoTheMirrorDirection) {
   EXPECT_NEAR(scatter.account.escaped[0], 1, 1e-12);
 }
 
-// A perfect reflector: every ray comes back after at most 64 reflections, at grazing incidence too.
+// A perfect reflector returns every ray after at most 64 reflections, also at grazing incidence.
 TEST(Goniometer, PerfectReflectorLosesNothing) {
   for (const double alpha : {0.1, 0.5, 1.0}) {
     for (const Scatter& s : measure_scatter(mirrors(alpha, 30000),
@@ -79,7 +81,8 @@ TEST(Goniometer, LambertianGroovesReflectAllOfWhiteLight) {
   EXPECT_LE(a.beyond, 2e-5);
   EXPECT_NEAR(a.albedo(), 1 - a.lost(), 1e-12);
   EXPECT_GT(a.escaped[1], 0.03);  // interreflection exists
-  // The deepest of the wide distribution's grooves hold light for more than 64 reflections; none of it leaks.
+  // The deepest grooves of the wide distribution hold light for more than 64 reflections. This light is
+  // counted as beyond, and at most 1e-6 leaks.
   const Account deep =
       measure_scatter(lambert_grooves(0.6, 1), {{radians(1.0), {}}}, Cells(radians(0.2)))[0].account;
   EXPECT_LE(deep.leaked, 1e-6);
@@ -108,8 +111,8 @@ TEST(Goniometer, IsReciprocal) {
   }
 }
 
-// Rays from the light, counted per cell, against rays from the viewer that ask for the light: two estimators
-// with nothing but the tracer in common.
+// Rays from the light, counted per cell, against rays from the viewer that sample the light. The two
+// estimators share only the tracer.
 TEST(Goniometer, BothEstimatorsAgree) {
   const Simulation s = lambert_grooves(0.5, 0.8, 30000);
   const Cells cells(10_deg);
@@ -125,7 +128,8 @@ TEST(Goniometer, BothEstimatorsAgree) {
   for (std::size_t k = 0; k < views.size(); ++k) {
     for (int order = 0; order < 2; ++order) {
       const Estimate a = scatter.f[order][at[k]], b = radiance[k].f[order];
-      // The cell's mean is not the value at its centre: allow 2 % of the whole for curvature.
+      // The mean over a cell differs from the value at its centre: 2 % of the whole are allowed for
+      // curvature.
       const double error = 4 * std::hypot(a.standard_error, b.standard_error) + 0.02 * radiance[k].total.mean;
       EXPECT_NEAR(a.mean, b.mean, error)
           << views[k].theta.degrees() << ' ' << views[k].phi.degrees() << " order " << order + 1;

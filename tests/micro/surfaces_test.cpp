@@ -1,3 +1,5 @@
+// Generated surfaces have the given slopes, correlation and groove angles; tracer and masking agree with
+// independent computations.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -40,7 +42,7 @@ TEST(HeightField, HasBeckmannsSlopes) {
   }
 }
 
-// The heights' correlation falls to 1/e at the given distance.
+// The correlation of the heights falls to 1/e at the given distance.
 TEST(HeightField, HasTheGivenCorrelation) {
   Collector correlation;
   Simulation s = field(0.3, 0.3);
@@ -58,7 +60,7 @@ TEST(HeightField, HasTheGivenCorrelation) {
   EXPECT_NEAR(correlation.estimate().mean, std::exp(-1.0), 4 * correlation.estimate().standard_error);
 }
 
-// Any two triangles that share a vertex give it the same height, across the period's border too.
+// Any two triangles that share a vertex give it the same height, also across the border of the period.
 TEST(Surface, HasNoGaps) {
   const Surface s = make_surface(field(0.5, 0.25, 16), 0);
   for (int j = -2; j < 20; ++j) {
@@ -74,7 +76,7 @@ TEST(Surface, HasNoGaps) {
   }
 }
 
-// Shares of grooves below given angles against the density's integral.
+// The shares of grooves below given angles against the integral of the density.
 TEST(Grooves, HaveTheStatedAngles) {
   const double sigma = 0.5, alpha = 0.6;
   const auto share_below = [](const Surface& s, double angle) {
@@ -102,8 +104,8 @@ TEST(Grooves, HaveTheStatedAngles) {
   }
 }
 
-// The tracer against a march in small steps over the endless
-// surface, which knows nothing of periods or Embree.
+// The tracer against a march in small steps over the endless surface. The march uses neither the period nor
+// Embree.
 TEST(Tracer, FindsWhatAMarchFinds) {
   const Surface s = make_surface(field(0.6, 0.4, 32), 3);
   Tracer tracer(s);
@@ -138,7 +140,7 @@ TEST(Tracer, FindsWhatAMarchFinds) {
   EXPECT_GT(escapes, 30);
 }
 
-// Whatever the surface, a direction sees cos theta of area per macroscopic area.
+// For any surface, the visible area projected along a direction is cos theta per macroscopic area.
 TEST(Masking, SeesTheProjectedAreaOfThePlane) {
   Simulation s = field(0.5, 0.5, 256, 8);
   s.rays = 40000;

@@ -1,3 +1,5 @@
+// Traced surfaces against theory: exact for mirror grooves and Lambertian grooves, approximate for Smith's
+// masking; and the tables of traced samples.
 #include "micro/theory.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +15,8 @@
 namespace brdf::micro {
 namespace {
 
-// V-cavities are exact for mirror grooves: the form's G
-// and the Fresnel factor, in every cell that holds power.
+// V-cavities are exact for mirror grooves: every cell that receives power agrees with the form's G and
+// Fresnel factor.
 TEST(Theory, MirrorGroovesAreTheVCavityForm) {
   Simulation s;
   s.geometry = Grooves{GrooveAngles::beckmann, 0.4, 1024};
@@ -63,8 +65,8 @@ TEST(Theory, LambertianGroovesAreTheCavityIntegral) {
   }
 }
 
-// Smith's masking is an approximation: on a correlated
-// surface, facets tilted away are seen less than it says.
+// Smith's masking is an approximation: on a correlated surface, facets tilted away from the viewer are less
+// visible than Smith's G1 predicts.
 TEST(Theory, SmithsMaskingIgnoresTheSlope) {
   Simulation s;
   s.geometry = HeightField{.alpha_x = 0.5, .alpha_y = 0.5, .size = 256};
@@ -135,7 +137,7 @@ TEST(Samples, MirrorsOfATurnedSampleAreThoseOfTurnedLight) {
   settings.parameters = {{"alpha_x", 0.1}, {"alpha_y", 0.5}};
   settings.theta_i = {0};
   settings.azimuths = {90};
-  // The lobe is wide across the direction of the great slopes' axis: along y, whatever the light's azimuth.
+  // alpha_y is larger than alpha_x, so the lobe is wide along y for every azimuth of incidence.
   double along_x = 0, along_y = 0;
   const io::SampleTable table = trace_samples(settings);
   for (std::size_t k = 0; k < table.rows(); ++k) {

@@ -1,4 +1,4 @@
-// Random boxes of a form's domain, small and large, and points in them.
+// Random boxes of a form's domain, small and large, and random points inside them.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline double uniform(Engine& e, double low, double high) {
   return std::clamp(low + (high - low) * std::generate_canonical<double, 53>(e), low, high);
 }
 
-// Anywhere in the range, also near its ends and at them.
+// Returns a value anywhere in `range`, with additional probability at its ends and near them.
 inline double anywhere(Engine& e, const Variable& v, Bounds range) {
   const double kind = uniform(e, 0, 1);
   if (kind < 0.1) return range.lo;
@@ -41,7 +41,8 @@ inline Box random_box(Engine& e, const Domain& domain) {
   return box;
 }
 
-// A direction that stands for this cosine and turn, rounded to T, and now and then off by a unit.
+// Returns a direction with this cosine and turn, rounded to T. A component is sometimes moved by one unit
+// in the last place.
 template <class T>
 Vec3<T> direction_of(Engine& e, double cosine, double turn) {
   const long double t = turn, z = cosine;
@@ -57,7 +58,7 @@ Vec3<T> direction_of(Engine& e, double cosine, double turn) {
   return {stored(s * x), stored(s * y), stored(z)};
 }
 
-// The place of each part in a box.
+// The position of each group of variables in a box.
 struct Parts {
   std::size_t shape, weights, first, directions;
 };

@@ -1,5 +1,5 @@
-// What certificates show: derived from their numbers, asked for by name, of forms and of materials, and not
-// moved by words.
+// Properties of certificates for forms and materials: verdicts are derived from the numbers, properties are
+// requested by name, and the words of a certificate cannot change a verdict.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,8 @@ std::string of_form(const char* form, std::vector<Property> properties) {
   return to_certificate(prove(*find_form(form), options));
 }
 
-// Diffuse and facets of unequal widths, two channels; the second reflects more than it receives.
+// Returns a material of a diffuse term and facets of unequal widths in two channels. The second channel
+// reflects more than it receives.
 Material mixed() {
   Material m{{"x", "y"}, {make_term(*find_form("lambert"), 2), make_term(*find_form("cook_torrance"), 2)}};
   m.terms[0].weights = {{0.21}, {0.93}};
@@ -58,7 +59,7 @@ const CheckedResult& result(const Judged& j, Property property, const std::strin
   throw std::runtime_error("no such result");
 }
 
-// The first row of this property changed, and all sealed anew.
+// Returns `text` with the first row of this property changed and the whole certificate sealed again.
 std::string forged(const std::string& text, Property property, const std::function<void(Json&)>& change) {
   Json all = io::parse_json(text, "c");
   for (Json& row : all["results"])
@@ -90,7 +91,7 @@ TEST(AskedCertificate, OfARefutedEnergyIsNoProofOfIt) {
   EXPECT_TRUE(judge({"c", text}, {.properties = {Property::reciprocity}}).good);
 }
 
-// The witness taken out: what is left is a bound above 1.
+// The witness is removed. The remaining certificate has only a bound above 1.
 TEST(AskedCertificate, OfABoundAboveOneIsNoProofOfEnergy) {
   const std::string text = forged(of_form("oren_nayar", {Property::energy}), Property::energy,
                                   [](Json& row) { row.erase("witness"); });
@@ -101,7 +102,7 @@ TEST(AskedCertificate, OfABoundAboveOneIsNoProofOfEnergy) {
   EXPECT_FALSE(judged(text).good);
 }
 
-// Its cover shows at most 1, of equal widths alone.
+// The cover of this certificate shows an albedo of at most 1, but for equal widths only.
 TEST(AskedCertificate, OfEqualWidthsIsNoProofForAllWidths) {
   const std::string text = forged(of_form("cook_torrance_schlick_ggx", {Property::energy}), Property::energy,
                                   [](Json& row) { row.erase("witness"); });
@@ -136,7 +137,7 @@ TEST(AskedCertificate, NamesWhatIsAbsent) {
                                    HasSubstr("non_negative of ward in double")));
   EXPECT_THAT(judged(text, {Property::finite}, {"phong"}).short_of,
               Contains(HasSubstr("finite of phong in double: the certificate has no such")));
-  // One precision alone is half of it.
+  // One precision alone covers only half of the property.
   Json all = io::parse_json(text, "c");
   all["results"].erase(0);
   EXPECT_THAT(judged(sealed(all["results"]), {Property::finite}).short_of,
@@ -156,7 +157,7 @@ TEST(CertificateWords, AreDerivedAndCompared) {
         text, property, [](Json& row) { row["scalar"] = row["scalar"] == "any" ? "double" : "any"; })));
     EXPECT_FALSE(stands(forged(text, property, [](Json& row) { row["remark"] = "approved"; })));
   }
-  // What is the same bit for bit may not be called less, either.
+  // A claim that holds bit for bit may not be weakened to a lesser one, either.
   EXPECT_FALSE(stands(forged(text, Property::reciprocity, [](Json& row) { row["arithmetic"] = "exact"; })));
   EXPECT_FALSE(stands(forged(text, Property::reciprocity, [](Json& row) { row["low"] = 0; })));
 }
@@ -245,8 +246,7 @@ TEST(MaterialCertificate, IsRejectedWhenForged) {
       forged(of_material(), Property::finite, [](Json& row) { row["terms"][0]["cover"].back()[1] = 1e-3; })));
 }
 
-// Two terms that turn about tangents of their own have no common axis: their albedos may not be added view by
-// view.
+// Two terms with different tangents have no common axis, so their albedos may not be added view by view.
 TEST(MaterialCertificate, OfTwoTangentsHasNoBoundOfTheAlbedo) {
   Material m{{"x"}, {make_term(*find_form("cook_torrance"), 1), make_term(*find_form("cook_torrance"), 1)}};
   for (Term& term : m.terms) term.shape = {{0.6, 0.3}};

@@ -1,4 +1,5 @@
-// The enclosures of elementary functions hold the true value, MPFR's in 50 digits, and are narrow.
+// The enclosures of elementary functions contain the true value, computed by MPFR in 50 digits, and are
+// narrow.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -82,7 +83,7 @@ TEST(Elementary, SineAndCosineHoldTheTruth) {
   expect(kPoints, between(0, 1.6), sin_at, sine, 2e-14);
   expect(kPoints, between(0, 1.5), cos_at, cosine, 1e-13);
   expect(kPoints, scales(-12, 0), sin_at, sine, 2e-14);
-  expect(kPoints, between(1.5, 1.6), cos_at, cosine, 1e-6);  // beside its zero: absolute
+  expect(kPoints, between(1.5, 1.6), cos_at, cosine, 1e-6);  // near the zero of the cosine: absolute
 }
 
 TEST(Elementary, TheAngleHoldsTheTruth) {

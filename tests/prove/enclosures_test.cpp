@@ -1,4 +1,4 @@
-// No value that the library computes lies outside the enclosure of a box that holds its inputs.
+// No value that the library computes lies outside the enclosure of a box that contains the inputs.
 #include <gtest/gtest.h>
 
 #include "tests/prove/boxes.h"
@@ -38,7 +38,7 @@ Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned
         if (j < parts.directions)
           inside = inside && box[j].lo <= double(values.back()) && double(values.back()) <= box[j].hi;
       }
-      if (!inside) continue;  // rounded to T it is no longer in the box
+      if (!inside) continue;  // rounded to T, the point is no longer in the box
       const std::size_t d = parts.directions;
       const Vec3<T> wi = direction_of<T>(e, at[d], at[d + 1]), wo = direction_of<T>(e, at[d + 2], at[d + 3]);
       const std::span<const T> all(values);

@@ -1,5 +1,6 @@
-// The authored reasons of energy are of the forms: f cos_o = p R in 50 digits, p integrates to 1, closed
-// integrals are those that quadrature finds; and no planted form is taken for one that has a reason.
+// The hand-written reasons for energy conservation match the forms: f cos_o = p R in 50 digits, p
+// integrates to 1, and closed integrals agree with quadrature. No planted form is accepted as a form that
+// has a reason.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,7 +23,7 @@ Vec3<T> direction_at(double cosine, double phi) {
   return {s * cos(p), s * sin(p), z};
 }
 
-// D and G1 of one direction, from the textbook.
+// D and G1 for one direction, as a textbook prints them.
 template <class Majorant>
 struct Textbook;
 template <>
@@ -57,7 +58,7 @@ struct Textbook<BeckmannCavities> : Textbook<BeckmannSmith> {
   }
 };
 
-// lobe cos_o = D G1(wi)/(4 cos_i) (G2/G1).
+// The identity is lobe cos_o = D G1(wi)/(4 cos_i) (G2/G1).
 template <class Majorant>
 void identity() {
   std::mt19937_64 e(3);
@@ -78,7 +79,8 @@ TEST(Majorants, AreTheFormsInFiftyDigits) {
   identity<BeckmannCavities>();
 }
 
-// Beckmann's Lambda holds erfcx, and pi as the double has it: to double's accuracy.
+// Beckmann's Lambda contains erfcx, and pi as a double, so the identity is tested to the accuracy of
+// double.
 TEST(Majorants, OfBeckmannIsTheFormInDouble) {
   std::mt19937_64 e(4);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -93,7 +95,7 @@ TEST(Majorants, OfBeckmannIsTheFormInDouble) {
   }
 }
 
-// What the ratio of Schlick's masking is bounded by is above the ratio itself, and below 1.
+// The bound for the ratio of Schlick's masking is above the ratio itself and at most 1.
 TEST(Majorants, OfSchlicksMaskingIsAboveTheRatio) {
   std::mt19937_64 e(5);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -109,10 +111,11 @@ TEST(Majorants, OfSchlicksMaskingIsAboveTheRatio) {
   }
 }
 
-// The density of visible normals integrates to 1: over slopes (p, q), projected on the direction.
+// Returns the integral of the density of visible normals over slopes (p, q), projected on the direction.
+// The exact value is 1.
 template <class Majorant>
 double visible(const Roughness<double>& a, const Vec3<double>& w) {
-  // Midpoints in the stretched slope's radius r = x/(1 - x) and azimuth.
+  // The midpoint rule in the azimuth and in the radius r = x/(1 - x) of the stretched slope.
   constexpr int kRadii = 4000, kAzimuths = 400;
   double sum = 0;
   for (int i = 0; i < kRadii; ++i)
@@ -169,8 +172,8 @@ TEST(Majorants, ClosedIntegralIsWhatQuadratureFinds) {
   EXPECT_EQ(compared, 20);
 }
 
-// Phong's lobe between the cosine and its mean with 1, Blinn's at most 1, both 1 at normal incidence; no
-// other lobe has the reason.
+// Phong's lobe lies between the cosine and the mean of the cosine and 1, and Blinn's lobe is at most 1.
+// Both are 1 at normal incidence. No other form of the two families has this reason.
 TEST(Majorants, CosineLobesStayWithinTheirReasons) {
   int known = 0;
   for (int k = 0; k < int(catalogue().size()); ++k) {

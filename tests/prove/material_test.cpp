@@ -1,5 +1,5 @@
-// Albedos of materials: the certified interval holds what the integrals of the library find, and faults do
-// not.
+// Albedos of materials: the certified interval contains the value of the library's integrals, and faulty
+// albedos lie outside.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@
 namespace brdf::prove {
 namespace {
 
-// A view's turn (of the stretched normal, for facets) from its tangent.
+// Returns the turn of a view (of the stretched normal, for facets) from its tangent.
 double turn_of(double tangent, double stretch) {
   const double t = tangent * stretch;
   return t / (1 + t);
@@ -40,11 +40,11 @@ bool has_facets(const Reflectance& form) {
   return std::any_of(shape.begin(), shape.end(),
                      [](const ParameterInfo& p) { return p.role == Role::width; });
 }
-// Known by inequalities alone, but along the normal.
+// Returns true for lobes with an albedo that is bounded by inequalities only, except along the normal.
 bool is_cosine_lobe(const Reflectance& form) {
   return form.info().weights.size() > 1 && !has_facets(form);
 }
-// Widths of `alpha`, what else is at its default; weights that sum to 1.
+// Returns a term with widths `alpha`, other parameters at their defaults, and weights that sum to 1.
 Term rough(const Reflectance& form, double alpha) {
   Term term = make_term(form, 1);
   for (std::size_t k = 0; k < term.shape[0].size(); ++k)
@@ -79,8 +79,8 @@ TEST(Material, CertifiedAlbedosHoldWhatTheIntegralsFind) {
   EXPECT_GE(held, 8 * 3 * 10);  // two diffuse forms, six of facets
 }
 
-// Faults that a prover could have: pi for 4 in the scale, the masking left out. Their albedos are outside the
-// interval.
+// A fault that a prover could have is planted: pi instead of 4 in the scale. The faulty albedos lie outside
+// the interval.
 TEST(Material, FaultyAlbedosAreOutsideTheInterval) {
   int tried = 0;
   for (const Reflectance& form : catalogue()) {
@@ -96,7 +96,7 @@ TEST(Material, FaultyAlbedosAreOutsideTheInterval) {
   EXPECT_GE(tried, 3);
 }
 
-// Widths `along` and `across`.
+// Returns a term with the widths `along` and `across`.
 Term rough(const Reflectance& form, double along, double across) {
   Term term = rough(form, across);
   for (std::size_t k = 0; k < term.shape[0].size(); ++k)
@@ -129,11 +129,11 @@ TEST(Material, OfUnequalWidthsTheyHoldThemFromEveryAzimuth) {
           ++held;
         }
     }
-  EXPECT_GE(held, 7 * 2 * 12);  // six with bounds over all parameters and Student's
+  EXPECT_GE(held, 7 * 2 * 12);  // six with bounds over all parameters, and Student's
 }
 
 TEST(Material, StudentsHoldThemForEveryTail) {
-  EXPECT_GE(student_polynomial().lo, 0);  // what is seen of the facets is no less than the cosine
+  EXPECT_GE(student_polynomial().lo, 0);  // the visible share of the facets is at least the cosine
   for (const double gamma : {1.6, 1.75, 3.0, 10.0}) {
     Term term = rough(*find_form("cook_torrance_student"), 0.3);
     term.shape[0].back() = gamma;
@@ -148,7 +148,7 @@ TEST(Material, StudentsHoldThemForEveryTail) {
   }
 }
 
-// The largest of a grid of views, by the integrals.
+// Returns the largest albedo over a grid of views, by the integrals.
 double largest_of(const Material& m, const std::vector<double>& azimuths = {0}) {
   double most = 0;
   for (const double phi : azimuths)
@@ -188,7 +188,8 @@ TEST(Material, SumsOfTermsAreKnownTogether) {
   }
 }
 
-// Brushed across one another: each term sees the view's azimuth by its own widths.
+// Two terms brushed across one another. Each term depends on the azimuth of the view through its own
+// widths.
 TEST(Material, OfUnequalWidthsTermsAreSeenFromOneAzimuth) {
   const Term first = rough(*find_form("cook_torrance"), 0.5, 0.2),
              second = rough(*find_form("cook_torrance_beckmann"), 0.3, 0.8);
@@ -225,7 +226,7 @@ TEST(Material, OfUnequalWidthsAreProvedAlsoWhereTheSearchStops) {
   EXPECT_GE(p.high, largest);
 }
 
-// Phong's and Blinn's reflect most along the normal, which is their weights.
+// Phong's and Blinn's lobes reflect most along the normal, where the albedo equals their weights.
 TEST(Material, CosineLobesReflectTheirWeights) {
   Options options;
   options.properties = {Property::energy};
@@ -248,7 +249,7 @@ TEST(Material, NothingIsSaidOfOtherProgramsModels) {
     }
 }
 
-// Ward's own lobe reflects more than it receives at some angle, however small its weight.
+// Ward's original lobe reflects more than it receives at some angle, for any positive weight.
 TEST(Material, WardsLobesAreRefutedTowardsGrazing) {
   Options options;
   options.properties = {Property::energy};

@@ -1,4 +1,4 @@
-// What `brdf prove --all` states, and that its certificate is verified and defended.
+// The results of `brdf prove --all`, and that its certificate is verified and cannot be forged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 namespace brdf::prove {
 namespace {
 
-// Whether docs/proofs.md says what is proved of the form. One that came later is named, and may be undecided.
+// Returns whether docs/proofs.md lists the results for the form. A form that was added later is printed by
+// name and may be undecided.
 bool is_listed(const Proof& p) {
   static const std::string page = io::read_content(BRDF_SOURCE_DIR "/docs/proofs.md").bytes;
   if (page.find("| `" + p.form + "` |") != std::string::npos) return true;
@@ -96,7 +97,7 @@ TEST(Proofs, AnAlbedoAboveOneIsBoundedCloselyAtAllAngles) {
   EXPECT_EQ(bounded, 1);
 }
 
-// A small certificate: what few boxes prove.
+// A small certificate of proofs that need only a few boxes.
 const std::string& certificate() {
   static const std::string text =
       to_certificate(all({Property::finite, Property::non_negative, Property::reciprocity}, 40));
@@ -121,13 +122,13 @@ TEST(Certificate, IsRejectedWithAnyDigitChanged) {
     ++tried;
     try {
       EXPECT_FALSE(check({"c", changed}).faults.empty()) << "at " << at;
-    } catch (const InputError&) {  // no longer a certificate at all
+    } catch (const InputError&) {  // no longer a certificate
     }
   }
   EXPECT_GT(tried, 200);
 }
 
-// What a forger would do: change the content and seal it anew.
+// Changes the content as a forger would and seals the certificate again.
 std::string forged(const std::function<bool(io::Json&)>& change) {
   io::Json results = io::parse_json(certificate(), "c")["results"];
   for (io::Json& row : results)
@@ -153,12 +154,12 @@ TEST(Certificate, IsRejectedWhenForgedAndSealedAnew) {
     row["domain"].begin().value()[0] = row["domain"].begin().value()[1];
     return true;
   })));
-  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // a half left out
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // one half left out
     if (!has_cuts(row)) return false;
     row["cover"].erase(row["cover"].size() - 1);
     return true;
   })));
-  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // the whole as one leaf
+  EXPECT_TRUE(rejected(forged([](io::Json& row) {  // the whole domain as one leaf
     if (!has_cuts(row)) return false;
     row["cover"] = io::Json::array({io::Json::array({row["low"], row["high"]})});
     return true;

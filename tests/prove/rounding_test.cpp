@@ -1,5 +1,4 @@
-// No rounding error that is sampled lies above what is proved, and what is proved is what docs/proofs.md
-// says.
+// No sampled rounding error exceeds the proved bound, and the proved bounds agree with docs/proofs.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ const long kGgxSamples = thorough() ? 100000000L : 200000L;
 template <class B>
 using Truth = std::conditional_t<std::is_same_v<B, float>, double, validate::Extended>;
 
-// Numbers at one point: as B stores them, and the same in another scalar.
+// Numbers at one point, as B stores them and converted to another scalar.
 template <class B>
 struct Point {
   std::vector<B> shape, weights, first;
@@ -87,10 +86,11 @@ std::optional<Point<B>> point_in(Engine& e, const Domain& domain, const Box& box
 struct Found {
   long judged = 0, proved = 0, beyond = 0;
   std::string first;
-  std::vector<double> largest;  // of each lobe's error, over its bound
+  std::vector<double> largest;  // the largest error of each lobe, divided by its bound
 };
 
-// Random boxes, points in them: the error at the point, the bound of the box, and the peak at the point.
+// Draws random boxes and points inside them. Compares the error at the point with the bound of the box, and
+// uses the peak at the point if the bound is relative to the peak.
 template <class F, class B>
 Found sample(int boxes, int points, unsigned seed) {
   const int form = catalogue_index(F{});
@@ -112,7 +112,7 @@ Found sample(int boxes, int points, unsigned seed) {
       if (!at) continue;
       const auto computed = at->template lobes<F, B>();
       const auto truth = at->template lobes<F, Truth<B>>();
-      // The peak at the point, where an error needs it: it is at least the value.
+      // The peak at the point is computed only if an error needs it. The peak is at least the value.
       std::optional<decltype(at->template lobes<F, Rounded<B>>())> model;
       const auto peak_of = [&](std::size_t lobe) {
         if (!model) model = at->template lobes<F, Rounded<B>>();
@@ -128,7 +128,8 @@ Found sample(int boxes, int points, unsigned seed) {
         double beside = std::fabs(exact);
         if (bounds[j].beside == LobeRounding::Beside::peak && error > bounds[j].error * beside)
           beside = std::max(beside, peak_of(j));
-        // What the truth itself may be off by: double is no better than 2e-15 there, Extended than 1e-18.
+        // The truth itself is no more accurate than 2e-15 in double and 1e-18 in Extended. The allowance for
+        // this error is 1e-13 and 4e-17, relative.
         const double own = beside * (std::is_same_v<B, float> ? 1e-13 : 4e-17);
         const double allowed = bounds[j].error * beside + bounds[j].underflow + own;
         if (beside > 0)
@@ -160,7 +161,7 @@ TYPED_TEST(RoundingOf, NoSampleIsAboveTheBound) {
   EXPECT_EQ(in_double.beyond, 0) << in_double.beyond << " of " << in_double.proved << "\n" << in_double.first;
 }
 
-// V D of GGX is close to the worst that is sampled.
+// The proved bound for V D of GGX is close to the worst sampled error.
 template <class B>
 double worst_of_ggx(long samples) {
   Engine e(9);
@@ -199,7 +200,8 @@ TEST(Rounding, OfGgxIsNearTheWorstSample) {
   }
 }
 
-// Ten forms and more, each lobe of them, in both precisions.
+// The bound is proved for all lobes of at least 18 forms in both precisions, and for at least six forms
+// relative to the value.
 TEST(Rounding, IsProvedOfMostForms) {
   Options options;
   options.properties = {Property::rounding};
@@ -219,7 +221,8 @@ TEST(Rounding, IsProvedOfMostForms) {
   EXPECT_GE(relative, 2 * 6);
 }
 
-// A formula that cancels is not taken for one that does not, nor a step for what is continuous.
+// The analysis accepts neither a formula with cancellation as free of cancellation nor a step as
+// continuous.
 TEST(Rounding, CancellationIsNotProved) {
   using R = Rounded<double>;
   const R x = R::of(0, 1), y = R::of(0, 1);

@@ -1,5 +1,5 @@
-// The reasons of Ward's lobes: what slopes reflect is the form, opposite slopes reflect at most 1 between
-// them, and the growth towards grazing is that of the integrals.
+// The reasons for Ward's lobes: the reflection by slopes equals the form, opposite slopes together reflect
+// at most 1, and the growth towards grazing agrees with the integrals.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ Vec3<double> direction(double cosine, double phi) {
   return {s * std::cos(phi), s * std::sin(phi), cosine};
 }
 
-// f cos_o of a lobe over d omega_o, against P22 times what the slope reflects.
+// Compares f cos_o of a lobe over d omega_o with P22 times the reflection of the slope.
 template <WardKind kind>
 void expect_identity() {
   Engine e(5);

@@ -1,4 +1,5 @@
-// The articles' shading modes: their printed colours, their slips, and how fast per-vertex shading converges.
+// The shading modes of the articles: their printed colours, their slips, and the convergence rate of
+// per-vertex shading.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +32,7 @@ Scene article_scene(const std::string& mesh, Shading shading) {
   return scene;
 }
 
-// What a pixel would show on the sphere itself: normal and view direction there.
+// The normal and the view direction on the exact sphere at a pixel.
 struct OnSphere {
   bool hit = false;
   glm::dvec3 n, v;
@@ -52,7 +53,7 @@ double root_mean_square_error(const Picture& picture, const Scene& scene, bool h
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       const OnSphere at = on_sphere(scene.camera, x, y);
-      // Front pixels: away from the limb, where vertices behind it carry the back colour.
+      // Only pixels at the front count. Near the limb, vertices behind it carry the colour of the back.
       if (!at.hit || picture.at(x, y).a < 0.5f || glm::dot(at.n, at.v) < 0.2) continue;
       const double exact = highlight
                                ? 0.75 * std::pow(std::max(0.0, glm::dot(at.n, glm::normalize(at.v + l))), 20)
@@ -79,7 +80,7 @@ TEST(Classic, PrintedColoursHoldToEightBits) {
   EXPECT_NEAR(lit.g, 0.125 + 0.26, 0.006);  // printed to two digits
   EXPECT_NEAR(lit.b, 0.25 + 0.53, 0.003);
   EXPECT_NEAR(lit.b, 0.25 + 0.75 * std::sqrt(0.5), 1e-6);
-  scene.lights[0].vector = {0, 1, 0};  // from below: ambient alone
+  scene.lights[0].vector = {0, 1, 0};  // from below: ambient light alone
   const glm::vec4 dark = drawn(device, scene).at(200, 200);
   EXPECT_NEAR(dark.g, 0.125, 0.5 / 255);
   EXPECT_NEAR(dark.b, 0.25, 0.5 / 255);
@@ -137,7 +138,7 @@ TEST(Classic, UnnormalisedPhongEqualsGouraudExceptAtTheClamp) {
 }
 
 TEST(Classic, HalfVectorSlipIsEightDegreesOff) {
-  // A unit view vector added to a light vector of length sqrt(3): the figure that the article's code implies.
+  // A unit view vector is added to a light vector of length sqrt(3). The article's code implies this angle.
   const glm::dvec3 v(0, 0, 1), l(-1, 1, 1);
   const double angle = std::acos(glm::dot(glm::normalize(v + l), glm::normalize(v + glm::normalize(l))));
   EXPECT_NEAR(angle * 180 / std::acos(-1.0), 7.9, 0.05);
@@ -151,7 +152,7 @@ TEST(Classic, HalfVectorSlipIsEightDegreesOff) {
     float most = 0;
     for (int y = 0; y < p.height; ++y) {
       for (int x = 0; x < p.width; ++x) {
-        if (p.at(x, y).r <= most) continue;  // red: the highlight alone
+        if (p.at(x, y).r <= most) continue;  // red contains only the highlight
         most = p.at(x, y).r;
         best = on_sphere(scene.camera, x, y).n;
       }
@@ -160,7 +161,7 @@ TEST(Classic, HalfVectorSlipIsEightDegreesOff) {
   };
   const double moved = std::acos(glm::dot(brightest(right), brightest(slip))) * 180 / std::acos(-1.0);
   EXPECT_GT(moved, 5);
-  EXPECT_LT(moved, 14);  // the constant view vector adds to it
+  EXPECT_LT(moved, 14);  // the constant view vector increases the angle
 }
 
 TEST(Classic, TextSphereShowsItsFiveModes) {

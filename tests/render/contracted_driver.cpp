@@ -1,5 +1,5 @@
-// Compiled with -ffp-contract=fast. Everything is inlined here (flatten), so that no contracted copy of a
-// library function replaces the library's own.
+// Compiled with -ffp-contract=fast. Everything is inlined here (flatten), because a contracted copy of a
+// library function could otherwise replace the library's own.
 #include "brdf/forms.h"
 #include "tests/render/contracted.h"
 

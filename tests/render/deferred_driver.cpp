@@ -1,3 +1,5 @@
+// The deferred renderer against the reference for every form, textures, sums of terms and several lights;
+// its targets and its memory limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,8 +51,8 @@ TEST(Deferred, SumsAndPerChannelShapesAreAddedUp) {
   EXPECT_LT(compare(drawn(device, scene, {.gbuffer_bits = 32}), render_reference(scene)).rel_mse, 1e-11);
 }
 
-// Of 28 spheres, whatever their forms, four silhouettes lie so close to a pixel's centre that rasteriser and
-// tracer choose different surfaces.
+// In a picture of 28 spheres of any forms, four silhouettes lie so close to a pixel's centre that
+// rasteriser and ray tracer choose different surfaces.
 constexpr std::size_t kInOnePicture = 25;
 
 TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {

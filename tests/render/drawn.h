@@ -1,4 +1,4 @@
-// One frame of the deferred renderer as a picture.
+// Draws one frame with the deferred renderer and returns the picture.
 #pragma once
 
 #include "render/gpu/renderer.h"

@@ -1,3 +1,5 @@
+// Environment light in the deferred renderer against directional albedos, a directional light, and the
+// reference.
 #include <gtest/gtest.h>
 
 #include "io/files/error.h"
@@ -24,7 +26,7 @@ Material narrow_material(double along, double across) {
   return material;
 }
 
-// The relative mean square error of pictures that cover the same pixels.
+// Returns the relative mean square error of two pictures that cover the same pixels.
 double relative_mse(const Picture& picture, const Picture& reference) {
   const Difference difference = compare(picture, reference);
   EXPECT_EQ(difference.coverage_mismatch, 0);
@@ -32,7 +34,7 @@ double relative_mse(const Picture& picture, const Picture& reference) {
   return difference.rel_mse;
 }
 
-// One form of each sampler's family; all are the slow test's.
+// Tests one form of each sampler family. The slow test covers all forms.
 TEST(Environment, UniformLightShowsTheAlbedoInTheDeferredRenderer) {
   Device device;
   WhiteFurnace furnace(0.05);
@@ -64,10 +66,11 @@ TEST(Environment, TheDeferredPictureConvergesToTheReferences) {
   scene.environment->rotation = 70;
   scene.environment->intensity = 0.5f;
   scene.objects[0].material.terms.push_back(make_term(scene.objects[0].material.terms[0].form, 3));
-  const PreparedScene sum = prepare(scene);  // a sum of two terms: two layers
+  const PreparedScene sum = prepare(scene);  // a sum of two terms uses two layers
   const Picture reference = render_reference(sum, {.samples = 4096, .seed = 9});
   EXPECT_LE(relative_mse(lit(device, sum, 256), reference), 1e-3);
-  // The estimate of what is left: right within a factor of 3 on the whole, never far too small.
+  // The estimate of the remaining error: the sum of its squares lies between 1/2 and 30 times the sum of
+  // the actual squared errors.
   Renderer renderer(device, sum, {.gbuffer_bits = 32});
   renderer.draw_samples(128);
   const Picture drawn = picture_from(24, 24, renderer.read_color()),
@@ -113,7 +116,7 @@ TEST(Environment, ThePictureStandsBehindTheObjects) {
   EXPECT_EQ(lit(device, prepare(scene), 16).at(0, 0), glm::vec4(0.25f, 0.25f, 0.25f, 0));
 }
 
-// One that has GLSL but no sampler in it: the light's directions and the cosine's.
+// One form has GLSL but no sampler, so only light directions and cosine-distributed directions are sampled.
 TEST(Environment, LightsWhatIsNotInTheCatalogue) {
   const std::string glsl =
       "vec3 brdf_eval_plain(vec3 wi, vec3 wo, vec3 part) { return wi.z > 0.0 && wo.z > 0.0 ? part : "

@@ -1,4 +1,4 @@
-// From linear light to a picture to look at: samples, tone map, exposure, rounding, backdrop.
+// The steps from linear light to a picture for display: samples, tone map, exposure, rounding, backdrop.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,12 +53,12 @@ TEST(Supersample, AnOffsetOfOnePixelIsThePictureMovedByOne) {
   int apart = 0;
   for (int y = 0; y < 46; ++y)
     for (int x = 0; x < 47; ++x) apart += glm::distance(moved.at(x, y), there.at(x + 1, y + 2)) > 1e-3f;
-  EXPECT_LE(apart, 2);  // an edge may pass through a centre
+  EXPECT_LE(apart, 2);  // an edge may pass through a pixel's centre
   EXPECT_GT(glm::distance(there.at(24, 24), there.at(25, 26)), 1e-3f);
 }
 
-// Root mean square difference of the pictures as they are shown, over the pixels beside an edge of the
-// object.
+// Returns the root mean square difference of the pictures after tone mapping, over the pixels at an edge of
+// the object.
 double edge_error(const Picture& picture, const Picture& truth, const Scene& scene) {
   double sum = 0;
   int count = 0;
@@ -84,9 +84,9 @@ TEST(Supersample, EdgesComeNearTheTruthOf64Samples) {
                sixteen = edge_error(supersampled(prepared, 4, traced), truth, scene);
   RecordProperty("one", std::to_string(one));
   RecordProperty("sixteen", std::to_string(sixteen));
-  EXPECT_GT(one, 0.06);  // .083
+  EXPECT_GT(one, 0.06);  // measured: 0.083
   EXPECT_LT(one, 0.11);
-  EXPECT_GT(sixteen, 0.007);  // .011
+  EXPECT_GT(sixteen, 0.007);  // measured: 0.011
   EXPECT_LT(sixteen, 0.015);
 }
 
@@ -95,10 +95,10 @@ TEST(Supersample, WhatMostSamplesSayIsWhatThePixelIs) {
   int call = 0;
   const Picture mean = supersampled(scene, 2, [&](const PreparedScene&) {
     Picture picture(4, 4);
-    picture.pixels[0] = glm::vec4(float(call), 0, 0, 1);                     // always there
-    picture.pixels[1] = glm::vec4(1, 1, 1, call < 2 ? 1.0f : 0.0f);          // in half of them
-    picture.pixels[2] = glm::vec4(1, 1, 1, call < 1 ? 1.0f : 0.0f);          // in a quarter
-    picture.pixels[3] = glm::vec4(1, 1, 1, call < 1 ? 1.0f : kNotMeasured);  // mostly unknown
+    picture.pixels[0] = glm::vec4(float(call), 0, 0, 1);                     // covered in all samples
+    picture.pixels[1] = glm::vec4(1, 1, 1, call < 2 ? 1.0f : 0.0f);          // in half of the samples
+    picture.pixels[2] = glm::vec4(1, 1, 1, call < 1 ? 1.0f : 0.0f);          // in a quarter of the samples
+    picture.pixels[3] = glm::vec4(1, 1, 1, call < 1 ? 1.0f : kNotMeasured);  // not measured in most samples
     ++call;
     return picture;
   });
@@ -116,7 +116,7 @@ TEST(Dither, EveryThresholdOnceAndLowFrequenciesAreMissing) {
   std::vector<float> sorted = tile;
   std::sort(sorted.begin(), sorted.end());
   for (int k = 0; k < n * n; ++k) ASSERT_FLOAT_EQ(sorted[std::size_t(k)], (float(k) + 0.5f) / (n * n));
-  // Power by frequency; white noise has n^2/12 everywhere.
+  // Power by frequency. White noise has n^2/12 at every frequency.
   double low = 0, high = 0;
   int lows = 0, highs = 0;
   for (int v = -n / 2; v < n / 2; ++v) {
@@ -152,7 +152,7 @@ TEST(Dither, TheMeanIsTheValueAndBlackAndWhiteStay) {
   }
 }
 
-// The formula of the specification, step by step.
+// The formula of the Khronos specification, step by step.
 glm::vec3 khronos_neutral(glm::vec3 color) {
   const float start = 0.8f - 0.04f, desaturation = 0.15f;
   const float x = std::min(color.r, std::min(color.g, color.b));
@@ -171,7 +171,7 @@ float decoded(float x) {
   return x <= 0.04045f ? x / 12.92f : std::pow((x + 0.055f) / 1.055f, 2.4f);
 }
 
-// The angle on the colour circle by the ratio of differences.
+// Returns the angle on the colour circle as a ratio of differences.
 float hue_ratio(const glm::vec3& c) {
   const float high = std::max({c.r, c.g, c.b}), low = std::min({c.r, c.g, c.b});
   return (c.r + c.g + c.b - high - low - low) / (high - low);
@@ -197,7 +197,7 @@ TEST(ToneMap, NeutralIsTheSpecificationsAndKeepsTheHue) {
     const glm::vec3 bleached = c / (c + 1.0f);
     worst_reinhard = std::max(worst_reinhard, std::abs(hue_ratio(bleached) - hue_ratio(c)));
   }
-  EXPECT_GT(worst_reinhard, 0.3f);  // c/(1+c) of each channel does not
+  EXPECT_GT(worst_reinhard, 0.3f);  // c/(1+c) of each channel does not preserve hue
 }
 
 TEST(ToneMap, CoppersHighlightStaysCopper) {
@@ -225,8 +225,8 @@ TEST(Exposure, PutsTheLitSurfaceBelowItsMark) {
   EXPECT_EQ(exposure_from(Picture(3, 3)), 0);
 }
 
-// The share of the silhouette at which what is shown of the object differs by less than 12 of 255 from what
-// is shown beside it: where figure and ground merge.
+// Returns the share of the silhouette at which the object, after tone mapping, differs from the pixel next
+// to it by less than 12 of 255, so that figure and ground merge.
 double merged_share(const Material& material) {
   const Scene scene = sphere(material, 160);
   const Picture picture = render_reference(prepare(scene));
@@ -260,7 +260,7 @@ TEST(Backdrop, NoObjectOfOneBrightnessMergesWithIt) {
     for (auto& channel : paint.terms[0].weights) channel = {rho};
     check(paint, "rho " + std::to_string(rho));
   }
-  EXPECT_GT(worst, 0);  // a gradient crosses every grey somewhere
+  EXPECT_GT(worst, 0);  // a gradient contains every grey at some point
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A sphere in uniform light of radiance 1: every pixel shows the directional albedo, which libbrdf
-// integrates.
+// A sphere in uniform light of radiance 1: every pixel shows the directional albedo, which libbrdf computes
+// by quadrature.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace brdf::render {
 
-// The forms that reflect no more than they receive, by their own facts.
+// Returns the forms that declare no violation of energy conservation.
 inline std::vector<Reflectance> conserving_forms() {
   std::vector<Reflectance> forms;
   for (const Reflectance& form : catalogue())
@@ -22,8 +22,8 @@ inline std::vector<Reflectance> conserving_forms() {
   return forms;
 }
 
-// 10 x 10 pixels of a sphere, from its middle to 77 degrees; lit by `picture` alone.
-// `fov` 30 shows all of it.
+// Returns a scene of `size` x `size` pixels that show a sphere from its middle to 77 degrees, lit by
+// `picture` alone. `fov` in degrees; 30 shows the whole sphere.
 inline PreparedScene sphere_in(const Material& material, const std::string& picture, int size = 10,
                                float fov = 19) {
   Scene scene = material_scene({{"m", material}});
@@ -38,7 +38,7 @@ inline PreparedScene sphere_in(const Material& material, const std::string& pict
 
 inline std::vector<double> furnace_truth(const PreparedScene& scene) {
   const Term& term = scene.scene.objects[0].material.terms[0];
-  // A light at the viewer reaches all that is seen.
+  // A light at the viewer reaches every visible point.
   PreparedScene seen = scene;
   seen.scene.lights = {{false, {0, 0, -1}}};
   std::vector<double> truth;
@@ -51,7 +51,8 @@ inline std::vector<double> furnace_truth(const PreparedScene& scene) {
   return truth;
 }
 
-// The mean of pictures with random numbers of their own, and its standard error, told from their scatter.
+// The mean of pictures with independent random numbers, and the standard error of the mean, estimated from
+// their scatter.
 struct Replicates {
   std::vector<double> mean, error;
 };
@@ -75,10 +76,10 @@ Replicates replicates(int count, Draw&& draw) {
 }
 
 struct FurnaceFindings {
-  double largest_error = 0;         // standard error over albedo
-  int pixels = 0, beyond_3 = 0;     // of them farther from the truth than 3 standard errors
+  double largest_error = 0;         // standard error divided by the albedo
+  int pixels = 0, beyond_3 = 0;     // pixels farther from the truth than 3 standard errors
   double farthest = 0;              // in standard errors
-  double mean = 0, mean_error = 0;  // relative deviation over all pixels, and its own standard error
+  double mean = 0, mean_error = 0;  // relative error over all pixels, and the standard error of this mean
 };
 
 inline FurnaceFindings furnace_findings(const Replicates& r, const std::vector<double>& truth) {
@@ -89,7 +90,7 @@ inline FurnaceFindings furnace_findings(const Replicates& r, const std::vector<d
   for (std::size_t k = 0; k < truth.size(); ++k) {
     const double off = r.mean[k] / truth[k] - 1;
     const double error =
-        std::max(r.error[k] / truth[k], 5e-6);  // rounding in float and the truth's own error
+        std::max(r.error[k] / truth[k], 5e-6);  // rounding in float and the error of the truth
     f.largest_error = std::max(f.largest_error, error);
     f.beyond_3 += std::abs(off) > 3 * error;
     f.farthest = std::max(f.farthest, std::abs(off) / error);
@@ -109,7 +110,7 @@ inline std::string in_words(const FurnaceFindings& f) {
   return text;
 }
 
-// Adds up over forms how many pixels lie beyond 3 standard errors.
+// Adds up over all forms the pixels that lie beyond 3 standard errors. At most 1 % of all pixels may.
 class WhiteFurnace {
  public:
   explicit WhiteFurnace(double most_error) : most_error_(most_error) {}

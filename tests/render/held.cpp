@@ -1,4 +1,5 @@
-// Parameters beyond a shader's slots are held; what a slot holds beyond the table does not reach them.
+// Parameters in excess of a shader's slots are held with the form. Values in a slot beyond the table are
+// ignored.
 #include "render/gpu/held.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ TEST(Held, TakesAsManyValuesAsItsTableHas) {
   EXPECT_EQ(found, expected);
 }
 
-// A file has all of them: what is held and what the sliders moved.
+// A saved file contains all parameters: the held parameters and the parameters that the sliders moved.
 TEST(Held, IsSavedWithAllItsParameters) {
   Material whole = make_material(*find_form("gltf_metallic_roughness"), {"f"});
   Material moved = with_room(whole);

@@ -1,3 +1,5 @@
+// Environment light: sampling densities, orientation, the sky formula, picture files, and the white furnace
+// of the reference.
 #include "render/light/light_map.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +21,8 @@ double solid_angle(const LightMap& map, int y) {
   return 2 * kPi / double(map.width()) * (cosine(y) - cosine(y + 1));
 }
 
-// Bright and dark by a factor of 1000, some black.
+// Returns a map with bright and dark texels that differ by a factor of up to 1000; a fifth of the texels
+// are black.
 LightMap random_map(int width, int height) {
   Random random(7);
   std::vector<glm::vec3> radiance;
@@ -63,7 +66,7 @@ TEST(LightMap, SamplesFallIntoTexelsByTheirDensity) {
     ++cells;
   }
   EXPECT_GT(cells, 50);
-  // Wilson and Hilferty: within 4 standard deviations, to both sides.
+  // Wilson and Hilferty's approximation: chi2 lies within 4 standard deviations of its mean, on both sides.
   const double z =
       (std::cbrt(chi2 / (cells - 1)) - 1 + 2.0 / 9 / (cells - 1)) / std::sqrt(2.0 / 9 / (cells - 1));
   EXPECT_LT(std::abs(z), 4) << chi2 << " over " << cells;
@@ -101,18 +104,18 @@ TEST(LightMap, TheCentreIsAheadAndTheRightEdgeIsBehind) {
   EXPECT_EQ(at({1, 0.01f, -0.01f}), 8 + 5);
   EXPECT_EQ(at({0.01f, 0.01f, 1}), 8 + 7);
   EXPECT_EQ(at({0.01f, 1, -0.01f}), 5);
-  // Half way between two centres the shown colour is their mean.
+  // Half way between the centres of texels the displayed colour is their mean.
   EXPECT_NEAR(map.shown(glm::normalize(glm::vec3(0, 0, -1))).r, (11 + 12 + 19 + 20) / 4.0, 1e-3);
 }
 
 TEST(Environment, RotationTurnsCounterClockwiseFromAbove) {
   const glm::vec3 ahead = to_picture({"uniform", 90}) * glm::vec3(-1, 0, 0);
-  EXPECT_NEAR(ahead.z, -1, 1e-6);  // what was ahead is now to the left
+  EXPECT_NEAR(ahead.z, -1, 1e-6);  // the direction ahead is now to the left
 }
 
 TEST(Formula, TheSkyHasTheStandardsRatios) {
-  // CIE type 12: a -1, b -.32, c 10, d -3, e .45; worked out apart from the code for a sun at the zenith
-  // distance s.
+  // CIE type 12: a -1, b -0.32, c 10, d -3, e 0.45. The formula is computed independently of the library's
+  // code for a sun at the zenith distance s.
   const glm::vec3 sun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));
   const double s = std::acos(double(sun.y));
   const auto f = [](double chi) {
@@ -137,7 +140,7 @@ std::string refusal(const std::filesystem::path& file) {
 TEST(LightMap, ReadsRadianceAndOpenExrPictures) {
   const io::TemporaryFolder folder;
   const std::filesystem::path hdr = folder.path() / "a.hdr", exr = folder.path() / "a.exr";
-  // Mantissas over 256, times 2^(exponent - 128).
+  // Mantissas divided by 256, times 2^(exponent - 128).
   std::ofstream(hdr, std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n"
                                        << std::string("\x80\x40\x20\x81\x80\x80\x80\x88", 8);
   const LightMap from_hdr = load_light_map(hdr);
@@ -195,7 +198,8 @@ TEST(Points, FillTheirDimensionsEvenly) {
   }
 }
 
-// The slow test asks for a standard error of .5 % in every pixel.
+// The bound of the standard error is 5 % here. The slow test requires a standard error of 0.5 % in every
+// pixel.
 TEST(Reference, UniformLightShowsTheAlbedoOfEveryConservingForm) {
   const std::vector<Reflectance> forms = conserving_forms();
   EXPECT_GE(forms.size(), 8u);

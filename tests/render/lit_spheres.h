@@ -22,8 +22,8 @@ inline FurnaceFindings deferred_furnace(Device& device, const PreparedScene& sce
   return furnace_findings(replicates(pictures, draw), furnace_truth(scene));
 }
 
-// A picture that is black but for a texel; where that stands and the irradiance that it gives a surface
-// facing it.
+// A picture that is black except for one texel, with the direction towards this texel and the irradiance of
+// a surface that faces it.
 struct OnePixelSun {
   std::string file;
   glm::vec3 toward;
@@ -42,7 +42,8 @@ inline OnePixelSun write_one_pixel_sun(const std::filesystem::path& file, int wi
           1e6 * angle};
 }
 
-// The largest relative difference of the means of blocks of 8 x 8 pixels, where they are not dark.
+// Returns the largest relative difference of the means of blocks of 8 x 8 pixels. Blocks darker than 1e-3
+// of the brightest block are skipped.
 inline double worst_block(const Picture& a, const Picture& b) {
   std::vector<std::pair<double, double>> means;
   for (int y = 0; y + 8 <= a.height; y += 8) {
@@ -62,7 +63,8 @@ inline double worst_block(const Picture& a, const Picture& b) {
   return worst;
 }
 
-// The sky by formula with a sun of 0.7 degrees radius, 5000 times as bright as the zenith.
+// Writes the sky by formula with a sun of 0.7 degrees radius, 5000 times as bright as the zenith. `width`:
+// in pixels.
 inline std::string write_sky_with_sun(const std::filesystem::path& file, int width) {
   const int height = width / 2;
   const glm::vec3 sun = glm::normalize(glm::vec3(-0.6f, 0.7f, 0.5f));
@@ -80,8 +82,8 @@ inline std::string write_sky_with_sun(const std::filesystem::path& file, int wid
   return file.string();
 }
 
-// Ten materials of ten forms that have a width, from .05 to .6, anisotropic where they can be: those that
-// conserve energy, then the first that do not.
+// Returns ten materials of ten forms that have a width, with widths from 0.05 to 0.6, anisotropic if the
+// form permits. Forms that conserve energy come first, then forms that do not.
 inline std::vector<std::pair<std::string, Material>> compared_materials() {
   constexpr std::array kWidths{0.05, 0.1, 0.2, 0.3, 0.45, 0.6};
   std::vector<Reflectance> forms = conserving_forms();
@@ -101,7 +103,7 @@ inline std::vector<std::pair<std::string, Material>> compared_materials() {
   return materials;
 }
 
-// Of the last run: the passes, their sum, and the share of the least.
+// Returns the times of the last run: the passes, their sum, and the share of the shortest pass.
 inline std::string times_in_words(const Timestamps& times) {
   double all = 0, least = 1e30;
   std::string text;

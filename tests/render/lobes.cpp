@@ -1,4 +1,4 @@
-// Plots of lobes and the measured points in them; where the split goes.
+// Plots of lobes with the measured points in them, and the position of the split.
 #include <gtest/gtest.h>
 
 #include "io/csv/csv.h"
@@ -37,7 +37,8 @@ TEST(Lobes, PointsAreTheRowsNearThePlaneAndTheLight) {
   const Material material = make_material(*find_form("cook_torrance"));
   const io::SampleTable table = table_of(material, {20, 40.8, 60}, {0, 3, 90, 180, 358});
   const std::vector<LobePoint> plane = points_in_plane(table, 40);
-  // Azimuth 3 leaves the plane by half a degree where the viewer stands at 9.6, azimuth 358 at 14.5.
+  // Points within half a degree of the plane count. Azimuth 3 leaves the plane by this much at the viewing
+  // angle 9.6 degrees, azimuth 358 at 14.5 degrees.
   std::size_t forward = 0, backward = 0;
   for (const LobePoint& p : plane) {
     EXPECT_EQ(table.theta_i[p.row], 40.8);
@@ -64,7 +65,7 @@ TEST(Lobes, OfATurnedSampleOnlyThePlotsOwnAzimuthCounts) {
     for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(turned.values[c][k]);
   }
   EXPECT_EQ(points_in_plane(table, 40).size(), 9u);
-  EXPECT_EQ(points_in_plane(turned, 40).size(), 9u);  // turned as a whole: its plane is the plot's
+  EXPECT_EQ(points_in_plane(turned, 40).size(), 9u);  // all rows are turned alike: their plane counts
 }
 
 TEST(Lobes, DotsOfTheMaterialItselfLieOnItsCurve) {
@@ -84,7 +85,7 @@ TEST(Lobes, DotsOfTheMaterialItselfLieOnItsCurve) {
   }
   EXPECT_EQ(lobe_plot(curves, 45, -1, dots).dots.size(), dots.size());
   EXPECT_EQ(lobe_plot(curves, 45, 1, dots).dots.size(), dots.size() / 3);
-  // Values above the curve widen the plot.
+  // Values above the curve increase the range of the plot.
   std::vector<LobeDot> bright = dots;
   bright[5].value = 1000;
   EXPECT_EQ(lobe_plot(curves, 45, -1, bright).largest, 1000);
@@ -105,20 +106,20 @@ TEST(Slice, DotsOfTheMaterialItselfLieOnItsCurvesBetweenWholeDecades) {
     EXPECT_NEAR(at.x, (dots[k].theta_o + 90) / 180, 1e-6);
     EXPECT_NEAR(value_at(at.y), dots[k].value, 1e-4f * dots[k].value);
   }
-  // The last paths are the curves, a point for each degree.
+  // The last paths are the curves, with one point per degree.
   const LobePath& first = plot.paths[plot.paths.size() - curves.size()];
   EXPECT_EQ(first.color, curves[0].color);
   const std::size_t at_30 = std::size_t(kSteepest + 30);
   EXPECT_NEAR(value_at(first.points[at_30].y), curves[0].values[at_30], 1e-4f * curves[0].values[at_30]);
   EXPECT_EQ(slice_plot(curves, 1, dots).dots.size(), dots.size() / 3);
-  // A value of 0 has no logarithm: it lies at the lower edge and moves nothing.
+  // A value of 0 has no logarithm: the point lies at the lower edge and does not change the range.
   std::vector<LobeDot> with_zero = dots;
   with_zero[0].value = 0;
   EXPECT_EQ(slice_plot(curves, -1, with_zero).low, plot.low);
   EXPECT_EQ(slice_plot(curves, -1, with_zero).dots[0].at.y, 0);
 }
 
-// Pixels of this colour.
+// Returns the number of pixels for which `is` is true of the colour.
 std::size_t count(const BytePicture& picture,
                   const std::function<bool(const std::array<std::uint8_t, 3>&)>& is) {
   return std::size_t(std::count_if(picture.pixels.begin(), picture.pixels.end(), is));
@@ -135,7 +136,7 @@ TEST(Lobes, TheBodyShowsTheColourAndThePointsOnIt) {
   const io::SampleTable table = table_of(red, {40}, {0, 60, 120, 180, 240, 300});
   const BytePicture with_dots = lobe_body_picture(red, "red", 40, &table, 320);
   EXPECT_GT(count(with_dots, is_dot), 100u);
-  // Narrow as a needle, it stays a picture.
+  // A lobe as narrow as a needle still gives a picture.
   EXPECT_NO_THROW(lobe_body_picture(make_material(*find_form("phong")), "narrow", 0, nullptr, 64));
 }
 
@@ -164,7 +165,7 @@ TEST(Lobes, NoLightIsSwitchedOffInSilence) {
   state.scene = material_scene({{"m", make_material(*find_form("lambert"))}});
   EXPECT_EQ(left_out_note(state), "");
   state.other = Other::samples;
-  EXPECT_EQ(left_out_note(state), "");  // not shown
+  EXPECT_EQ(left_out_note(state), "");  // not displayed
   state.display = Display::split;
   EXPECT_NE(left_out_note(state).find("ambient"), std::string::npos);
   state.scene.ambient = glm::vec3(0);
@@ -173,7 +174,7 @@ TEST(Lobes, NoLightIsSwitchedOffInSilence) {
 
 TEST(Lobes, SamplesAmongTheMaterialsAreTold) {
   const io::TemporaryFolder folder;
-  const auto samples = folder.path() / "samples.json";  // by its content, not by its name
+  const auto samples = folder.path() / "samples.json";  // detected by the content, not by the name
   io::write_samples(samples, table_of(make_material(*find_form("lambert")), {30}, {0}));
   Job job;
   job.materials = {samples};

@@ -1,3 +1,4 @@
+// The lookup tables of the articles: values, clamping, and the layout of their texels.
 #include "render/gpu/lookup.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ TEST(Lookup, FresnelOfTheArticleAndOfItsSlip) {
   EXPECT_NEAR(at(slip, 0.5, 0.9995), 0.25, 1e-3);
   EXPECT_NEAR(at(exact, 0.5, 0.5), 0.0892, 5e-4);
   EXPECT_NEAR(at(slip, 0.5, 0.5), 0.2653, 1e-3);
-  EXPECT_EQ(at(slip, 0.5, 0), 1);  // 1.25 at grazing, clamped
+  EXPECT_EQ(at(slip, 0.5, 0), 1);  // 1.25 at grazing incidence, clamped
 }
 
 TEST(Lookup, ProductIsItsFactorsClamped) {

@@ -1,3 +1,4 @@
+// Meshes: closed surfaces with outward normals and sound frames, shapes, models from files, and limits.
 #include "render/mesh/mesh.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@
 namespace brdf::render {
 namespace {
 
-// Area and outward volume: both are wrong as soon as a triangle is missing, doubled or turned round.
+// Area and outward volume. Both are wrong if a triangle is missing, doubled or reversed.
 struct Measure {
   double area = 0, volume = 0;
 };
@@ -120,7 +121,7 @@ TEST(Mesh, PartsMakeUpTheWhole) {
   EXPECT_THROW(make_mesh("car:engine", "."), InputError);
 }
 
-// No triangle looks the other way than its corners' normals.
+// Returns the number of triangles that face away from the normals of their corners.
 std::size_t turned_round(const Mesh& mesh) {
   std::size_t count = 0;
   for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
@@ -137,7 +138,7 @@ TEST(Mesh, ShapesToShowMaterialsOnHaveSoundFramesAndFaceOutwards) {
     SCOPED_TRACE(shape);
     const Mesh mesh = make_mesh(shape, ".");
     expect_sound_frames(mesh);
-    // The sedan's body has slivers across the upright ends of its arches, which nobody sees but from the
+    // The sedan's body has slivers across the upright ends of its arches, which are visible only from the
     // edge.
     EXPECT_LE(double(turned_round(mesh)), 0.01 * double(mesh.triangles()));
     if (std::string_view(shape) != "sedan") {
@@ -145,16 +146,16 @@ TEST(Mesh, ShapesToShowMaterialsOnHaveSoundFramesAndFaceOutwards) {
     }
     EXPECT_GT(mesh.triangles(), 50000u);
   }
-  // The groove is 12 % deep and 16 degrees of latitude wide: it takes 6 % of the ball's volume.
+  // The groove is 12 % deep and 16 degrees of latitude wide, and removes 6 % of the ball's volume.
   const Measure ball = measure(make_shader_ball("ball"));
   EXPECT_NEAR(ball.volume / (4 * kPi / 3), 0.94, 0.02);
-  // A pot's wall of about 0.06 over an area of two sides.
+  // The wall of the vase is about 0.06 thick; its area counts two sides.
   const Measure vase = measure(make_vase());
   EXPECT_NEAR(vase.volume / (vase.area / 2), 0.06, 0.03);
-  // A cloth keeps its size when it falls: both sides of 4.2 by 4.2.
+  // A cloth keeps its size when it falls: both sides measure 4.2 by 4.2.
   EXPECT_NEAR(measure(make_cloth()).area / 2, 4.2 * 4.2, 0.08 * 4.2 * 4.2);
   for (const Vertex& v : make_cloth().vertices) EXPECT_GT(v.position.y, -0.76f);
-  // Closed: its volume is its area times its thickness, wherever the origin is.
+  // The cloth is closed: its volume is its area times its thickness, independently of the origin.
   Mesh moved;
   append(moved, make_cloth(), glm::translate(glm::mat4(1), glm::vec3(5, 3, -4)));
   EXPECT_NEAR(measure(moved).volume, 0.008 * measure(moved).area / 2, 0.02 * 0.008 * 4.2 * 4.2);
@@ -170,7 +171,7 @@ TEST(Mesh, ASedansPartsMakeUpTheWhole) {
 }
 
 TEST(Mesh, TheLatheKeepsFlatsFlatAndCornersSharp) {
-  // A disc under a cylinder: one sharp corner, one rounded.
+  // A disc under a cylinder, with one sharp and one rounded corner.
   const Profile profile = filleted({{{0, 0}}, {{1, 0}}, {{1, 2}, 0.25f}, {{0, 2}}}, 16);
   const Mesh mesh = lathe(profile, 256);
   expect_sound_frames(mesh);
@@ -218,7 +219,7 @@ TEST(Mesh, TextLiesOnTheSphereAndFacesOutwards) {
   EXPECT_GT(text.triangles(), 200u);
   for (const Vertex& v : text.vertices) ASSERT_NEAR(glm::length(v.position), 1, 1e-5);
   EXPECT_GT(measure(text).volume, 0);
-  // Letters with holes cover less than the filled outlines; B, R and D have four.
+  // Letters with holes cover less than the filled outlines. The letters B, R and D have four holes.
   EXPECT_LT(measure(text).area, 1.6);
   EXPECT_GT(measure(text).area, 0.4);
   EXPECT_THROW(make_text_sphere("  "), InputError);
@@ -271,7 +272,7 @@ TEST(Mesh, PointsAndLinesAreNotDrawn) {
         << name << ": " << message_of(write(name, text));
   const Mesh mixed = load_model(write("mixed.obj", kVertices + std::string("f 1 2 3\nl 1 4\np 4\n")));
   EXPECT_EQ(mixed.triangles(), 1u);
-  EXPECT_EQ(mixed.vertices.size(), 3u);  // what only a line or a point uses is not kept
+  EXPECT_EQ(mixed.vertices.size(), 3u);  // vertices that only a line or a point uses are dropped
   expect_sound_frames(mixed);
 }
 

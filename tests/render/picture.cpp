@@ -1,3 +1,4 @@
+// Pictures: files, tone maps, difference measures, labels, and textures with the limits of their size.
 #include "render/picture/picture.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +77,7 @@ TEST(Picture, MeasuresKnowCoverageAndScale) {
   EXPECT_TRUE(std::isinf(compare(a, b).psnr));
   a.pixels[0] = glm::vec4(0);
   EXPECT_EQ(compare(a, b).coverage_mismatch, 0.25);
-  EXPECT_EQ(compare(a, b).rel_mse, 0);  // of the pixels that both cover
+  EXPECT_EQ(compare(a, b).rel_mse, 0);  // of the pixels that both pictures cover
   a.pixels[1].r = 0.6f;
   EXPECT_NEAR(compare(a, b).rel_mse, 0.01 / 0.26 / 9, 1e-8);
 }
@@ -95,11 +96,11 @@ TEST(Picture, WhatWasNotMeasuredIsHatchedAndLeftOut) {
   const BytePicture shown = displayed(b, ToneMap::srgb, 0),
                     signs = difference_picture(a, b, Scale::plus_minus);
   for (std::size_t k = 12; k < 16; ++k) {
-    EXPECT_EQ(shown.pixels[k], signs.pixels[k]) << k;  // stripes of grey, whatever the value
+    EXPECT_EQ(shown.pixels[k], signs.pixels[k]) << k;  // grey stripes for any value
     EXPECT_EQ(shown.pixels[k][0], shown.pixels[k][2]);
   }
   EXPECT_NE(shown.pixels[11], shown.pixels[12]);
-  // 25 % brighter: half way from white to red.
+  // 25 % brighter is half way from white to red.
   EXPECT_GT(signs.pixels[0][0], signs.pixels[0][2]);
   std::swap(a, b);
   for (glm::vec4& pixel : b.pixels) pixel.a = 1;
@@ -117,7 +118,7 @@ TEST(Picture, LabelsKeepTheirPlace) {
     EXPECT_NE(shorter.find("\u2026"), std::string::npos);
     EXPECT_TRUE(share < 0.4f || (shorter.starts_with("A: ") && shorter.ends_with("here"))) << shorter;
   }
-  // Two of them beside each other in a small picture: neither reaches over the line.
+  // Two labels next to each other in a small picture: neither crosses the dividing line.
   const Picture black(200, 120);
   Comparison c{.a = &black, .b = &black, .name_a = name, .name_b = name, .split = 0.3f};
   const BytePicture both = arranged(c, Display::split);
@@ -165,7 +166,7 @@ TEST(Picture, RustyMetalIsSeededTileableAndPartlyRusty) {
   EXPECT_LT(across, 3 * inside + 64 * 4);  // no seam
 }
 
-// An uncompressed TGA; its rows are a hole in the file.
+// Writes an uncompressed TGA. Its rows are a hole in the file.
 std::filesystem::path black_tga(int width, int height) {
   const auto file = temporary("black.tga");
   const char header[18] = {
@@ -207,7 +208,7 @@ TEST(Picture, MapsThatEndTooSoonAreRefused) {
   const auto bytes_of = [](const std::filesystem::path& file) { return io::read_content(file).bytes; };
   std::string bmp("BM\0\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x04\0\0\0\x03\0\0\0\1\0\x18\0", 30);
   bmp += std::string(24, '\0') + std::string(3 * 4 * 3, '\x7f');
-  std::string runs = bytes_of(black_tga(4, 3)).substr(0, 18);  // as runs: one of twelve pixels
+  std::string runs = bytes_of(black_tga(4, 3)).substr(0, 18);  // run-length coded: one run of twelve pixels
   runs[2] = 10;
   runs += "\x8b\1\2\3";
   for (const auto& [name, whole] : {std::pair{"cut.png", png_of(BytePicture(13, 11))},

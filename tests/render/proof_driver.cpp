@@ -1,4 +1,4 @@
-// Shader and library agree bit for bit on the software driver; the negative controls do not.
+// The shaders and the library agree bit for bit on the software driver, and the negative controls do not.
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"

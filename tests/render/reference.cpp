@@ -1,3 +1,5 @@
+// The reference renderer against the closed form of a Lambertian sphere and against the material's own
+// evaluation.
 #include "render/reference/reference.h"
 #include "brdf/forms.h"
 
@@ -41,7 +43,8 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
     for (const auto& [x, y] : {std::pair{20, 17}, {24, 30}, {10, 14}}) {
       const PixelProbe at = pixel_probe(scene, x, y);
       ASSERT_TRUE(at.hit);
-      // The probe's directions are in the turned frame: an unturned material has the same values there.
+      // The directions of the probe are in the turned frame, in which an unturned material has the same
+      // values.
       Material unturned = material;
       unturned.terms[0].tangent_phi = {};
       std::vector<double> f(3);
@@ -55,12 +58,13 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
 }
 
 TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
-  // Seven weights of 0.1, no GLSL: f_r is 0.7 everywhere, and ambient light finds no diffuse weight.
+  // Seven weights of 0.1 and no GLSL: f_r is 0.7 everywhere, and ambient light has no effect because no
+  // weight is diffuse.
   const PreparedScene plain = prepare(small_scene(make_material(Reflectance(std::make_shared<Plain>(7)))));
   const Picture picture = render_reference(plain);
   const float cosine = glm::dot(pixel_probe(plain, 24, 24).normal, glm::normalize(glm::vec3(-1, 1, 1)));
   EXPECT_NEAR(picture.at(24, 24).g, 0.7f * cosine * float(kPi), 1e-5f);
-  // A grey material takes its one channel everywhere.
+  // A grey material uses its only channel for all colours.
   const PreparedScene grey = prepare(small_scene(make_material(gleam(), {"fr"})));
   const PixelProbe at = pixel_probe(grey, 20, 20);
   std::vector<double> f(1);
@@ -69,7 +73,8 @@ TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
 }
 
 TEST(Reference, MapsDriveByRole) {
-  // The rule knows no names: a lobe's weight beside no f0, a diffuse one beside a specular, an exponent.
+  // The rule depends on roles, not on names: the weight of a lobe without f0, a diffuse weight with a
+  // specular one, and an exponent.
   const Reflectance form = gleam();
   const ReflectanceInfo& about = form.info();
   EXPECT_EQ(rule_of(about.weights[0], about), Rule::specular);

@@ -1,3 +1,5 @@
+// Scene files: reading, writing, limits, error messages with the path of the faulty key, and the scenes of
+// shapes and materials.
 #include "render/scene/scene.h"
 
 #include <gmock/gmock.h>
@@ -22,7 +24,7 @@ namespace {
 const std::string kMaterial =
     R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],"weights":{"rho":[0,0.5,1]}})";
 
-// A scene with these further keys and this object.
+// Returns the text of a scene with additional keys and this object.
 std::string scene_with(const std::string& keys, const std::string& object = "") {
   return R"({"format":"brdf-scene","version":1,)" + keys + R"("objects":[{"material":)" + kMaterial + object +
          "}]}";
@@ -52,7 +54,7 @@ TEST(Scene, ReadsAnEnvironment) {
   Scene other = once;
   other.environment->rotation = 0;
   EXPECT_NE(other, once);
-  // A background of its own stays, and is written.
+  // A background that is given explicitly is kept and written.
   const Scene hidden = parsed(scene_with(R"("background":[1,0,0],"environment":{"picture":"uniform"},)"));
   EXPECT_FALSE(hidden.environment->shown);
   EXPECT_EQ(parsed(io::to_text(to_json(hidden))), hidden);
@@ -86,7 +88,7 @@ TEST(Scene, ReadsWhatItWrote) {
   EXPECT_NE(again, once);
   EXPECT_TRUE(once.as_coded);
   EXPECT_TRUE(once.shadow);
-  EXPECT_EQ(once.tone_map, ToneMap::none);  // the articles' colours are shown as they are
+  EXPECT_EQ(once.tone_map, ToneMap::none);  // the articles' colours are displayed unchanged
   EXPECT_EQ(once.lights.size(), 2u);
   EXPECT_TRUE(once.sky_zenith.has_value());
 }
@@ -229,7 +231,7 @@ TEST(Scene, AShapeIsAsLargeAsTheSphereAndDressedWhereItHasParts) {
     ASSERT_EQ(scene.objects.size(), 1u);
     const glm::vec4 bounds = bounds_of(scene);
     EXPECT_LT(glm::length(glm::vec3(bounds)), 1e-4);
-    EXPECT_NEAR(bounds.w, std::sqrt(3.0f), 1e-3);  // of the box round a unit sphere
+    EXPECT_NEAR(bounds.w, std::sqrt(3.0f), 1e-3);  // of the box around a unit sphere
   }
   const Scene cars = shape_scene("sedan", {{"a", material}, {"b", make_material(*find_form("lambert"))}});
   ASSERT_EQ(cars.objects.size(), 10u);
@@ -237,7 +239,7 @@ TEST(Scene, AShapeIsAsLargeAsTheSphereAndDressedWhereItHasParts) {
   EXPECT_EQ(cars.objects[5].mesh, "sedan:body");
   EXPECT_EQ(cars.objects[5].label, "b");
   EXPECT_NEAR(cars.objects[5].position.x - cars.objects[0].position.x, 2.2f, 1e-5f);
-  // Windows and tyres are dark whatever is shown.
+  // Windows and tyres are dark for any material.
   const Term& windows = cars.objects[1].material.terms[0];
   EXPECT_LT(windows.weights[0][std::size_t(info(windows.form).weight_index(Role::diffuse))], 0.02);
   EXPECT_THROW(shape_scene("no_such_shape", {{"m", material}}), InputError);

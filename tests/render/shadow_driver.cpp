@@ -1,4 +1,5 @@
-// The shadow of the first directional light: traced by the reference, by a map in the renderer.
+// The shadow of the first directional light, traced by the reference and computed with a shadow map in the
+// renderer.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +14,7 @@
 namespace brdf::render {
 namespace {
 
-// A ball of radius 1/2 that floats over a ground at height 0, seen and lit from above.
+// A ball of radius 1/2 that floats above a ground at height 0, seen and lit from above.
 Scene ball_over_ground(const glm::vec3& light) {
   Scene scene;
   const Material grey = make_material(*find_form("lambert"));
@@ -40,7 +41,7 @@ TEST(Shadow, LiesWhereTheBallHidesTheSun) {
   const glm::vec3 to_light = -glm::normalize(scene.lights[0].vector);
   const View view = make_view(scene.camera);
   int inside = 0, outside = 0;
-  // How far a line passes from the ball's centre.
+  // Returns the distance at which a line passes the ball's centre.
   const auto past_ball = [&](const glm::vec3& from, const glm::vec3& along) {
     const glm::vec3 offset = scene.objects[0].position - from, way = glm::normalize(along);
     return glm::length(offset - way * glm::dot(offset, way));
@@ -63,7 +64,7 @@ TEST(Shadow, LiesWhereTheBallHidesTheSun) {
 
 struct Apart {
   double edges = 0;    // share of the surface that differs by more than 1 %
-  double rel_mse = 0;  // of the rest
+  double rel_mse = 0;  // of the other pixels
 };
 
 Apart apart(const Picture& picture, const Picture& reference) {
@@ -85,7 +86,8 @@ Apart apart(const Picture& picture, const Picture& reference) {
   return out;
 }
 
-// Apart from parity: a map has texels, a ray has none.
+// This test is separate from parity because only a shadow map has texels: the edges of shadows differ from
+// traced edges.
 TEST(Shadow, TheMapDiffersFromTheRayAtTheShadowsEdgesAlone) {
   Device device;
   const auto check = [&](const Scene& scene, const std::string& name, double most) {
@@ -103,7 +105,7 @@ TEST(Shadow, TheMapDiffersFromTheRayAtTheShadowsEdgesAlone) {
   for (const std::string name : {"vase", "car"}) {
     if (name == "car" && !thorough()) continue;
     Scene scene = load_scene(BRDF_SOURCE_DIR "/data/scenes/" + name + ".json");
-    scene.environment.reset();  // whose noise would hide the edges
+    scene.environment.reset();  // the noise of an environment would hide the edges
     check(scene, name, 0.015);
   }
 }

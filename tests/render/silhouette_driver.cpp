@@ -1,4 +1,4 @@
-// Lit silhouettes: no pixel of an object beside the background is black where light falls on it.
+// Lit silhouettes: no pixel of an object at the background is black if light falls on it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 namespace brdf::render {
 namespace {
 
-constexpr float kLit = 0.1f;  // cosine from which on a pixel counts as lit
+constexpr float kLit = 0.1f;  // a pixel counts as lit from this cosine on
 
-// Geometry of the picture, whatever its shading: the targets of 32 bits.
+// The geometry of the picture, independent of its shading, from targets of 32 bits.
 struct Geometry {
   Picture normal, position;
   explicit Geometry(Device& device, PreparedScene scene) {
@@ -34,7 +34,7 @@ struct Geometry {
 };
 
 float largest_cosine(const Scene& scene, const glm::vec3& position, const glm::vec3& normal) {
-  float most = scene.environment ? 1 : -1;  // light from all around: some comes straight on
+  float most = scene.environment ? 1 : -1;  // light from all around: some of it arrives along the normal
   for (const Light& light : scene.lights)
     most = std::max(most,
                     glm::dot(normal, glm::normalize(light.point ? light.vector - position : -light.vector)));
@@ -48,10 +48,10 @@ float luminance(const glm::vec4& c) {
 struct Silhouette {
   int pixels = 0;
   float darkest = 1e9f;  // luminance over the median of the pixel's neighbours on the same object
-  std::vector<std::pair<int, int>> below;  // pixels with less than a tenth of it
+  std::vector<std::pair<int, int>> below;  // pixels with less than a tenth of this median
 };
 
-// The largest weight of this role in any channel of any term.
+// Returns the largest weight of this role in any channel of any term.
 double largest_weight(const Material& material, Role role) {
   double largest = 0;
   for (const Term& term : material.terms) {
@@ -62,8 +62,8 @@ double largest_weight(const Material& material, Role role) {
   return largest;
 }
 
-// In lights alone metal is black beside its highlight, at a silhouette as anywhere, and a map of metal and
-// rust puts it beside what is not.
+// Lit by lights alone, metal is black around its highlight, at a silhouette as elsewhere. A map of metal
+// and rust puts such black pixels next to pixels that are not metal.
 bool may_be_black(const Scene& scene, int object) {
   if (scene.environment) return false;
   const Object& o = scene.objects[std::size_t(object)];
@@ -78,7 +78,7 @@ bool is_beside_background(const Geometry& at, int x, int y) {
                      [&](const auto& d) { return at.object(x + d.first, y + d.second) < 0; });
 }
 
-// Of the pixels with a neighbour that shows the background.
+// Selects among the pixels that have a neighbour which shows the background.
 enum class Of { all, what_is_never_black };
 Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture& picture,
                           Of which = Of::what_is_never_black) {
@@ -96,7 +96,7 @@ Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture&
       if (beside.empty() || !(largest_cosine(scene, position, normal) > kLit)) continue;
       std::nth_element(beside.begin(), beside.begin() + std::ptrdiff_t(beside.size() / 2), beside.end());
       const float median = beside[beside.size() / 2];
-      constexpr float kVisible = 1.0f / 255;  // where all is black to the eye, no pixel stands out
+      constexpr float kVisible = 1.0f / 255;  // below it all neighbours look black; such pixels pass
       const float ratio = median > kVisible ? luminance(picture.at(x, y)) / median : 1;
       ++out.pixels;
       out.darkest = std::min(out.darkest, ratio);
@@ -109,7 +109,7 @@ Silhouette lit_silhouette(const Scene& scene, const Geometry& at, const Picture&
 enum class By { renderer, both };
 void expect_lit(Device& device, const Scene& scene, const std::string& what, By by = By::both) {
   Scene unshadowed = scene;
-  unshadowed.shadow = false;  // light falls on all that faces it
+  unshadowed.shadow = false;  // light falls on every surface that faces the light
   const PreparedScene prepared = prepare(unshadowed);
   const Geometry geometry(device, prepared);
   const auto check = [&](const Picture& picture, const char* maker) {
@@ -124,7 +124,7 @@ void expect_lit(Device& device, const Scene& scene, const std::string& what, By 
   if (by == By::both) check(render_reference(prepared, {.samples = kSamples}), "reference");
 }
 
-// A shipped scene, its picture smaller by this factor; in ./test --full by the other one.
+// Loads a shipped scene with its picture reduced by `factor`, or by `thorough_factor` in ./test --full.
 Scene small_scene(const std::filesystem::path& file, int factor, int thorough_factor) {
   Scene scene = load_scene(file);
   const int by = thorough() ? thorough_factor : factor;
@@ -137,14 +137,14 @@ TEST(Silhouette, NoPixelOfASceneInAnEnvironmentIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const auto& file : std::filesystem::directory_iterator(BRDF_SOURCE_DIR "/data/scenes")) {
     if (file.path().extension() != ".json") continue;
-    const Scene scene = small_scene(file.path(), 12, 4);  // samples take their time
+    const Scene scene = small_scene(file.path(), 12, 4);  // sampling takes long
     if (!scene.environment) continue;
     expect_lit(device, scene, file.path().stem().string(), By::renderer);
   }
 }
 
-// Metal in lights alone: black beside its highlight in the reference's picture too, and nowhere else; nothing
-// else is.
+// Lit by lights alone, metal is black around its highlight. The same pixels are black in the reference's
+// picture, and no other material is black.
 TEST(Silhouette, InLightsAloneMetalIsBlackWhereTheReferenceIsTooAndNothingElse) {
   Device device;
   std::size_t black = 0, pixels = 0;
@@ -171,7 +171,7 @@ TEST(Silhouette, InLightsAloneMetalIsBlackWhereTheReferenceIsTooAndNothingElse) 
   EXPECT_GT(black, 0u);
 }
 
-// Whatever the maps do to the normals: white paint is black nowhere.
+// Whatever the maps do to the normals, white paint is black at no pixel.
 TEST(Silhouette, NoPixelOfAPaintedSceneIsBlackWhereLightFallsOnIt) {
   Device device;
   for (const char* name : {"rusty_metal", "rusty_metal_families", "car", "vase"}) {

@@ -1,4 +1,4 @@
-// A view that stands still, as the window shows it.
+// A view at rest, as the window shows it.
 #include <gtest/gtest.h>
 
 #include "render/compare/pictures.h"
@@ -45,7 +45,7 @@ TEST(Standing, BringsAllSamplesHoweverFewAtATime) {
   Standing whole(device, renderer), parts(device, renderer);
   for (int k = 0; k < 64; ++k) whole.draw_next(scene, 1, nullptr);
   for (int k = 0; k < 256; ++k) parts.draw_next(scene, 1, nullptr, 4);
-  // The same 1,024 points but for their rounding, in other runs.
+  // The same 1,024 points, except for rounding, divided into other runs.
   const std::vector<float> a = read_rgba(device, whole.shown()), b = read_rgba(device, parts.shown());
   double sum = 0, apart = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -60,7 +60,7 @@ TEST(Pace, BringsAsManySamplesAsThereIsTimeFor) {
   Pace pace(true);
   const int first = pace.run();
   pace.begin();
-  EXPECT_EQ(pace.run(), first);  // nothing is known yet
+  EXPECT_EQ(pace.run(), first);  // no time is known yet
   pace.took(1000.0 * first);
   EXPECT_EQ(pace.run(), first) << "the same for the whole picture";
   EXPECT_TRUE(pace.too_slow());
@@ -86,7 +86,7 @@ TEST(Standing, TellsLessNoiseWithMorePictures) {
     while (standing.pictures() < pictures) standing.draw_next(scene, 4, nullptr);
     return standing.noise();
   };
-  const double few = noise_after(8), many = noise_after(128);  // by 4 where runs are independent
+  const double few = noise_after(8), many = noise_after(128);  // independent runs give a factor of 4
   EXPECT_GT(few, 2 * many);
   EXPECT_LT(few, 10 * many);
   EXPECT_GT(many, 0);
@@ -103,8 +103,8 @@ TEST(Standing, TheWindowRestsWhenItsPictureIsSmooth) {
     while (++count < 1000 && pictures.unfinished());
     return count;
   };
-  EXPECT_EQ(updates(), 17);  // at the pixels' centres, then through 16 places
-  EXPECT_EQ(updates(), 1);   // nothing has changed
+  EXPECT_EQ(updates(), 17);  // at the pixels' centres, then through 16 positions
+  EXPECT_EQ(updates(), 1);   // no change
   state.scene.camera.position.x += 1;
   EXPECT_EQ(updates(), 17);
   state.display = Display::difference;  // compared with Embree, at the centres again

@@ -5,12 +5,12 @@
 
 namespace brdf::render {
 
-// Two of one name: what is compiled for one must not serve the other.
+// Two reflectances with the same name. Code that is compiled for one must not be used for the other.
 Reflectance gleam();
 Reflectance glint();
 
-// One value everywhere, the sum of its weights, of which there are many; without GLSL unless it is given
-// some.
+// A reflectance with one value everywhere, the sum of its weights, which may be many. It has no GLSL unless
+// `glsl` is given.
 class Plain : public ReflectanceModel {
  public:
   explicit Plain(std::size_t weights, std::string glsl = "") : glsl_(std::move(glsl)) {

@@ -1,4 +1,4 @@
-// Reflectances that are not in the catalogue: their shaders are compiled when they are drawn.
+// Reflectances that are not in the catalogue. Their shaders are compiled when they are drawn.
 #include <gtest/gtest.h>
 
 #include "io/files/error.h"
@@ -44,7 +44,7 @@ TEST(Strangers, AreDrawnBesideTheCatalogue) {
   };
   EXPECT_LT(against_reference({.gbuffer_bits = 32}), 1e-11);
   EXPECT_LT(against_reference({.gbuffer_bits = 16}), 1e-6);
-  scene.objects.pop_back();  // the forward path draws no sums
+  scene.objects.pop_back();  // the forward path does not draw sums of terms
   EXPECT_LT(against_reference({.path = Path::forward}), 1e-11);
 }
 
@@ -68,7 +68,7 @@ TEST(Strangers, PassParityAndProof) {
   Device device;
   const std::vector<Reflectance> forms{gleam(), glint()};
   const std::vector<ParityRow> rows = parity(device, forms, 128);
-  EXPECT_EQ(rows.size(), 8u);  // an exponent makes them narrow
+  EXPECT_EQ(rows.size(), 8u);  // an exponent makes a lobe narrow
   for (const ParityRow& row : rows)
     EXPECT_TRUE(passes(row)) << row.parameters << " " << row.difference.rel_mse;
   for (const ProofRow& row : shader_proof(device, forms, {.random = 1 << 14})) {

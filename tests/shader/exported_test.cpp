@@ -1,4 +1,4 @@
-// The shaders that the library writes, through the interpreter: an oracle that needs nobody else's code.
+// The shaders that the library writes, run by the interpreter, as an oracle that needs no third-party code.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -37,13 +37,14 @@ Drawn draw(const ReflectanceInfo& info, Random& random) {
   return d;
 }
 
-// Half of them about the mirror direction, some below the horizon.
+// Returns a direction with theta uniform in 0 to 92 degrees, so that some directions lie below the horizon.
 Vec3<double> somewhere(Random& random) {
   return direction(degrees(random.uniform(0, 92)), degrees(random.uniform(0, 360)));
 }
 
 constexpr std::size_t kPairs = 300;
 
+// Returns pairs of directions, every second pair near the mirror direction.
 DirectionArrays<float> draw_directions(Random& random) {
   DirectionArrays<float> d(kPairs);
   const auto to_float = [](const Vec3<double>& w) { return Vec3<float>{float(w.x), float(w.y), float(w.z)}; };
@@ -108,7 +109,7 @@ TEST(ExportedForm, HasTheFormsTablesAndLobes) {
   }
 }
 
-// In double the constants are those of the text, which has nine digits.
+// In double the constants are the numbers of the text, which have nine digits.
 TEST(ExportedForm, HasTheFormsDerivatives) {
   for (const Reflectance& form : catalogue()) {
     if (!form.info().fittable()) continue;

@@ -1,5 +1,5 @@
-// How a text is read: what belongs to it, which language it is in, and what is told where it does not
-// compile.
+// How a text is read: which parts belong to the function, which language it is in, and which message
+// appears if it does not compile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// Files of one folder, and the message that refuses one of them, or "accepted".
+// The files of one folder, and the message that refuses one of them, or "accepted".
 class Tree {
  public:
   Tree& with(const std::string& name, const std::string& text) {
@@ -72,7 +72,7 @@ TEST(Text, AScriptsCommentsAndQuotesHoldNoShader) {
   EXPECT_EQ(value("// `" + old + "`\n" + mine), 3);
   EXPECT_EQ(value("/* `" + old + "` */\n" + mine), 3);
   EXPECT_EQ(value("const before = '`" + old + "`';\nconst it = /[`]/;\n" + mine), 3);
-  // What is put in is the script's, with literals of its own.
+  // An interpolated expression belongs to the script and may contain literals of its own.
   EXPECT_EQ(value("const w = `// ${[1, 2].map(x => `${x}`).join('}')}\n" + mine.substr(mine.find("float"))),
             3);
   EXPECT_EQ(value_at(shader_of(mine, {}, "chunk.ts"), 20, 0, 30, 0), 3);
@@ -92,7 +92,7 @@ TEST(Text, NotesStandInLinesOfTheirOwn) {
   const std::string code = "float brdf(vec3 L, vec3 V, float k) { return k; }\n";
   EXPECT_EQ(shader_of("/*\n//: param k 0 4 3\n*/\n" + code)->function().parameters[0].max, 1);
   EXPECT_EQ(shader_of("  //: param k 0 4 3\n" + code)->function().parameters[0].max, 4);
-  // A line that is continued is a comment still.
+  // The continuation of a comment line is still a comment.
   EXPECT_EQ(
       value_at(shader_of("// a path C:\\\nfloat brdf(vec3 L, vec3 V) { return 9.0; }\n" + code), 0, 0, 0, 0),
       0.5);
@@ -141,7 +141,7 @@ TEST(Languages, AreRefusedByNameWhereNothingCompiles) {
            "float3 V) { S s; s.x = L.x; return (s + s).x; }",
            "a.hlsl"),
       HasSubstr("a.hlsl:1: is HLSL 2021 (`operator+`)"));
-  // What does not need it is read as ever.
+  // A text that does not need HLSL 2021 is read as before.
   const auto beside = shader_of(
       "template<typename T> T twice(T x) { return x + x; }\nfloat brdf(float3 L, float3 V) { return 0.375; }",
       {}, "a.hlsl");
@@ -186,7 +186,7 @@ TEST(Languages, TheirWordsAreNamesInOthers) {
                   "float brdf(vec3 L, vec3 V) { fn let = make(0.75); return let.x; }",
                   "a.glsl"),
             0.75);
-  // What fails for another reason is not taken for another language.
+  // An error with another cause is not reported as another language.
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) { float let; let = 2.0; return missing(let); }"),
               HasSubstr("'missing'"));
 }
@@ -207,7 +207,8 @@ TEST(Globals, WithValuesCompileUnderAnyName) {
   }
 }
 
-// A compiler that ends as it is told wherever places are asked for.
+// A translator that crashes if scopes are requested. The next ones crash if any places are requested, crash
+// always, or exhaust memory or time.
 Translated crashes_with_scopes(const Source& source, Places places) {
   if (places == Places::scopes) raise(SIGSEGV);
   return translate(source, places);
@@ -249,7 +250,7 @@ TEST(Crashes, AreToldFromTooSlowAndTooLarge) {
 }
 
 TEST(Crashes, AreFollowedByOtherWaysOfTranslating) {
-  // Braces within braces, and a global with a value: each is read without harm whatever is asked of places.
+  // Nested braces and a global with a value: the text is translated correctly for every kind of places.
   const Source source = parse_source("a.glsl",
                                      "float base = 0.2;\nfloat brdf(vec3 L, vec3 V) {\n  if (L.x > 2.0) {\n  "
                                      "  { return 1.0; }\n  }\n  return base;\n}\n");
@@ -278,7 +279,7 @@ TEST(Supplied, NothingThatAnIncludedFileDefines) {
             "#include \"shared.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return PI * saturate(k + 1.0) * "
             "INV_PI * "
             "sq(L).z; }\n");
-  // The first attempt's error, and no other.
+  // The message reports the error of the first attempt only.
   EXPECT_THAT(tree.refused("a.glsl"), AllOf(HasSubstr("a.glsl:2: 'shade'"), Not(HasSubstr("shared.glsl"))));
   const auto b = tree.load("b.glsl");
   EXPECT_NEAR(value_at(b, 0, 0, 30, 0), 3 * 0.5 / kPi, 1e-6);
@@ -326,7 +327,7 @@ TEST(Overloads, AreToldApartOrRefused) {
   EXPECT_THAT(refusal(two), AllOf(HasSubstr("has 2 functions brdf: "), HasSubstr("--entry 'brdf(L, V, a)'")));
   EXPECT_EQ(value_at(shader_of(two, {.file = "", .entry = "brdf(L, V, a)"}), 0, 0, 30, 0), 0.5);
   EXPECT_EQ(value_at(shader_of("//: entry brdf(L, V, a, b)\n" + two), 0, 0, 30, 0), 1.5);
-  // The one that nobody calls is meant, and said.
+  // The function that no other function calls is chosen, and a note reports the choice.
   const auto outer = shader_of(
       "float brdf(float NdotL, float a) { return a * NdotL; }\nfloat brdf(vec3 L, vec3 V, vec3 N, float a) { "
       "return "
@@ -381,13 +382,13 @@ TEST(Directions, NeitherOfLightNorOfViewerIsRefused) {
               "no argument of float brdf(vec3 p, vec3 q, float s) is known as the direction to the light or "
               "to the viewer"),
           HasSubstr("--entry 'brdf(L, V, N, ...)'")));
-  // One of them, and a vector that may be the other.
+  // One direction is known, and a vector may be the other direction.
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 q, float s) { return dot(L, q) * s; }"),
               AllOf(HasSubstr("the direction to the viewer, which q may be"), HasSubstr("`//: color q")));
   EXPECT_EQ(refusal("float brdf(vec3 p, vec3 q, float s) { return dot(p, q) * s; }",
                     {.file = "", .entry = "brdf(L, V, s)"}),
             "accepted");
-  // Light that is scattered evenly needs no viewer.
+  // A uniformly scattering reflectance needs no direction to the viewer.
   EXPECT_EQ(refusal("vec3 brdf(vec3 L, vec3 N, vec3 tint) { return 0.3 * tint; }"), "accepted");
 }
 
@@ -401,7 +402,7 @@ TEST(Parts, ThatAreNotKnownStopIt) {
                       "diffusePart = vec3(k); extra = "
                       "vec3(0.125); }"),
               HasSubstr("gives several values (diffusePart, extra)"));
-  // What is left is said.
+  // Outputs that are left out are named in a note.
   const auto one = shader_of(
       "void brdf(vec3 L, vec3 V, float k, out vec3 color, out vec3 direction_out) { color = vec3(k); "
       "direction_out = L; }");
@@ -409,7 +410,7 @@ TEST(Parts, ThatAreNotKnownStopIt) {
   const auto beside =
       shader_of("float brdf(vec3 L, vec3 V, float k, out float specular) { specular = 2.0; return k; }");
   EXPECT_THAT(notes_of(beside), HasSubstr("the reflectance is what brdf returns, without specular"));
-  // A lobe's parameter is no lobe.
+  // A parameter of a lobe is not a lobe.
   EXPECT_EQ(value_at(shader_of("struct Lit { vec3 diffuse; vec3 specular; float specularRoughness; };\n"
                                "Lit brdf(vec3 L, vec3 V) { return Lit(vec3(0.25), vec3(0.5), 9.0); }"),
                      10, 0, 20, 0),
@@ -433,7 +434,8 @@ TEST(Vacuous, WhatDependsOnNothingIsSaidWithTheMacrosThatAreAskedFor) {
   EXPECT_EQ(coat->function().constant, std::nullopt);
   EXPECT_THAT(coat->function().unread, testing::ElementsAre("rest"));
   EXPECT_THAT(notes_of(coat), Not(HasSubstr("its value is 0")));
-  // Zero that is computed is found by asking; a constant that is none is a reflector like others.
+  // A computed value of zero is detected by evaluation. A constant other than zero is an ordinary
+  // reflector.
   const auto product = shader_of("float brdf(vec3 L, vec3 V, float k) { return k * max(-L.z, 0.0); }");
   EXPECT_TRUE(product->function().zero_where_asked);
   EXPECT_THAT(notes_of(product), HasSubstr("its value is 0 at every place at which it was asked"));
@@ -449,7 +451,7 @@ TEST(Whole, IntegersAreAskedForTheirRangeAndStayWhole) {
   const auto shader = shader_of("//: param kind 0 3 2\n//: bool on 1\n" + code);
   for (const ParameterInfo& p : shader->info().shape) EXPECT_TRUE(p.whole) << p.name;
   EXPECT_EQ(value_at(shader, 0, 0, 0, 0), 2);
-  // A default that is not given is whole as well.
+  // A default that is not given is a whole number as well.
   EXPECT_EQ(shader_of(code, {.file = "", .parameters = {"kind=0:3"}})->info().shape[0].initial, 1);
   EXPECT_THAT(refusal("//: param kind 0 2.5 2\n" + code),
               HasSubstr("test.glsl:1: param kind: 2.5 is no whole number"));
@@ -478,7 +480,7 @@ TEST(Half, IsSaidToBeComputedInMoreBits) {
 }
 
 TEST(Linear, PlacesWithoutAValueAreLeftOut) {
-  // A root of a negative number in a part of all places.
+  // The root of a negative number occurs at a part of the places.
   const auto shader = shader_of(
       "//: param eta 1.1 2 1.5\nfloat brdf(vec3 L, vec3 V, float kd, float ks, float eta) {\n  float c = "
       "dot(L, V);\n"
@@ -490,7 +492,7 @@ TEST(Linear, PlacesWithoutAValueAreLeftOut) {
   const auto without = shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * sqrt(-1.0 - L.z); }");
   EXPECT_FALSE(without->info().fittable());
   EXPECT_THAT(notes_of(without), HasSubstr("at 24 of 24 places"));
-  // What is not linear stays so.
+  // A function that is not linear remains not fittable.
   EXPECT_FALSE(shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * kd * sqrt(dot(L, V) - 0.2); }")
                    ->info()
                    .fittable());
@@ -516,13 +518,13 @@ TEST(Defines, StandBeforeTheTextAndInIncludedFiles) {
   EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25", "TWICE"}, {far}), 0.5);
   EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25"}, {near, far}), 1.25);
   EXPECT_EQ(value("own/a.glsl", {"SCALE=0.25", "TWICE"}, {far, near}), 0.5);
-  // Outside the shader's folder a file is read where it lies below one that is named.
+  // A file outside the shader's folder is read if it lies below a folder that is named.
   EXPECT_THAT(tree.refused("own/b.glsl", {.file = "", .defines = {"SCALE=1.0", "TWICE"}}),
               HasSubstr("is no file"));
   EXPECT_EQ(value("own/b.glsl", {"SCALE=0.25", "TWICE"}, {far}), 0.5);
   std::filesystem::create_symlink(tree.path("near/part.glsl"), tree.path("own/part.glsl"));
   EXPECT_THAT(tree.refused("own/a.glsl", {.file = "", .defines = {"SCALE=0.25"}}), HasSubstr("is no file"));
-  // A supplied constant gives way to the command line's.
+  // The command line overrides a supplied constant.
   tree.with("own/c.glsl", "float brdf(vec3 L, vec3 V) { return PI; }\n");
   EXPECT_EQ(value("own/c.glsl", {"PI=0.5"}, {}), 0.5);
 }

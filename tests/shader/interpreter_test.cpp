@@ -1,4 +1,4 @@
-// Programs: branches that part the lanes, loops, arrays, what the source's lines say of a fault.
+// Programs with divergent branches, loops and arrays, and the source line that is reported for a fault.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Collatz steps of a number made of the directions: every lane takes its own way.
+// Collatz steps of a number computed from the directions, so that every lane follows its own path.
 constexpr const char* kParting = R"(
 float brdf(vec3 L, vec3 V, vec3 N) {
   int n = int(100.0 * abs(L.x)) + 1;
@@ -121,7 +121,7 @@ TEST(Interpreter, WholePowersAreRoundedOnce) {
     ASSERT_EQ(value(a), expected) << a;
   }
   EXPECT_TRUE(std::isnan(value(-0.5f)));
-  EXPECT_TRUE(std::isnan(value(2)));  // of 1 - a
+  EXPECT_TRUE(std::isnan(value(2)));  // the base 1 - a is negative
   EXPECT_EQ(value(0), 0);
 }
 

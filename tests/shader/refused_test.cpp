@@ -1,4 +1,4 @@
-// What is refused, and with which sentence.
+// Shaders that are refused, and the message for each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// A macro of 2^39 terms.
+// A macro that expands to 2^39 terms.
 const std::string kExpanding = [] {
   std::string text = "#define A0 1.0\n";
   for (int k = 1; k < 40; ++k) {
@@ -84,9 +84,9 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
     return load_shader(ShaderChoice{(folder / "inside" / "a.glsl").string()});
   };
   EXPECT_EQ(value_at(read("part.glsl"), 10, 0, 10, 0), 1);
-  // As a library counts from a folder further up.
+  // A path relative to a folder further up, as libraries write it.
   EXPECT_EQ(value_at(read("library/inside/part.glsl"), 10, 0, 10, 0), 1);
-  // One that nobody needs is left away.
+  // An include that is not needed is left out.
   std::ofstream(folder / "inside" / "b.glsl")
       << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
   const auto without = load_shader(ShaderChoice{(folder / "inside" / "b.glsl").string()});

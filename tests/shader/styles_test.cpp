@@ -1,4 +1,5 @@
-// Functions as people write them: each is understood, or refused with a sentence that says what to do.
+// Functions in the styles that users write. Each is understood, or refused with a message that gives the
+// remedy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +22,8 @@ TEST(Style, VectorsWithParametersAndColours) {
   EXPECT_THAT(names(shader->info().weights), testing::ElementsAre("f0", "albedo"));
   EXPECT_THAT(names(shader->info().shape), testing::ElementsAre("roughness"));
   EXPECT_EQ(shader->info().shape[0].min, 0.05);
-  // GGX of width 0.25, Smith's masking in two factors, Schlick's F of f0 0.5, beside 0.5/pi; from the formula
-  // by hand.
+  // GGX of width 0.25 with Smith's masking in two factors and Schlick's F of f0 0.5, plus 0.5/pi, computed
+  // by hand from the formula.
   const double h2 = 1, a2 = 0.0625, d = h2 * (a2 - 1) + 1,
                g = 2 * 0.5 / (0.5 + std::sqrt(a2 + (1 - a2) * 0.25));
   const double f = 0.5 + 0.5 * std::pow(0.5, 5);
@@ -139,7 +140,8 @@ TEST(Style, NeighboursOfASnippetAreKnown) {
 }
 
 TEST(Style, TheValueMayBeAMemberOrAnArgument) {
-  // A closure that is filled, as material libraries' generated code has it; its response holds the cosine.
+  // A closure that the function fills, as in the generated code of material libraries. Its response
+  // includes the cosine.
   const auto closure = shader_of(R"(
 struct Closure { int kind; vec3 L; vec3 V; vec3 N; float occlusion; };
 struct BSDF { vec3 response; vec3 throughput; };
@@ -151,7 +153,7 @@ void sheet_bsdf(Closure c, float weight, vec3 color, inout BSDF bsdf) {
   EXPECT_NEAR(value_at(closure, 60, 0, 10, 0), 0.5 * 0.5 * 0.5, 1e-12);
   EXPECT_THAT(closure->function().notes, testing::Contains(HasSubstr("bsdf.response")));
   EXPECT_THAT(closure->function().notes, testing::Contains(HasSubstr("--returns 'f*cos_i'")));
-  // Diffuse and specular apart, and a density beside them.
+  // Separate diffuse and specular outputs, and a density in addition.
   const auto parts = shader_of(
       "void EvaluateBRDF(in float3 lightDir, in float3 viewDir, float k, out float3 diffuse, out float3 "
       "specular, out "
@@ -159,7 +161,7 @@ void sheet_bsdf(Closure c, float weight, vec3 color, inout BSDF bsdf) {
       {}, "a.hlsl");
   EXPECT_NEAR(value_at(parts, 60, 0, 10, 0), 0.75, 1e-12);
   EXPECT_EQ(parts->info().shape.size() + parts->info().weights.size(), 1u);
-  // A struct that is returned.
+  // A struct as the return value.
   const auto lighting = shader_of(
       "struct Lit { vec3 Diffuse; vec3 Specular; vec3 Transmission; };\n"
       "Lit DefaultBxDF(vec3 N, vec3 V, vec3 L) { return Lit(vec3(0.1), vec3(0.2), vec3(4.0)); }");
@@ -224,7 +226,8 @@ TEST(Style, AScriptsShadersStandInBackticks) {
 }
 
 TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
-  // A texture in main() that nobody declared, a type that another file has, and what calls that.
+  // A texture in main() without a declaration, a type that another file defines, and a function that
+  // depends on this type.
   const std::string text =
       "float helper(float x) { return 2.0 * x; }\n"
       "vec3 eval_lobe(vec3 wi_local, vec3 wo_local, vec3 tint) { return tint * helper(0.25); }\n"
@@ -237,8 +240,8 @@ TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
   EXPECT_THAT(shader->function().notes,
               testing::Contains(testing::AllOf(HasSubstr("without trouble(), more_trouble(), main()"),
                                                HasSubstr("test.glsl:3: the type Other is not defined"))));
-  // Asked for, it is refused for its own reason; and so is a part of something that calls itself a
-  // reflectance.
+  // If such a function is requested, the refusal gives the function's own error. A function that does not
+  // compile but is named as a reflectance is refused as well; its part is used only on request.
   EXPECT_THAT(refusal(text, {.file = "", .entry = "trouble"}), HasSubstr("test.glsl:3: the type Other"));
   const std::string part =
       "float lobe(vec3 L, vec3 V) { return 3.0; }\n"

@@ -1,4 +1,4 @@
-// Which symmetries a program shows, and that none is taken from the names of its arguments.
+// The symmetries that a program shows. No symmetry is inferred from the names of the arguments.
 #include <gtest/gtest.h>
 
 #include "shader/symmetry.h"
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
         SymmetryCase{
             "float s = 0.0; for (int k = 0; k < 4; ++k) s += float(k) * dot(L, V); return 1.0 + p * s * s;",
             true, true, true},
-        // What turns with the surface.
+        // Functions that change when the directions turn about the normal.
         SymmetryCase{"return p * (1.0 + L.y);", false, false, false},
         SymmetryCase{"return p * L.x * L.x;", false, false, true},
         SymmetryCase{"return p * (L.x * V.x + 1.0001 * L.y * V.y + 1.0);", false, false, true},
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "normalize(cross(up, N)); "
                      "float a = dot(t, L); return p * a * a;",
                      false, false, true},
-        // A product of two turns of a loop is not of one.
+        // A product of terms from two iterations of a loop is not a product of terms from one.
         SymmetryCase{
             "float s = 0.0, x = 0.0; for (int k = 0; k < 4; ++k) { s += x; float w = 1.0 + float(k) * p; x "
             "= w * L.x * V.x; "

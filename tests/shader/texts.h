@@ -1,4 +1,4 @@
-// Shaders for tests, in the ways in which people write them.
+// Shaders for tests, in the styles that users write.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ inline double value_at(const std::shared_ptr<const ShaderReflectance>& shader, d
   return f[channel];
 }
 
-// The message that refuses it.
+// Returns the message that refuses the shader, or "accepted".
 inline std::string refusal(const std::string& text, const ShaderChoice& choice = {},
                            const std::string& name = "test.glsl") {
   try {
@@ -47,8 +47,8 @@ vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness, vec3 f0, vec3 albedo) {
 }
 )";
 
-// Fujii's form with the energy put back, as a material library's generated code has it; `s` is what it takes
-// for the azimuth's part.
+// Returns Fujii's form with the lost energy restored, as in the generated code of a material library. `s`
+// is the GLSL expression for the azimuthal part, from which the code subtracts NdotL * NdotV.
 inline std::string energy_preserving(const std::string& s) {
   return R"(#define M_PI 3.1415926535897932
 #define M_PI_INV (1.0 / M_PI)

@@ -1,4 +1,5 @@
-// Values that the shading languages leave undefined are found where a result depends on them, and only there.
+// Values that the shading languages leave undefined are reported if a result depends on them, and only
+// then.
 #include <gtest/gtest.h>
 
 #include "shader/undefined.h"
@@ -23,7 +24,7 @@ std::string undefined_at(const std::string& body, double cos_i, double p = 0.5,
 
 struct UndefinedCase {
   const char *body, *sentence;
-  double at, not_at;  // cosines of the light
+  double at, not_at;  // cosines of the incident direction
 };
 
 class UndefinedValues : public testing::TestWithParam<UndefinedCase> {};
@@ -57,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                     UndefinedCase{"return 0.1 * float(int(4e9 * c) & 1);", "outside the range", 0.8, 0.2}));
 
 TEST(Undefined, CountsOnlyWhereTheResultDependsOnIt) {
-  // Both sides of a choice are computed; one of them is taken.
+  // Both sides of a choice are computed, but only one is used.
   EXPECT_EQ(undefined_at("return c > 0.5 ? 0.1 : pow(c - 0.5, 2.0);", 0.8), "");
   EXPECT_NE(undefined_at("return c > 0.5 ? 0.1 : pow(c - 0.5, 2.0);", 0.2), "");
   EXPECT_EQ(undefined_at("float s; float t = s; return 0.1 * p;", 0.8), "");

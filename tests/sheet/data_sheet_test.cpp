@@ -1,4 +1,5 @@
-// A synthetic measurement is named clean; with one fault planted, that fault is named, and no other.
+// A clean synthetic measurement passes all checks. With one planted fault, the sheet names this fault and
+// no other.
 #include "sheet/data_sheet.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ TEST(DataSheet, NamesANegativeValue) {
 
 TEST(DataSheet, NamesExchangedColumns) {
   io::SampleTable t = clean_table();
-  // Only what a reader accepts: polar angles up to 90 degrees.
+  // The table keeps only rows that a reader accepts: polar angles up to 90 degrees.
   io::SampleTable u = t;
   for (auto* column : {&u.theta_i, &u.phi_i, &u.theta_o, &u.phi_o}) column->clear();
   u.values[0].clear();
@@ -107,7 +108,8 @@ TEST(DataSheet, NamesOneOutlierByItsRow) {
 }
 
 TEST(DataSheet, MeasuresTheNoiseFloor) {
-  // Uniform +-10 % on both of two values: the median of |difference| is 5.9 %, less where interpolated.
+  // Both of two values vary uniformly by +-10 %: the median of |difference| is 5.9 %, and less for
+  // interpolated values.
   const double floor = finding(data_sheet(clean_table(0.1)), "noise_floor").value;
   EXPECT_GT(floor, 0.04);
   EXPECT_LT(floor, 0.08);
@@ -181,8 +183,8 @@ TEST(DataSheet, AnIntegralWhoseBoundReachesAboveOneIsUndecided) {
   for (double& v : t.values[0]) v = 1.3 / kPi;
   const DataSheet bright = data_sheet(t);
   EXPECT_EQ(finding(bright, "energy").outcome, Outcome::fail);
-  // Beyond the outermost ring nothing is proved, so that the lower bound stays below the truth by the share
-  // of that ring.
+  // Nothing is proved beyond the outermost ring. The lower bound is therefore below the truth by the share
+  // of this ring.
   EXPECT_NE(finding(bright, "energy").statement.find("at least 1.17"), std::string::npos)
       << finding(bright, "energy").statement;
   for (double& v : t.values[0]) v = 0.5 / kPi;
@@ -219,7 +221,7 @@ TEST(DataSheet, ListsEveryOutlierAndSetsThoseBeyondTheLargestAngleApart) {
 }
 
 TEST(DataSheet, AFactorOfThreeIsNoOutlierWhereThereIsNoLight) {
-  // A highlight over nothing: the dark level is steady to a tenth, and now and then it jumps.
+  // A highlight on a black surface. The dark level is steady to a tenth, except for occasional jumps.
   Term term = make_term(cook_torrance{}, 1);
   term.shape[0] = {0.1, 0.1};
   term.weights[0] = {0, 1, 0.5};
@@ -237,7 +239,7 @@ TEST(DataSheet, AFactorOfThreeIsNoOutlierWhereThereIsNoLight) {
   }
   EXPECT_GT(jumps, 50u);
   EXPECT_EQ(finding(data_sheet(t), "outliers").value, 0);
-  // What departs by more than the dark level does is one, wherever it stands.
+  // A value that departs by more than the dark level does is an outlier in any place.
   const auto darkest = std::min_element(t.values[0].begin(), t.values[0].end());
   *darkest = 0.3;
   EXPECT_EQ(finding(data_sheet(t), "outliers").value, 1);
@@ -262,7 +264,7 @@ TEST(DataSheet, ANarrowScanIsToldFromRadians) {
   for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o})
     for (double& x : *column) x = x * kPi / 180;
   EXPECT_EQ(failing(t), Names{"angle_unit"});
-  // About the normal, in steps of a hundredth of a degree.
+  // A scan about the normal in steps of a hundredth of a degree must not be taken for radians.
   for (std::size_t k = 0; k < t.rows(); ++k) {
     t.theta_i[k] = t.phi_i[k] = t.phi_o[k] = 0;
     t.theta_o[k] = 0.01 * double(k % 150);
@@ -307,7 +309,7 @@ TEST(DataSheet, OfAMerlFileKnowsItsCells) {
     EXPECT_NEAR(a.value[0], truth, a.bound[0] + 0.005 * truth) << a.theta_i;
     EXPECT_LT(a.bound[0], 0.02 * truth) << a.theta_i;
   }
-  // Half of the cells: half of the coverage.
+  // Half of the cells give half of the coverage.
   const std::size_t half = t.rows() / 2;
   for (auto* column : {&t.theta_i, &t.phi_i, &t.theta_o, &t.phi_o, &t.values[0], &t.values[1], &t.values[2]})
     column->resize(half);
@@ -332,8 +334,8 @@ TEST(DataSheet, OfWhitePaperIsCleanWithItsNoiseFloor) {
   const io::SampleTable t = io::read_samples(path);
   EXPECT_EQ(failing(t), Names{});
   const DataSheet sheet = data_sheet(t);
-  // The published values are smoothed: neighbours scatter by .1 %, and exchanging light and viewer shows what
-  // is left.
+  // The published values are smoothed: neighbours differ by only 0.1 %. Exchanging light and viewer shows
+  // the remaining noise.
   EXPECT_LT(sheet.scatter.neighbours.value.value_or(1), 0.002);
   EXPECT_NEAR(finding(sheet, "noise_floor").value, 0.018, 0.009);
   EXPECT_NE(finding(sheet, "noise_floor").statement.find("neighbours agree too well"), std::string::npos);

@@ -1,5 +1,5 @@
-// Each check on either side of its limit: it fails where the fault can be seen, and neither fails nor passes
-// where it cannot.
+// Tests each check on either side of its limit. A check must fail if the fault is visible, and must neither
+// fail nor pass if the table cannot show the fault.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(Power, ABrfOfABrightSampleFailsOverTheHemisphereAndIsSuspectedInThePlane) {
   EXPECT_THAT(finding(plane, "quantity").statement, HasSubstr("BRF"));
   ASSERT_FALSE(plane.faults().empty());
   EXPECT_EQ(plane.faults().front()->check, "quantity");
-  // f_r itself in the plane of incidence: no scale is proved, and none is suspected.
+  // For f_r itself in the plane of incidence, no scale is proved and no other scale is suspected.
   const Finding clean = finding(measured(glossy(0.8, 0.4), Grid::in_plane()), "quantity");
   EXPECT_EQ(clean.outcome, Outcome::undecided);
   EXPECT_FALSE(clean.is_suspicion) << clean.statement;
@@ -55,8 +55,7 @@ TEST(Power, APlaneOfBlacknessIsNoMeasurementOfFr) {
   EXPECT_NE(finding(t, "quantity").outcome, Outcome::fail);
 }
 
-// "At least" is a bound: whatever the lobe, the grid and the phase of the grid, never more than the true
-// albedo.
+// "At least" is a lower bound. It must not exceed the true albedo for any lobe, grid or offset of the grid.
 TEST(Power, TheLowerBoundOfTheAlbedoIsNeverAboveTheTruth) {
   for (const double alpha : {0.003, 0.01, 0.03, 0.1, 0.3, 1.0}) {
     const Material metal = glossy(0, 1, 0.9, alpha);
@@ -66,9 +65,10 @@ TEST(Power, TheLowerBoundOfTheAlbedoIsNeverAboveTheTruth) {
                                Grid{.step = step, .azimuths = Grid::every(5, 355)}})
         for (const MeasuredAlbedo& a : data_sheet(measured(metal, grid, 0)).albedo)
           EXPECT_LE(a.least[0], 0.95)
-              << alpha << ' ' << step << ' ' << a.theta_i;  // the metal's is 0.90 to 0.94
+              << alpha << ' ' << step << ' ' << a.theta_i;  // the albedo of the metal is 0.90 to 0.94
   }
-  // It is a bound that says something: nearly all of what a matt surface reflects below the last ring.
+  // The bound is informative: it contains nearly all of the light that a matt surface reflects below the
+  // last ring.
   for (const MeasuredAlbedo& a : data_sheet(measured(matt(0.8), {}, 0.001)).albedo) {
     EXPECT_LE(a.least[0], 0.8);
     EXPECT_GE(a.least[0], 0.65);
@@ -76,7 +76,7 @@ TEST(Power, TheLowerBoundOfTheAlbedoIsNeverAboveTheTruth) {
 }
 
 TEST(Power, AFewViewersUnderManyLightsProveNoScale) {
-  // A valid metal, its light scanned past viewers that stand still.
+  // A valid metal, with the light scanned past fixed viewers.
   Grid grid{.lights = {}, .step = 10, .last = 80, .azimuths = {0}};
   for (double light = 2; light < 86; light += 3) grid.lights.push_back(light);
   for (const double alpha : {0.005, 0.012, 0.03, 0.1}) {
@@ -117,9 +117,9 @@ TEST(Power, AZeroErrorOfTwoDegreesIsFoundUnderHighlightsOnly) {
     EXPECT_NEAR(f.value, 2, 0.5);
     EXPECT_EQ(finding(measured(glossy(), grid), "mirror").outcome, Outcome::pass);
   }
-  // Where nothing stands out nothing is told of the mirror direction.
+  // Without a highlight nothing can be concluded about the mirror direction.
   EXPECT_EQ(finding(shifted(measured(matt(0.7))), "mirror").outcome, Outcome::not_applicable);
-  // Lights that are few and a grid that is coarse leave the zero open.
+  // With few lights and a coarse grid the zero error remains undecided.
   const Finding coarse =
       finding(measured(glossy(0.2, 0.6, 0.05, 0.35), {.lights = {45, 50, 55}, .step = 10}, 0.05), "mirror");
   EXPECT_NE(coarse.outcome, Outcome::pass) << coarse.statement;
@@ -134,7 +134,7 @@ TEST(Power, OneWrongLabelIsNamedWithTheLightThatItBelongsTo) {
   EXPECT_EQ(f.outcome, Outcome::fail);
   EXPECT_THAT(f.statement, HasSubstr("the light at 48 degrees stands where a light at"));
   EXPECT_NEAR(f.value, -8, 2);
-  // The label of a light that exists: two scans stand under one angle.
+  // The wrong label is that of another light: two scans have the same angle.
   t = measured(glossy());
   for (double& theta : t.theta_i)
     if (theta == 40) theta = 50;
@@ -150,12 +150,12 @@ TEST(Power, OneLightsGainIsFoundWithItsSizeAndNotTakenForACosine) {
   EXPECT_THAT(f.statement, HasSubstr("the light at 40 degrees"));
   EXPECT_NE(finding(sheet, "cosine_factor").outcome, Outcome::fail);
   EXPECT_EQ(finding(t, "light_gain").outcome, Outcome::pass);
-  // The steepest light three times too bright: a cosine explains less than the gain does.
+  // The steepest light is three times too bright. A cosine explains this less well than a gain does.
   const DataSheet steep = data_sheet(scaled_light(
       measured(glossy(0.3, 0.4, 0.05, 0.4), {.lights = {10, 30, 50, 70}, .step = 10}, 0.03), 70, 3));
   EXPECT_EQ(finding(steep, "light_gain").outcome, Outcome::fail);
   EXPECT_NE(finding(steep, "cosine_factor").outcome, Outcome::fail);
-  // Two lights: nobody can tell which of them is wrong.
+  // With two lights it cannot be decided which of them is wrong.
   EXPECT_EQ(finding(scaled_light(measured(glossy(), {.lights = {20, 60}}), 20, 1.5), "light_gain").outcome,
             Outcome::not_applicable);
 }
@@ -189,7 +189,7 @@ TEST(Power, ACosineIsClaimedWhereTheExponentIsTight) {
     EXPECT_EQ(f.outcome, Outcome::fail);
     EXPECT_THAT(f.statement, HasSubstr(std::string("f_r times ") + name));
   }
-  // Half a cosine is none.
+  // The square root of a cosine must not be reported as a cosine.
   const Finding half =
       finding(changed(t, [&](std::size_t k, double v) { return v * std::sqrt(cosine(t.theta_i[k])); }),
               "cosine_factor");
@@ -223,7 +223,7 @@ TEST(Power, AnyNumberStandsForWhatWasNotMeasured) {
 }
 
 TEST(Power, ZerosAmongNoiseOfTheirSizeAreData) {
-  // A highlight above a dark level that a detector cannot tell from 0, cut at 0.
+  // A highlight above a dark level that a detector cannot distinguish from 0, cut off at 0.
   std::mt19937 random(4);
   std::normal_distribution<double> normal;
   const io::SampleTable t = measured(glossy(0, 0.5, 0.05, 0.08), {}, 0);
@@ -231,7 +231,7 @@ TEST(Power, ZerosAmongNoiseOfTheirSizeAreData) {
       changed(t, [&](std::size_t, double v) { return std::max(v + 5e-4 + 6e-4 * normal(random), 0.0); });
   EXPECT_GT(std::count(clipped.values[0].begin(), clipped.values[0].end(), 0.0), 100);
   EXPECT_EQ(finding(clipped, "fill").outcome, Outcome::pass);
-  // Digits that end above the value.
+  // The last digit is larger than the small values, so that they are rounded to 0.
   const io::SampleTable rounded =
       changed(t, [](std::size_t, double v) { return std::round(v * 1e3) * 1e-3; });
   EXPECT_EQ(finding(rounded, "fill").outcome, Outcome::pass);
@@ -243,7 +243,7 @@ TEST(Power, AReadingThatStandsStillIsStuckUnlessTheCurveIsFlat) {
   const Finding f = finding(changed(t, stuck), "stuck");
   EXPECT_EQ(f.outcome, Outcome::fail);
   EXPECT_THAT(f.statement, HasSubstr("8 rows in succession"));
-  // Few digits on a flat curve repeat a value as well.
+  // On a flat curve, few digits repeat a value as well.
   const io::SampleTable flat =
       changed(measured(matt(0.3)), [](std::size_t, double v) { return std::round(v * 1e3) * 1e-3; });
   EXPECT_EQ(finding(flat, "stuck").outcome, Outcome::pass);
@@ -252,7 +252,7 @@ TEST(Power, AReadingThatStandsStillIsStuckUnlessTheCurveIsFlat) {
 
 TEST(Power, RowsThatSoftwareMadeAreNamed) {
   const io::SampleTable t = measured(glossy(0.5, 0.4, 0.05, 0.3), Grid::in_plane(1), 0.004);
-  // The last values of every curve are a straight line to 0 at 90 degrees.
+  // The last values of every curve are on a straight line to 0 at 90 degrees.
   const Finding ramp = finding(
       changed(t,
               [&](std::size_t k, double v) {
@@ -269,7 +269,7 @@ TEST(Power, RowsThatSoftwareMadeAreNamed) {
           t.theta_o[k - 2] == t.theta_o[k] - 1)
         filled.values[0][k] = 0.5 * (t.values[0][k - 2] + t.values[0][n]);
   EXPECT_THAT(finding(filled, "invented").statement, HasSubstr("interpolated"));
-  // One light's curve under another light's name.
+  // The curve of one light appears under the angle of another light.
   io::SampleTable copied = t;
   for (std::size_t k = 0; k < t.rows(); ++k)
     for (std::size_t n = 0; n < t.rows(); ++n)
@@ -277,7 +277,7 @@ TEST(Power, RowsThatSoftwareMadeAreNamed) {
           t.phi_o[n] == t.phi_o[k])
         copied.values[0][k] = t.values[0][n];
   EXPECT_THAT(finding(copied, "invented").statement, HasSubstr("40 and 50 degrees are one curve"));
-  // f_r times a cosine falls to 0 at 90 degrees as well, and is no ramp.
+  // f_r times a cosine falls to 0 at 90 degrees as well, but is not a straight line.
   EXPECT_EQ(finding(changed(t, [&](std::size_t k, double v) { return v * cosine(t.theta_o[k]); }), "invented")
                 .outcome,
             Outcome::pass);

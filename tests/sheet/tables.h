@@ -1,4 +1,4 @@
-// Tables of known materials, and what their sheet says.
+// Tables of known materials, and access to the findings of their sheets.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace brdf::sheet {
 
-// Directions of a goniometer: the light stands at azimuth 180, the mirror direction at 0.
+// Directions of a goniometer. The light is at azimuth 180, the mirror direction at azimuth 0.
 struct Grid {
   std::vector<double> lights{10, 20, 30, 40, 50, 60, 70};
   double step = 5, last = 80;                     // degrees, of the viewer's polar angle
@@ -43,7 +43,7 @@ inline Material matt(double rho) {
   return {{"fr"}, {term}};
 }
 
-// The material's values times exp(noise z), z normal.
+// Returns the material's values times exp(noise z), z normal.
 inline io::SampleTable measured(const Material& material, const Grid& grid = {}, double noise = 0.01,
                                 unsigned seed = 1) {
   io::SampleTable t;
@@ -68,7 +68,7 @@ inline io::SampleTable measured(const Material& material, const Grid& grid = {},
   return t;
 }
 
-// The same table with each value of the rows that `holds` chooses changed.
+// Returns the table with each value replaced by change(row, value).
 inline io::SampleTable changed(io::SampleTable t,
                                const std::function<double(std::size_t row, double value)>& change) {
   for (auto& values : t.values)

@@ -1,3 +1,4 @@
+// Tests the folders of a study: their names, and when their content can be reused.
 #include "study/folder.h"
 
 #include <gmock/gmock.h>
@@ -21,7 +22,7 @@ TEST(FolderNames, AreTheFilesWithoutSuffixAndNeverTheSame) {
               ElementsAre("copper", "copper.csv", "copper.bsdf", "copper.csv-2"));
   EXPECT_THAT(folder_names({"index.html.csv", "study.json"}), ElementsAre("index.html.csv", "study"));
   EXPECT_THAT(folder_names({"..csv", "in/...csv"}),
-              ElementsAre("..csv", "...csv"));  // not this one, nor above
+              ElementsAre("..csv", "...csv"));  // neither this folder nor the one above
   EXPECT_THAT(folder_names({"study.json.csv", "study.json.csv"}),
               ElementsAre("study.json.csv", "study.json.csv-2"));
 }

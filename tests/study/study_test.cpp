@@ -1,3 +1,4 @@
+// Tests studies of one or more samples: their pages, the overview, and the reuse of finished results.
 #include "study/study.h"
 
 #include <gmock/gmock.h>
@@ -87,7 +88,7 @@ TEST_F(StudyOfFiles, RedoesInputsAndSettingsThatChanged) {
   EXPECT_EQ(kept_of(run()), 3u);
 }
 
-// The order in which a reader asks; what few ask for is folded.
+// The page has the order in which a reader asks, and rarely needed parts are folded.
 TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   options_.sample.pictures = true;
   options_.sample.models.push_back({*find_form("lambert")});
@@ -161,7 +162,7 @@ TEST_F(StudyOfFiles, PicturesThatWereLeftOutAreDrawnOnceTheyAreWanted) {
   EXPECT_TRUE(fs::exists(options_.folder / "fitted.png"));
 }
 
-// The files are drawn as the page draws, of the material that stands beside them.
+// The picture files are drawn like the pictures of the page, from the material that is stored next to them.
 TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   files_.resize(1);
   options_.sample.pictures = true;
@@ -185,7 +186,7 @@ TEST_F(StudyOfFiles, OneSampleIsThePageItself) {
   EXPECT_EQ(kept_of(run()), 1u);
 }
 
-// What one sample left behind is gone once the folder holds the overview of several.
+// The files of a single sample are removed when the folder receives the overview of several samples.
 TEST_F(StudyOfFiles, AnOverviewTakesThePlaceOfAPage) {
   const std::vector<std::string> all = files_;
   files_.resize(1);

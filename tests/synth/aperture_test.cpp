@@ -1,3 +1,4 @@
+// Tests the quadrature rule over the aperture of a detector.
 #include "brdf/aperture.h"
 #include "brdf/forms.h"
 
@@ -39,8 +40,8 @@ TEST(Aperture, NodesTurnWithTheAxisAndKeepTheirDistance) {
   }
 }
 
-// The mean over the cone of exp(-(t/s)^2), t the small
-// angle to the axis moved by `offset`, against a fine rule.
+// Returns the mean over the cone of exp(-(t/s)^2) by a rule with this many rings; t is the small angle to
+// the axis moved by `offset`. A fine rule gives the reference.
 double gaussian_mean(double width, double s, double offset, int rings) {
   double sum = 0;
   for (const ApertureNode& node : aperture_nodes(radians(width), rings)) {
@@ -59,7 +60,7 @@ TEST(Aperture, TheFittingRuleIsAsAccurateAsDocumented) {
   EXPECT_GT(error(width / 4, 0, kFitRings), 5e-4);
   EXPECT_LT(error(width, 0, kFitRings), 1e-6);
   EXPECT_LT(error(width / 4, 0, kSynthRings), 1e-13);
-  // A closed form: the mean over the disc of radius r is s^2/r^2 (1 - exp(-r^2/s^2)).
+  // The closed form of the mean over the disc of radius r is s^2/r^2 (1 - exp(-r^2/s^2)).
   const double q = 16.0 / 4;
   EXPECT_NEAR(gaussian_mean(width, width / 4, 0, kSynthRings), (1 - std::exp(-q)) / q,
               1e-4 * (1 - std::exp(-q)) / q);
@@ -72,7 +73,7 @@ TEST(Aperture, ALambertianReadsTheSameThroughAnyApertureAwayFromTheHorizon) {
   double value[1];
   eval_aperture(material, wi, wo, nodes, nodes, value);
   EXPECT_NEAR(value[0], 0.5 / kPi, 1e-15);
-  // Half of the cone lies below the horizon, and is dark.
+  // Half of the cone is below the horizon, and dark.
   eval_aperture(material, wi, direction(radians(kPi / 2), {}), aperture_nodes({}), nodes, value);
   EXPECT_NEAR(value[0], 0.25 / kPi, 0.05 / kPi);
 }

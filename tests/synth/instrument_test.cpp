@@ -1,3 +1,4 @@
+// Tests the synthetic instrument: its readings, noise, apertures and grids of directions.
 #include "synth/instrument.h"
 #include "brdf/forms.h"
 
@@ -131,8 +132,8 @@ TEST(Instrument, AnApertureWiderThanTheLobeFlattensItAndWarns) {
   const auto peak = [](const io::SampleTable& t) {
     return *std::max_element(t.values[0].begin(), t.values[0].end());
   };
-  // At 30 degrees the mirror lobe of slopes alpha is a
-  // Gaussian of widths 2 alpha and 2 alpha cos(30) in angle.
+  // At 30 degrees the mirror lobe of slopes alpha is a Gaussian of widths 2 alpha and 2 alpha cos(30) in
+  // angle.
   EXPECT_NEAR(peak(blurred) / peak(sharp), 0.52, 0.05);
   EXPECT_TRUE(measure(ward_material(0.1, 0.1), instrument).warnings.empty());
 }
@@ -173,7 +174,7 @@ TEST(Grid, TurningTheSampleTurnsBothDirectionsTheOtherWay) {
   const std::size_t half = grid.rows() / 2;
   EXPECT_EQ(grid.phi_i[half], 150);
   EXPECT_EQ(grid.phi_o[half + 85 + 40], 330);
-  // What an anisotropic material shows when turned is what the turned material shows.
+  // Rotating the sample of an anisotropic material must give the same values as rotating the material.
   Instrument turned_sample = in_plane();
   turned_sample.grid.azimuths = {30};
   Material turned_material = ward_material(0.1, 0.3);

@@ -1,4 +1,4 @@
-// The noise that a table tells of itself, against the noise that it was made with.
+// Compares the noise that is estimated from a table with the noise that was added to it.
 #include "io/samples/noise.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ Material drawn_material(Draw& draw) {
     const ParameterInfo& p = f.shape[k];
     double& value = m.terms[0].shape[0][k];
     if (p.name.starts_with("alpha"))
-      value = draw.below(6) ? alpha : draw.by_ratio(0.02, 0.6);  // of one in six two widths
+      value = draw.below(6) ? alpha : draw.by_ratio(0.02, 0.6);  // one in six has a width of its own
     else if (p.name == "exponent")
       value = 2 / (alpha * alpha);
     else if (p.name != "tangent_phi")
@@ -59,7 +59,7 @@ Material drawn_material(Draw& draw) {
   return m;
 }
 
-// Directions of one scan of an instrument.
+// Returns the directions of one scan of an instrument.
 io::SampleTable scan(Pattern pattern, Draw& draw) {
   io::SampleTable t;
   const double step = draw.below(2) ? 1 : 2, apart = 10 + 2 * double(draw.below(4));
@@ -160,7 +160,7 @@ TEST(Noise, IsThatOfEachChannel) {
 
 TEST(Noise, DoesNotDependOnTheOrderOfRows) {
   Instrument instrument = hemisphere(0.03);
-  instrument.grid.step = 1.5;  // more rows than are used of one kind of scan
+  instrument.grid.step = 1.5;  // more rows of one kind of scan than are used
   const io::SampleTable t = measure(gloss({"f"}), instrument);
   ASSERT_GT(t.rows(), 12000u);
   std::vector<std::uint32_t> rows(t.rows());
@@ -189,7 +189,7 @@ TEST(Noise, OfRepeatedRowsNeedsNoNeighbours) {
   Draw draw(3);
   for (int k = 0; k < 200; ++k) {
     const double light = draw.uniform(0, 80), viewer = draw.uniform(0, 80), azimuth = draw.uniform(0, 360),
-                 law = draw.by_ratio(0.01, 10);  // no law at all from one direction to the next
+                 law = draw.by_ratio(0.01, 10);  // unrelated values in all directions
     for (int repeat = 0; repeat < 2; ++repeat) {
       t.add_directions(light, 0, viewer, azimuth);
       t.values[0].push_back(law * std::exp(0.03 * normal(random)));

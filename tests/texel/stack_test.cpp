@@ -1,4 +1,5 @@
-// Stacks as folders: read as they were written, refused with the file's name where they are damaged.
+// Tests stacks as folders: they are read back unchanged, and refused with the name of the file if they are
+// damaged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
   EXPECT_TRUE(std::isnan(linear[2]));  // 255 is saturated
   EXPECT_FLOAT_EQ(linear[3], 0.8f);
   // IEC 61966-2-1: 51 of 255 is 0.2, and ((0.2 + 0.055) / 1.055)^2.4 = 0.0331048; 10 of 255 is on the
-  // straight part.
+  // straight part of the curve.
   const std::vector<float> srgb = first_image("# transfer: srgb\n");
   EXPECT_NEAR(srgb[1], 0.0331048, 1e-7);
   EXPECT_NEAR(srgb[4], 10 / 255.0 / 12.92, 1e-8);
@@ -104,14 +105,14 @@ TEST_F(Stacks, OfNearLightsKnowWhereATexelIs) {
   EXPECT_THAT(refusal(), HasSubstr("need texel_size"));
   write_lights("# light_distance: 10\n# texel_size: 2\n");
   const Stack stack = open_stack(path());
-  // The texel on the right in the upper of two rows of three: 2 to the right of the middle, 1 above it. The
-  // second light stands 30 degrees from z in the direction of 30 degrees from x.
+  // The texel is on the right in the upper of two rows of three: 2 to the right of the middle and 1 above
+  // it. The second light is 30 degrees from z, in the direction of 30 degrees from x.
   const Vec3<double> light{10 * 0.25 * std::sqrt(3.0), 10 * 0.25, 10 * 0.5 * std::sqrt(3.0)};
   const double x = light.x - 2, y = light.y - 1, square = x * x + y * y + light.z * light.z;
   const DirectionArrays<double> seen = directions_at(stack, 2, 0);
   EXPECT_NEAR(seen.view().wi(1).x, x / std::sqrt(square), 1e-12);
   EXPECT_NEAR(seen.view().wi(1).y, y / std::sqrt(square), 1e-12);
-  EXPECT_EQ(seen.view().wo(1).z, 1);  // the viewer is far
+  EXPECT_EQ(seen.view().wo(1).z, 1);  // the viewer is distant
   EXPECT_NEAR(read_region(stack, {2, 0, 1, 1})[1], 102 * square / 100, 1e-4);
 }
 

@@ -1,3 +1,4 @@
+// Tests the points and kernels of measurements, and the timing of calls.
 #include "trade/measure/domain.h"
 
 #include <gtest/gtest.h>
@@ -94,13 +95,13 @@ TEST(Timing, RunsEveryCallInEveryRound) {
   ASSERT_EQ(timings.size(), 2u);
   EXPECT_EQ(timings[1].rounds, 5);
   EXPECT_EQ(rounds, 5);
-  EXPECT_GE(a, 6);  // one to warm, one a round
+  EXPECT_GE(a, 6);  // one to warm up, one per round
   EXPECT_GE(b, 6);
   EXPECT_LE(timings[0].lower, timings[0].upper);
 }
 
 TEST(Timing, RatiosAreToTheFirstCallBesideEach) {
-  // The machine slows down as it goes; pairs of neighbours do not feel it.
+  // The machine becomes slower during the test. Ratios of neighbouring calls must not be affected.
   double drift = 1;
   volatile double sink = 0;
   const auto work = [&](int n) {
@@ -111,7 +112,7 @@ TEST(Timing, RatiosAreToTheFirstCallBesideEach) {
   const std::vector<std::function<void()>> calls{work(20000), work(40000), work(10000)};
   timing::Options options;
   options.clock = timing::Clock::thread;
-  options.between = [&] { drift *= 1.05; };  // 2.8 times slower in the end
+  options.between = [&] { drift *= 1.05; };  // 2.8 times slower at the end
   const auto timings = timing::interleaved(calls, options);
   EXPECT_EQ(timings[0].ratio, 1);
   EXPECT_NEAR(timings[1].ratio, 2, 0.5);

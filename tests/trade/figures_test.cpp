@@ -1,4 +1,4 @@
-// The ledger's errors against published and re-derived figures of each approximation.
+// Compares the errors in the ledger with published and re-derived figures of each approximation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ LedgerRow row_of(const std::vector<Question>& questions, const std::string& ques
   options.rounds = 1;
   for (Question q : questions) {
     if (q.name != question) continue;
-    // The one choice beside the exact one; fewer extremes to wait for.
+    // Keeps only this choice and the exact one, and drops the extremes, to save time.
     std::erase_if(q.choices, [&, first = q.choices.front().name](const Choice& c) {
       return c.name != choice && c.name != first;
     });
@@ -35,7 +35,7 @@ LedgerRow row_of(const std::vector<Question>& questions, const std::string& ques
   return {};
 }
 
-// What is printed of an approximation: a figure, or a range.
+// A printed figure of an approximation, as a range.
 enum class Of { max, mean };
 struct Printed {
   const char *question, *choice;
@@ -52,23 +52,23 @@ constexpr Printed monte_carlo(const char* question, const char* choice, double f
   return {question, choice, Of::max, figure / 2, figure * 2};
 }
 
-// Largest errors against the exact term as published and measured elsewhere.
+// Largest and mean errors against the exact term, as published or measured elsewhere.
 constexpr Printed kPrinted[] = {
     near("Fresnel of glass", "Schlick", Of::max, 0.036),
     {"Fresnel of aluminium", "Schlick", Of::max, 0.07, 0.12},
     {"Fresnel of iron", "Schlick", Of::max, 0.15, 0.18},
     {"Fresnel of chromium", "Schlick", Of::max, 0.19, 0.20},
-    // (g-c)^2 without its denominator: .25 and .21 off at the ends, more between.
+    // (g-c)^2 without its denominator is wrong by 0.25 and 0.21 at the ends, and by more in between.
     near("Fresnel of glass", "the article's slip", Of::max, 0.283),
     near("masking of one direction, GGX", "Schlick-GGX, k = alpha/2", Of::max, 0.20),
-    // Roughness .06, cosine .01.
+    // At roughness 0.06 and cosine 0.01.
     within(0.01, "masking of one direction, GGX", "Schlick-GGX, k = (roughness+1)^2/8", Of::max, 0.931),
     within(0.01, "masking of one direction, GGX", "Schlick-GGX, k = (alpha+1)^2/8", Of::max, 0.923),
     near("masking of one direction, Beckmann", "rational", Of::max, 0.0031),
     near("masking for GGX, by the albedo it gives", "Smith, separable", Of::max, 0.216),
     near("power of a cosine, n = 8", "spherical Gaussian", Of::max, 0.035),
     near("power of a cosine, n = 32", "spherical Gaussian", Of::max, 0.0085),
-    // By the grid.
+    // These figures depend on the grid.
     {"albedo of GGX at a table's nodes", "rational fit", Of::max, 0.05, 0.14},
     {"albedo of GGX", "rational fit", Of::max, 0.05, 0.14},
     near("albedo of GGX at a table's nodes", "rational fit", Of::mean, 0.008),
@@ -118,7 +118,7 @@ TEST(Figures, EveryRowOfTheShippedLedgerIsComplete) {
   }
 }
 
-// The rows that the documents' questions and claims need.
+// Tests that the ledger has the rows that the questions and claims of the documents need.
 TEST(Figures, TheShippedLedgerHasEveryApproximation) {
   const Ledger ledger = read_ledger(std::filesystem::path(BRDF_SOURCE_DIR) / "data/ledger.json");
   const auto expect_row = [&](const std::string& question, const std::string& choice) {
@@ -170,7 +170,8 @@ TEST(Figures, TheShippedLedgerHasEveryApproximation) {
       expect_row(std::string("families for a material of ") + truth, form);
 }
 
-// A claim is left out where the ledger lacks its row: a row that nothing makes would hide it for ever.
+// A claim is omitted if the ledger lacks its row. A row that no question produces would therefore hide its
+// claim permanently.
 TEST(Claims, AreJudgedByRowsThatThereAre) {
   const Ledger ledger = read_ledger(std::filesystem::path(BRDF_SOURCE_DIR) / "data/ledger.json");
   for (const auto& rows : claim_rows())
@@ -211,7 +212,7 @@ TEST(Figures, SchlickIsALittleUnderAQuarterTooLowForGlassAt55Degrees) {
 TEST(Figures, TheNaiveDistributionLosesItsDigitsInFloat) {
   const std::vector<Question> questions = lobe_questions();
   EXPECT_LT(row_of(questions, "D of GGX in float", "half vector not normalised").error.max, 1e-6);
-  // 3.5e-8/alpha^2 in the median: 3.5e-4 at the domain's smallest alpha.
+  // The median error is 3.5e-8/alpha^2, which is 3.5e-4 at the smallest alpha of the domain.
   EXPECT_GT(row_of(questions, "D of GGX in float", "through (n.h)^2 - 1").error.max, 1e-3);
 }
 

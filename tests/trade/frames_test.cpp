@@ -1,4 +1,4 @@
-// Rows that need the renderer, on whatever Vulkan driver there is.
+// Tests the rows that need the renderer, on any available Vulkan driver.
 #include "trade/questions/frames.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class Frames : public testing::Test {
       GTEST_SKIP() << e.what();
     }
   }
-  // The rows of a question, in few rounds: errors, not costs, are what these tests are about.
+  // Returns the rows of a question from a single round, because these tests check errors and not costs.
   std::vector<LedgerRow> rows_of(const std::string& name) {
     for (FrameQuestion& q : frame_questions(FrameDetail::quick))
       if (q.name == name) return measure_frames(*device_, q, 1);
@@ -61,7 +61,8 @@ TEST_F(Frames, UnitNormalsBeatGouraudAndTrianglesBeatBoth) {
     EXPECT_LT(image(rows, at + "Gouraud"), image(rows, at + "flat"));
     EXPECT_LT(image(rows, at + "flat"), image(rows, at + "vertex colours"));
   }
-  // Of second order in the edges: a sixteenth for sixteen times the triangles, less at the terminator.
+  // The error is of second order in the length of the edges. 16 times the triangles reduce it to a
+  // sixteenth, and to less than that at the terminator.
   const double gain = image(rows, "320 triangles, Gouraud") / image(rows, "5120 triangles, Gouraud");
   EXPECT_GT(gain, 8);
   EXPECT_LT(gain, 18);
@@ -89,10 +90,10 @@ TEST_F(Frames, ForwardAndDeferredDrawTheSamePicture) {
 
 TEST_F(Frames, TheLookupTexturesFrameHasTheKernelsImageError) {
   const auto rows = rows_of("lookup texture in a frame");
-  // The kernel's row of the same texture has 0.0084 over the whole sphere, with the limb.
+  // The row of the kernel for the same texture has 0.0084 over the whole sphere, including the limb.
   EXPECT_NEAR(image(rows, "512^2, 8 bit, bilinear, per pixel"), 0.0084, 0.2 * 0.0084);
   EXPECT_GT(image(rows, "32^2, 8 bit, nearest, per pixel"), image(rows, "512^2, 8 bit, nearest, per pixel"));
-  for (const char* bits : {"16 bit", "32 bit"})  // deeper texels change the picture, a little
+  for (const char* bits : {"16 bit", "32 bit"})  // deeper texels change the picture a little
     EXPECT_NE(image(rows, std::string("512^2, ") + bits + ", bilinear, per pixel"),
               image(rows, "512^2, 8 bit, bilinear, per pixel"));
   EXPECT_GT(image(rows, "512^2, 8 bit, bilinear, per vertex, 320 triangles"),

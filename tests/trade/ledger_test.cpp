@@ -1,3 +1,4 @@
+// Tests the ledger of costs and errors: dominated rows, files, comparisons and conclusions.
 #include "trade/ledger/ledger.h"
 #include "trade/ledger/compare.h"
 #include "trade/ledger/conclusion.h"
@@ -27,7 +28,7 @@ TEST(Ledger, NamesWhatIsNeitherFasterNorMoreAccurate) {
   mark_dominated(rows);
   EXPECT_EQ(rows[0].dominated_by, "");
   EXPECT_EQ(rows[1].dominated_by, "");
-  EXPECT_EQ(rows[2].dominated_by, "fast");  // the cheapest that dominates it
+  EXPECT_EQ(rows[2].dominated_by, "fast");  // the cheapest row that dominates it
 }
 
 TEST(Ledger, DifferencesOfCostWithinTheNoiseDecideNothing) {
@@ -35,7 +36,7 @@ TEST(Ledger, DifferencesOfCostWithinTheNoiseDecideNothing) {
   mark_dominated(rows);
   EXPECT_EQ(rows[0].dominated_by, "");
   EXPECT_EQ(rows[1].dominated_by, "");
-  rows[1].error.max = 0.05;  // not measurably dearer, and more accurate
+  rows[1].error.max = 0.05;  // not measurably more expensive, and more accurate
   mark_dominated(rows);
   EXPECT_EQ(rows[0].dominated_by, "b");
 }
@@ -112,7 +113,7 @@ TEST(Compare, CountsRowsWhoseCostRatiosAreFurtherApartThanAQuarter) {
   after.rows = before.rows;
   after.rows.pop_back();
   after.rows[1].cost_ratio *= 1.24;
-  after.rows[2].cost_ratio /= 1.26;  // either direction counts alike
+  after.rows[2].cost_ratio /= 1.26;  // both directions count alike
   after.rows[3].cost_ratio *= 10;    // below 1 ns
   const Comparison c = compare(before, after);
   EXPECT_EQ(c.compared.size(), 3u);

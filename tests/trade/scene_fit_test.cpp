@@ -1,3 +1,4 @@
+// Tests fits to the directions that a scene shows.
 #include "trade/recommend/scene_fit.h"
 #include "brdf/forms.h"
 
@@ -36,7 +37,7 @@ TEST(SceneFit, KnowsWhetherTurningTheReferenceChangesIt) {
   EXPECT_TRUE(is_isotropic(rgb_function(brushed)));
   brushed.terms[0].shape[0] = {0.2, 0.21};
   EXPECT_FALSE(is_isotropic(rgb_function(brushed)));
-  // Interpolated without regard to azimuth.
+  // A table is interpolated without regard to azimuth.
   const io::SampleTable table = hemisphere_samples(rgb_function(glossy(0.2)), 3000);
   EXPECT_TRUE(is_isotropic(rgb_function(table)));
 }
@@ -64,7 +65,7 @@ TEST(SceneFit, AVariantWithoutFresnelFindsTheWidth) {
   const Material fitted = fit_to_picture(variant_form(Variant::no_fresnel), table, false);
   EXPECT_NEAR(fitted.terms[0].shape[0][0], 0.2, 0.02);
   EXPECT_LT(image_error(view, rgb_function(fitted), rgb_function(glossy(0.2))), 0.05);
-  // In the reference form every reflectance along the normal is all that there is.
+  // The variant has no Fresnel term. In the reference form its f0 is therefore 1.
   const Material whole = in_reference_form(fitted);
   EXPECT_EQ(whole.terms[0].shape[0][1], fitted.terms[0].shape[0][0]);
   EXPECT_EQ(whole.terms[0].weights[0],

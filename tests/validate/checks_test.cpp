@@ -1,4 +1,4 @@
-// The search against facts known from elsewhere: what it finds, and that it raises no false alarm.
+// The search against facts known from other sources: it finds known violations and raises no false alarm.
 #include "validate/form/checks.h"
 #include "brdf/forms.h"
 
@@ -76,7 +76,7 @@ TEST(Energy, OfConservingFormsRaisesNoAlarm) {
 
 TEST(Reciprocity, OfThePrintedCookTorranceFormIsBroken) {
   const Finding f = check_reciprocity(Subject::form(cook_torrance_as_printed{}), {});
-  EXPECT_EQ(f.outcome, Outcome::fail);  // not yet judged against what the form declares
+  EXPECT_EQ(f.outcome, Outcome::fail);  // not yet compared with the form's declaration
   EXPECT_GT(f.value, 0.9);
 }
 

@@ -1,4 +1,4 @@
-// No two integrals of the same thing lie further apart than their bounds allow.
+// Two integrals of the same quantity never lie further apart than their error bounds allow.
 #include "validate/numerics/error_bounds.h"
 
 #include <gtest/gtest.h>

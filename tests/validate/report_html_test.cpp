@@ -1,3 +1,5 @@
+// The page of a validation: questions of the checks, maps, verdict, and the choice of the lights that are
+// shown.
 #include <gtest/gtest.h>
 
 #include "sheet/data_sheet.h"
@@ -40,7 +42,7 @@ TEST(ValidatePage, PicturesHaveALineAndWhatDoesNotApplyIsFolded) {
   EXPECT_GT(html.find(">sampling</button>"), fold);
   EXPECT_NE(html.find("<h1>Validation of matt.material.json</h1>"), std::string::npos);
   EXPECT_NE(html.find("material: <code>/data/matt.material.json</code>"), std::string::npos);
-  // Reciprocal to the last bit: a map would be one colour.
+  // Reciprocal to the last bit: a map would have a single colour, so the page has no map.
   EXPECT_NE(html.find("Reciprocity: exact."), std::string::npos);
   EXPECT_EQ(html.find("class=\"map\""), std::string::npos);
 }

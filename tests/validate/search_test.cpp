@@ -1,3 +1,5 @@
+// The search for a maximum: exact peaks and corners, determinism, NaN, rough functions, and the even cover
+// of the domain.
 #include "validate/search/search.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +37,7 @@ TEST(Search, IgnoresNaN) {
 }
 
 TEST(Search, TheBestSummitsArePolishedWithTheExactFunction) {
-  // Roughly the left hill is the higher one, exactly the right one.
+  // The left hill is the higher one in the rough function, the right hill in the exact function.
   const auto hills = [](double left, double right) -> Objective {
     return [=](std::span<const double> x) {
       return left * std::exp(-50 * std::pow(x[0] - 0.25, 2)) +
@@ -47,7 +49,7 @@ TEST(Search, TheBestSummitsArePolishedWithTheExactFunction) {
   EXPECT_NEAR(best.value, 1.01, 1e-5);
 }
 
-// A narrow hill under noise, which no climb by equal steps gets over.
+// A narrow hill under noise. A climb by equal steps does not overcome the noise.
 TEST(Search, OfARoughFunctionFindsTheHillUnderTheNoise) {
   const auto f = [](std::span<const double> x) {
     double from = 0, seed = 0;

@@ -18,7 +18,8 @@ struct TwoExponents {
 };
 
 // Ashikhmin and Shirley 2000, the specular lobe (eq. 4): f = kd/pi + ks F sqrt((nu + 1)(nv + 1))/(8 pi)
-// (n.h)^(nu cos^2 + nv sin^2) / (h.o max(n.i, n.o)), the azimuth being that of h; Schlick's F.
+// (n.h)^(nu cos^2 + nv sin^2) / (h.o max(n.i, n.o)). cos and sin are taken of the azimuth of h; F is
+// Schlick's.
 // Domain: exponents 0..1e5.
 // Symmetry: anisotropic, reciprocal.
 // Known violations: none known for kd = 0.
@@ -27,7 +28,7 @@ struct ashikhmin_shirley : Takes<SchlickWeights, TwoExponents> {
   static constexpr std::string_view family = "ashikhmin_shirley";
   static constexpr NoViolations violations{};
 
-  // ln(1 + t)/t for t >= 0.
+  // Returns ln(1 + t)/t for t >= 0.
   template <class G>
   static G log1p_over(const G& t) {
     const auto small = t < G(1e-4);

@@ -17,10 +17,12 @@ struct LafortuneShape {
   }
 };
 
-// Lafortune et al. 1997, one isotropic lobe (eq. 5) with -C_x = -C_y = 1 and Phong's normalisation: f = kd/pi
-// + ks (n + 2)/(2 pi) max(0, C_z i_z o_z - i_x o_x - i_y o_y)^n. Domain: C_z 0.2..1, exponent 0..1e4.
-// Symmetry: isotropic, reciprocal. Known violations: none for kd + ks <= 1; for C_z above 1, which is left
-// out, the lobe would have no bound.
+// Lafortune et al. 1997, one isotropic lobe (eq. 5) with -C_x = -C_y = 1 and Phong's normalisation: f =
+// kd/pi + ks (n + 2)/(2 pi) max(0, C_z i_z o_z - i_x o_x - i_y o_y)^n.
+// Domain: C_z 0.2..1, exponent 0..1e4.
+// Symmetry: isotropic, reciprocal.
+// Known violations: none for kd + ks <= 1. The domain excludes C_z above 1, for which the lobe would be
+// unbounded.
 struct lafortune : Takes<LobeWeights, LafortuneShape> {
   static constexpr std::string_view name = "lafortune";
   static constexpr std::string_view family = "lafortune";

@@ -14,9 +14,11 @@ struct SheenWidth {
   }
 };
 
-// Estevez and Kulla 2017 ("Charlie"): f = kd/pi + ks D V with D = (2 + 1/alpha) sin_h^(1/alpha) / (2 pi) and
-// V = 1/(4 (cos_i + cos_o - cos_i cos_o)) of Neubelt and Pettineo 2013. Domain: alpha 0.01..1. Symmetry:
-// isotropic, reciprocal. Known violations: energy towards grazing, at most where alpha is smallest.
+// Estevez and Kulla 2017 ("Charlie"): f = kd/pi + ks D V with D = (2 + 1/alpha) sin_h^(1/alpha) / (2 pi)
+// and V = 1/(4 (cos_i + cos_o - cos_i cos_o)) of Neubelt and Pettineo 2013.
+// Domain: alpha 0.01..1.
+// Symmetry: isotropic, reciprocal.
+// Known violations: energy towards grazing angles, most of all at the smallest alpha.
 struct sheen : Takes<LobeWeights, SheenWidth> {
   static constexpr std::string_view name = "sheen";
   static constexpr std::string_view family = "sheen";

@@ -1,4 +1,4 @@
-// A reflectance that no list names, made of a lambda, goes through every room.
+// Tests that a reflectance outside of all lists, made from a lambda, works in every folder of the project.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,8 @@
 namespace brdf {
 namespace {
 
-// A cosine lobe about the half vector, with Schlick's Fresnel: as in none of the catalogue's forms.
+// Returns a cosine lobe about the half vector with Schlick's Fresnel term. No form of the catalogue has
+// this combination.
 Reflectance glimmer() {
   return reflectance_from<"glimmer", SchlickWeights, Exponent>([](const auto& shape, const auto& g) {
     using S = std::remove_cvref_t<decltype(shape.exponent)>;
@@ -94,7 +95,7 @@ TEST(OutsideTheCatalogue, IsWrittenAsGlsl) {
 }
 
 #ifdef BRDF_HAS_RENDER
-// The deferred renderer draws it too: tests/render/strangers_driver.cpp.
+// The deferred renderer draws it, too: tests/render/strangers_driver.cpp.
 TEST(OutsideTheCatalogue, IsRendered) {
   render::Scene scene = render::material_scene({{"m", glossy({"r", "g", "b"})}});
   scene.camera.width = scene.camera.height = 64;

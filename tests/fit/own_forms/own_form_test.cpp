@@ -1,4 +1,5 @@
-// Forms that the catalogue lacks: fitted by what their tables say, whatever the parameters are called.
+// Forms outside the catalogue are fitted according to their tables, whatever the names of their parameters
+// are.
 #include <gtest/gtest.h>
 
 #include "brdf/reflectance_of.h"
@@ -10,7 +11,8 @@
 namespace brdf::fit {
 namespace {
 
-// Weights in another order and under other names than any of the catalogue's; f0 divides the gloss.
+// The weights differ in order and names from the weights of every form of the catalogue; f0 divides the
+// gloss.
 template <class T>
 struct CoatWeights {
   T gloss, edge, body;
@@ -119,7 +121,7 @@ TEST(OwnForm, TakesPartInSums) {
   truth.terms[0].weights = {{0.3}, {0.4}};
   truth.terms.push_back(coat_material().terms[0]);
   truth.terms[1].shape[0] = {60, 60};
-  for (auto& weights : truth.terms[1].weights) weights[2] = 0;  // the diffuse part is the first term's
+  for (auto& weights : truth.terms[1].weights) weights[2] = 0;  // the first term has the diffuse part
   const FormFit f =
       fit(samples_of(truth), {{*find_form("lambert"), coat{}}}, options_of(false)).ranking.front();
   EXPECT_EQ(f.verdict, Verdict::converged);
@@ -128,7 +130,7 @@ TEST(OwnForm, TakesPartInSums) {
   EXPECT_EQ(f.material.terms[1].weights[0][2], 0);
 }
 
-// A lobe that is the same on both sides of skew = 1/2: every minimum has a twin.
+// The lobe is symmetric about skew = 1/2, so that every minimum has a twin.
 template <class T>
 struct Skew {
   T skew;
@@ -159,7 +161,8 @@ TEST(OwnForm, TwoMinimaOfOneCostAreTwoAndSaidSo) {
       << f.findings.back();
 }
 
-// Constant values do not see the width: wherever a start ends, it is the same minimum.
+// Constant values do not depend on the width. All starting points end in the same minimum, wherever the
+// width ends.
 TEST(OwnForm, AValleyIsOneMinimum) {
   const Material white = make_material(*find_form("lambert"), {"f"});
   const FormFit f = fit_one(measured(white, {"hemisphere"}, 0.05), {"ward"}, options_of(false));
@@ -167,7 +170,8 @@ TEST(OwnForm, AValleyIsOneMinimum) {
     EXPECT_GT(f.minima[k].cost, (1 + 1e-6) * f.minima[0].cost);
 }
 
-// A model whose f0 divides the lobes of two weights: no choice of lobe weights says which f0 that is.
+// The f0 of this model divides the lobes of two weights, so that no choice of lobe weights determines which
+// lobe the f0 belongs to.
 class Undetermined final : public ReflectanceModel {
  public:
   Undetermined() {

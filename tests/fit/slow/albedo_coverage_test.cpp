@@ -1,10 +1,11 @@
-// What the interval of a derived value is worth: the albedo of a fitted material.
+// Tests the coverage of the interval of a derived value, the albedo of a fitted material.
 #include "../albedo_coverage.h"
 
 namespace brdf::fit {
 namespace {
 
-// 500 replicates of each material: at every angle the truth lies in the interval 92 to 98 % of the time.
+// For 500 replicates of each material, the interval must hold the truth 92 to 98 % of the time at every
+// angle.
 TEST(AlbedoInterval, CoversTheTruthIn92To98PercentOf500Replicates) {
   constexpr int kReplicates = 500;
   for (const CoverageCase& c : coverage_cases())

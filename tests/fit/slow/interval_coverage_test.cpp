@@ -1,5 +1,5 @@
-// How often 95 % intervals hold the truth: where a bound, a valley, a hidden lobe or few rows make it hard,
-// and in ordinary fits. docs/fitting.md has the table.
+// Tests how often 95 % intervals hold the truth, in ordinary fits and in hard cases: a parameter at its
+// bound, a valley, a hidden lobe, few rows. docs/fitting.md has the table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,10 +23,10 @@ struct Case {
   const char* form;
   std::vector<double> shape, weights;
   double noise;
-  synth::GridOptions grid;  // without pairs
+  synth::GridOptions grid;  // used if `pairs` is empty
   std::function<Pairs(std::uint64_t)> pairs;
-  std::set<std::string> unknown;  // what the samples cannot tell
-  bool near_bound = false;        // intervals may hold the truth more often than they say
+  std::set<std::string> unknown;  // parameters that the samples cannot determine
+  bool near_bound = false;        // the coverage may exceed the nominal 95 %
 };
 
 synth::GridOptions grid_of(const char* part, std::vector<double> lights, double step) {
@@ -195,7 +195,7 @@ TEST(IntervalCoverage, IsWhatTheIntervalsSay) {
   }
 }
 
-// Every form that can be fitted, at random parameters, noise and grids.
+// Fits every fittable form at random parameters, noise and grids.
 TEST(IntervalCoverage, HoldsOverAllFormsForEveryVerdict) {
   std::vector<Reflectance> all;
   for (const Reflectance& form : catalogue())
@@ -233,8 +233,8 @@ TEST(IntervalCoverage, HoldsOverAllFormsForEveryVerdict) {
   }
 }
 
-// Two lobes in truth, one fitted: the intervals with lack of fit of every other light against those of the
-// lights between.
+// The truth has two lobes and the model has one. The intervals with lack of fit of every other light are
+// compared with the intervals of the lights between.
 TEST(IntervalCoverage, OfAlternateLightsUnderAWrongModelOverlap) {
   Material truth = make_material(*find_form("cook_torrance"), {"f"});
   truth.terms.push_back(truth.terms[0]);

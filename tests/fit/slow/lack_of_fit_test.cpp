@@ -1,4 +1,4 @@
-// Intervals of a model that is wrong: one lobe on a surface with two.
+// Tests the intervals of a wrong model: one lobe is fitted to a surface with two.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,7 +30,8 @@ std::vector<double> incidences(std::size_t count, std::mt19937_64& random) {
   return out;
 }
 
-// So many viewers of each incidence: half anywhere, half within 25 degrees of the mirror direction.
+// Returns `viewers` directions for each incidence: half anywhere, half within 25 degrees of the mirror
+// direction.
 io::SampleTable pattern(const std::vector<double>& incidences, int viewers, std::mt19937_64& random) {
   io::SampleTable t;
   for (const double theta_i : incidences)
@@ -43,7 +44,7 @@ io::SampleTable pattern(const std::vector<double>& incidences, int viewers, std:
   return t;
 }
 
-// Viewers every `theta` degrees from the normal to 80 and every `phi` degrees about it.
+// Returns viewers every `theta` degrees from the normal to 80 degrees and every `phi` degrees about it.
 io::SampleTable grid(const std::vector<double>& incidences, double theta, double phi) {
   io::SampleTable t;
   for (const double theta_i : incidences)
@@ -72,10 +73,10 @@ int replicates(int usual) {
 
 const std::vector<std::string> kNames{"alpha_x", "ks", "kd"};
 
-// How often the intervals of one lobe hold the values of a fit without noise.
+// Counts how often the intervals of one lobe hold the values of a fit without noise.
 class LobeCoverage {
  public:
-  // A table with noise, and the one whose values its intervals are to hold.
+  // Adds a table with noise. Its intervals should hold the values of the fit `expected`.
   void add(const io::SampleTable& table, const FormFit& expected) {
     const FormFit found = fit_one(table, {"ward"});
     ++count_;
@@ -121,8 +122,8 @@ FormFit without_noise(io::SampleTable table) {
   return fit_one(table, {"ward"}, bare);
 }
 
-// Incidences and viewers are drawn anew in each replicate: what the model's error does to the parameters
-// depends on them.
+// Incidences and viewers are drawn anew in each replicate, because the effect of the model's error on the
+// parameters depends on them.
 TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   std::mt19937_64 random(11);
   LobeCoverage coverage;
@@ -139,9 +140,9 @@ TEST(LackOfFit, EnlargedIntervalsHoldTheValueOfTenTimesTheRowsWithoutNoise) {
   }
 }
 
-// The same incidences in every replicate, and in the table of ten times the rows: the model's error is then a
-// constant, and an interval that is wide enough for other incidences holds more than it must
-// (docs/fitting.md).
+// All replicates, and the table of ten times the rows, have the same incidences. The model's error is then
+// constant, and an interval that is wide enough for other incidences covers more often than its nominal
+// level (docs/fitting.md).
 TEST(LackOfFit, EnlargedIntervalsOfAFixedPatternAreNeverTooNarrow) {
   std::mt19937_64 random(12);
   const std::vector<double> drawn = incidences(14, random), few{10, 30, 50, 70},

@@ -1,4 +1,4 @@
-// The ranking of large tables is that of all rows.
+// Tests that the ranking of a large table equals the ranking by all rows.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -9,7 +9,7 @@
 namespace brdf::fit {
 namespace {
 
-// 20 incidences, 7,280 viewers each, a lobe of alpha .02 that few of them see.
+// Returns 20 incidences with 7,280 viewers each. The lobe has alpha 0.02, and few viewers see it.
 io::SampleTable large_table() {
   io::SampleTable t;
   for (int i = 0; i < 20; ++i)

@@ -1,4 +1,5 @@
-// Noise-free truth comes back: published parameter sets and random ones, hemisphere plus 1-degree in-plane.
+// Noise-free truth is recovered for published and random parameter sets, from a hemisphere plus 1-degree
+// steps in plane.
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
@@ -23,7 +24,8 @@ io::SampleTable dense_samples(const Material& truth) {
   return synth::measure(truth, instrument);
 }
 
-// sqrt((J'J)^-1_jj)/|p_j| of the log residual at the truth, in the order shape, then weights per channel.
+// Returns sqrt((J'J)^-1_jj)/|p_j| of the log residual at the truth: first the shape, then the weights per
+// channel.
 std::vector<double> relative_conditions(const Material& truth, const io::SampleTable& table) {
   const FitData data = prepare(table, {});
   const Model model({truth.terms[0].form}, truth.channels, {});
@@ -158,8 +160,8 @@ std::vector<std::vector<std::string>> rows_of(const std::string& file) {
   return rows;
 }
 
-// Which of our forms a published set is of, and how its
-// numbers become ours (conventions: Ngan 2005, Loew 2012).
+// Maps the name of a published parameter set to the form that it belongs to. published_material() converts
+// the numbers (conventions: Ngan 2005, Loew 2012).
 struct Mapping {
   const char* set;
   const char* form;

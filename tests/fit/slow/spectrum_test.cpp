@@ -1,4 +1,4 @@
-// A spectrum's intervals hold what they promise.
+// Tests that the intervals of a spectrum have their nominal coverage.
 #include <gtest/gtest.h>
 
 #include "tests/fit/spectra.h"

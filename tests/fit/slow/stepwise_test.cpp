@@ -1,4 +1,4 @@
-// How often --form auto is right: fifty tables of one lobe, fifty of two.
+// Tests how often --form auto finds the right number of lobes: 50 tables of one lobe, 50 tables of two.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +40,8 @@ TEST(StepwiseInFifty, NoSecondLobeWhereThereIsOne) {
   EXPECT_EQ(wrong, 0);
 }
 
-// Widths apart by three at least, both lobes of weight, alone or over a diffuse term.
+// The widths differ by a factor of at least three and both lobes have a considerable weight, with or
+// without a diffuse term.
 TEST(StepwiseInFifty, TheSecondOfTwoIsFound) {
   std::mt19937_64 random(12);
   const Reflectance form = forms({"cook_torrance"})[0];

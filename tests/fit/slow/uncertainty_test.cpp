@@ -1,4 +1,4 @@
-// What 95 % intervals are worth, and what outliers do to two lobes.
+// Tests the coverage of 95 % intervals, and the effect of outliers on a fit of two lobes.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -18,7 +18,8 @@ struct Family {
 
 class Coverage : public ::testing::TestWithParam<Family> {};
 
-// 2,000 replicates of value * exp(.05 z - .00125); the truth must lie in the interval 92 to 98 % of the time.
+// For 2,000 replicates of value * exp(0.05 z - 0.00125), the interval must hold the truth 92 to 98 % of the
+// time.
 TEST_P(Coverage, OfNominal95IntervalsIs92To98Percent) {
   constexpr int kReplicates = 2000;
   const Family family = GetParam();
@@ -48,7 +49,7 @@ TEST_P(Coverage, OfNominal95IntervalsIs92To98Percent) {
     SolveOptions solver;
     const Solution s = refine(stream, start, solver);
     ASSERT_EQ(s.termination, Termination::converged);
-    if (k % 100 == 0) {  // from the true parameters the solver finds what the grid of starts finds
+    if (k % 100 == 0) {  // a start at the truth leads to the same minimum as the grid of starting points
       const SearchResult grid = find_minima(data, model, {}, options);
       ASSERT_NEAR(grid.minima.front().cost / s.cost, 1, 1e-9);
     }
@@ -84,7 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Slow, Coverage,
                                            Family{"oren_nayar", {0.5}, {0.6}}),
                          [](const auto& p) { return std::string(p.param.form); });
 
-// Lobes of .05 and .4, 2.5 % of the values five times too large: at least 38 of 40 random starts find .05.
+// The lobes have alpha 0.05 and 0.4, and 2.5 % of the values are five times too large. At least 38 of 40
+// random starting points must lead to 0.05.
 TEST(TwoLobes, AreFoundAmongOutliersFromNearlyEveryStart) {
   Material truth = make_material(*find_form("ward"), {"f"});
   truth.terms.push_back(make_term(*find_form("ward"), 1));

@@ -1,5 +1,5 @@
-// Writes a page with two spheres, a fitted material beside a true one that is measured to 70 degrees, and
-// that alone: sphere_page FITTED TRUE FILE
+// Writes a page with two spheres: a fitted material next to a true material that is measured up to 70
+// degrees, and the fitted material alone. Usage: sphere_page FITTED TRUE FILE
 #include <cstdio>
 
 #include "io/files/content.h"

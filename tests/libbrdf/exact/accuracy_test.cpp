@@ -1,5 +1,5 @@
-// The accuracy contract: largest error of every form in float and double against 50 digits, over the grid of
-// validate/search/extremes.h and a search, asserted on both sides.
+// The accuracy contract: the largest error of every form in float and double against 50 digits, over the
+// grid of validate/search/extremes.h and by a search, asserted on both sides.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,8 @@
 namespace brdf::validate {
 namespace {
 
-// A short search finds a third of the bound, or in the bands that few values fall into a tenth, if any.
+// A short search must find at least a third of the bound. In the bands that contain few values it must find
+// a tenth, if it finds any error.
 void expect_close_below(double error, double bound, bool body, const NumericsRow& row) {
   EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << ", the body worst at " << row.where.parameters;
   if (!body && error == 0) return;
@@ -29,8 +30,9 @@ void expect_close_below(double error, double bound, bool body, const NumericsRow
 
 class StatedAccuracy : public ::testing::TestWithParam<Reflectance> {};
 
-// What the form's header states (about a third above what longer searches find). A form that states nothing
-// is listed with what was found: its accuracy is not known.
+// The measured error stays below the error that the form's header states (about a third above the findings
+// of longer searches). A form that states no accuracy is listed with the error found: its accuracy is not
+// known.
 TEST_P(StatedAccuracy, IsWhatTheHeaderStates) {
   BRDF_LONG_UNDER_SANITIZERS();
   const ReflectanceInfo& form = info(GetParam());
@@ -57,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(EveryForm, StatedAccuracy,
                          ::testing::ValuesIn(catalogue().begin(), catalogue().end()),
                          [](const auto& param) { return std::string(param.param.info().name); });
 
-// volatile: g++ 12 at -O2 drops the rounding of a pair that goes to float and back.
+// The variable is volatile because g++ 12 at -O2 drops the rounding of a pair that is converted to float
+// and back.
 template <class T>
 Vec3<T> rounded(const Vec3<double>& w) {
   const auto one = [](double x) {
@@ -67,8 +70,9 @@ Vec3<T> rounded(const Vec3<double>& w) {
   return {one(w.x), one(w.y), one(w.z)};
 }
 
-// The exponent's rounding errors are carried along (brdf/two_part.h): the goal holds on any directions, not
-// only on the grid's. Against W, at the vectors as stored, down to 1e-12 of the peak.
+// The rounding errors of the exponent are carried along (brdf/two_part.h), so the goal holds for any
+// directions, not only for the directions of the grid. The reference is computed in W at the vectors as
+// stored, down to 1e-12 of the peak.
 template <class T, class W>
 double worst_gaussian_error() {
   std::mt19937_64 random(5);
@@ -101,7 +105,8 @@ TEST(SlopeGaussian, MeetsTheGoalOnRandomDirections) {
   EXPECT_GE(in_double, 5e-15);
 }
 
-// What rounding the directions to float does to GGX at 60 degrees within 1.5 widths of the peak.
+// Returns the relative change of GGX at 60 degrees, within 1.5 widths of the peak, when the directions are
+// rounded to float.
 double cost_of_storing(double alpha) {
   const Roughness<double> a{alpha, alpha};
   const auto lobe = [&](const Vec3<double>& wi, const Vec3<double>& wo) {
@@ -137,7 +142,8 @@ TEST(ExtremeDirections, AreUnitVectorsToAHundredthOfAnUlp) {
   }
 }
 
-// s over the larger cosine, both directions grazing, azimuths a quarter turn apart but for the cosine's size.
+// Largest errors of s divided by the larger cosine. Both directions are grazing, and their azimuths differ
+// by a quarter turn up to about the size of the cosine.
 template <class T>
 std::pair<double, double> quarter_turn_errors() {
   double ours = 0, products = 0;
@@ -171,7 +177,8 @@ TEST(TangentialProduct, LosesNothingAtDoubleGrazingAQuarterTurnApart) {
   EXPECT_GT(products_double, 1e-6);
 }
 
-// 1 + s/c of the smaller tangent, s by its products: float against double.
+// Relative error in float, against double, of 1 + s/c (the smaller tangent), with s computed by its
+// products.
 double error_of_products(const Vec3<double>& light, const Vec3<double>& view) {
   const auto value = []<class T>(const Vec3<T>& wi, const Vec3<T>& wo) {
     const Geometry<T> g = geometry(wi, wo, kMinCosine<float>);
@@ -182,7 +189,8 @@ double error_of_products(const Vec3<double>& light, const Vec3<double>& view) {
   return std::abs(value(wi, wo) / truth - 1);
 }
 
-// What the search is for: the grid misses by orders what those products lose at double grazing.
+// Justifies the search: at double grazing these products lose more than 1e-3, while the grid finds less
+// than 5e-7.
 TEST(NumericsSearch, FindsACancellationThatTheGridMisses) {
   double on_grid = 0;
   for (const Vec3<double>& wi : extreme_lights())
@@ -207,8 +215,8 @@ TEST(NumericsSearch, AStatementIsBrokenByOneBandAlone) {
   EXPECT_FALSE(meets_statement(row));
 }
 
-// |h|/2 keeps the half-angle's cosine near grazing, for directions as they are stored; wi.h/|h| does not,
-// because stored vectors are not exactly unit.
+// |h|/2 keeps the accuracy of the half-angle's cosine near grazing for directions as they are stored.
+// wi.h/|h| does not, because stored vectors are not exactly of unit length.
 template <class T>
 std::pair<double, double> half_angle_errors() {
   double ours = 0, dot_product = 0;

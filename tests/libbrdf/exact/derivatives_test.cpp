@@ -1,5 +1,5 @@
-// Dual and ceres::Jet against differences in 50 digits: every parameter of every fittable form, at its bounds
-// and at grazing angles too.
+// Derivatives by Dual and ceres::Jet against differences in 50 digits, for every parameter of every
+// fittable form, including parameters at their bounds and grazing angles.
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ ceres::Jet<double, kMost> variable(double value, int k) {
   return {value, k};
 }
 
-// f with its derivatives by all parameters, weights first.
+// Returns f with its derivatives with respect to all parameters, weights first.
 template <class S>
 S differentiated(const Reflectance& form, const std::vector<double>& weights,
                  const std::vector<double>& shape, const Geometry<double>& g) {
@@ -40,7 +40,7 @@ S differentiated(const Reflectance& form, const std::vector<double>& weights,
   });
 }
 
-// One point of the grid: f and its exact derivatives.
+// One point of the grid with f and its exact derivatives.
 struct Point {
   Vec3<double> wi, wo;
   Exact f;
@@ -65,7 +65,8 @@ Point exact_point(const Reflectance& form, const std::vector<double>& weights,
   Point point{wi, wo, value(count, 0), {}};
   for (std::size_t k = 0; k < count; ++k) {
     const double p = k < weights.size() ? weights[k] : shape[k - weights.size()];
-    // At the lower bound (eta = 1: total reflection below it) the difference is one-sided, of second order.
+    // At the lower bound (for eta = 1, total reflection lies below) the difference is one-sided and of
+    // second order.
     const bool at_bound = k >= weights.size() && p == info(form).shape[k - weights.size()].min;
     const Exact h = Exact(p == 0 ? 1 : p) * (at_bound ? Exact(1e-22) : Exact(1e-15));
     point.derivatives.push_back(at_bound ? (4 * value(k, h) - value(k, 2 * h) - 3 * point.f) / (2 * h)
@@ -74,7 +75,7 @@ Point exact_point(const Reflectance& form, const std::vector<double>& weights,
   return point;
 }
 
-// Views at three light directions: a few of the extreme ones.
+// Returns points for three directions of incidence and every third of the extreme views.
 std::vector<Point> points(const Reflectance& form, const std::vector<double>& weights,
                           const std::vector<double>& shape) {
   std::vector<Point> all;
@@ -83,8 +84,8 @@ std::vector<Point> points(const Reflectance& form, const std::vector<double>& we
     const Vec3<double> wi = direction(degrees(theta), radians(0.3));
     const auto views = extreme_views(wi, width.x, width.y);
     for (std::size_t k = 0; k < views.size(); k += 3) {
-      // Towards wo = -wi, next to eta = 1, the exact Fresnel term is (eta - 1)^2/(2 cos_d^4): a difference
-      // quotient does not resolve it.
+      // Towards wo = -wi, next to eta = 1, the exact Fresnel term is (eta - 1)^2/(2 cos_d^4). A difference
+      // quotient does not resolve this term, so the point is left out.
       const Vec3<double> h = wi + views[k];
       if (info(form).shape_index("eta") < 0 || dot(h, h) > 0.01)
         all.push_back(exact_point(form, weights, shape, wi, views[k]));
@@ -93,8 +94,8 @@ std::vector<Point> points(const Reflectance& form, const std::vector<double>& we
   return all;
 }
 
-// Largest error of a derivative, relative to it plus f over the parameter (derivatives cross zero); f below
-// 1e-12 / sr counts as that.
+// Returns the largest error of a derivative, relative to the derivative plus (f + 1e-12 / sr) over the
+// parameter, because derivatives cross zero. Points with f below 1e-12 of the peak are skipped.
 template <class S>
 double largest_error(const Reflectance& form, const std::vector<double>& weights,
                      const std::vector<double>& shape, const std::vector<Point>& grid) {

@@ -1,4 +1,5 @@
-// Independent values: distributions and masking functions, Fresnel, albedos in closed form, published tables.
+// Independent reference values: distributions, masking functions, Fresnel factors, albedos in closed form,
+// and published tables.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +29,7 @@ double albedo(const Reflectance& form, const std::vector<double>& weights, const
 double d(const Fraction<double>& fraction) {
   return fraction.num / fraction.den;
 }
-// The distributions at a half vector: wi = wo = h.
+// The distributions at a half vector, with wi = wo = h.
 double ggx(const Roughness<double>& a, const Vec3<double>& h) {
   return d(d_ggx(a, geometry(h, h)));
 }
@@ -52,7 +53,7 @@ TEST(Distributions, OfGgxHaveTheirEndValues) {
   EXPECT_NEAR(ggx({alpha, alpha}, {1, 0, 0}), alpha * alpha / kPi, 1e-13);
 }
 
-// Integral of D (wo.h)+ over h is cos_o/G1(wo): normalisation of the visible area.
+// The integral of D (wo.h)+ over h is cos_o/G1(wo), which is the normalisation of the visible area.
 TEST(Masking, OfSmithShowsTheProjectedArea) {
   for (double mu : {0.15, 0.5, 0.9}) {
     const Vec3<double> wo = direction(radians(std::acos(mu)), radians(0.7));
@@ -108,14 +109,15 @@ TEST(Fresnel, HasItsLimits) {
     EXPECT_NEAR(fresnel_conductor(1.5, 0.0, c), fresnel_dielectric(1.5, c), 1e-15);
 }
 
-// The article's code: (g-c)(g-c)/(g+c)*(g+c) evaluates to (g-c)^2.
+// The code of the article, (g-c)(g-c)/(g+c)*(g+c), evaluates to (g-c)^2.
 TEST(Fresnel, OfTheArticlesCodeIsWrongByItsNumbers) {
   EXPECT_NEAR(fresnel_dielectric_as_coded(1.5, 1.0), 0.25, 1e-15);
   EXPECT_NEAR(fresnel_dielectric_as_coded(1.5, 0.5), 0.2653, 5e-5);
   EXPECT_NEAR(fresnel_dielectric_as_coded(1.5, 0.0), 1.25, 1e-15);
 }
 
-// Largest relative error of both scalars against 50 digits over indices and angles, grazing included.
+// Returns the largest relative errors of T against 50 digits over indices and angles, including grazing
+// angles.
 template <class T>
 std::pair<double, double> fresnel_errors() {
   using validate::Exact;
@@ -146,7 +148,7 @@ TEST(Fresnel, IsAccurateInBothScalars) {
   expect_close_below(conductor_float, 2.6e-6);
 }
 
-// The complex formula in 50 digits: cos_t = sqrt(1 - sin^2/index^2).
+// Compares with the complex formula in 50 digits: cos_t = sqrt(1 - sin^2/index^2).
 TEST(Fresnel, OfAConductorIsTheComplexFormula) {
   using validate::Exact;
   struct Complex {
@@ -230,15 +232,15 @@ TEST(AlbedoOracles, OfAProductionTablesCells) {
   }
 }
 
-// Fujii's form is the first term of the energy-preserving
-// one: its average albedo is what the second term adds to.
+// Fujii's form is the first term of the energy-preserving form. Its average albedo is the value to which
+// the second term is added.
 TEST(AlbedoOracles, OfFujiisFormOnAverage) {
   const double a = 1 / (1 + oren_nayar_energy::kC1);
   EXPECT_NEAR(a * (1 + oren_nayar_energy::kC2), 0.832810763579, 1e-12);
 }
 
-// A teaching renderer's microfacet material: Beckmann .1
-// with the rational fit of separable masking, exact Fresnel.
+// The microfacet material of a teaching renderer: Beckmann with alpha 0.1, the rational fit of separable
+// masking, and the exact Fresnel factor.
 TEST(AlbedoOracles, OfATeachingRenderersMaterial) {
   const double alpha = 0.1, eta = 1.5 / 1.000277;
   const double diffuse = 0.212671 * 0.1 + 0.715160 * 0.2 + 0.072169 * 0.15;  // luminance of kd
@@ -259,7 +261,7 @@ TEST(AlbedoOracles, OfATeachingRenderersMaterial) {
   }
 }
 
-// Inside a closed sphere of albedo a: 1 + a + a^2 + ...
+// Inside a closed sphere of albedo a the light is 1 + a + a^2 + ...
 TEST(AlbedoOracles, OfAClosedSphereIsTheGeometricSeries) {
   const double a = albedo(lambert{}, {0.8}, {}, 0.3);
   double light = 0;

@@ -1,6 +1,6 @@
-// Each form, run in 50 digits, is the published equation: compared with a
-// plain transcription that uses angles, normalised half vectors and powers
-// of cosines as the papers print them, and none of libbrdf's formulas.
+// Each form, evaluated in 50 digits, equals the published equation. The reference is a plain transcription
+// that uses angles, normalised half vectors and powers of cosines as the papers print them, and no formula
+// of libbrdf.
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/beta.hpp>
@@ -27,7 +27,7 @@ E dot_of(const Vec3<E>& a, const Vec3<E>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-// What equations are written in. Parameters by name.
+// The quantities in which the equations are written. Parameters are accessed by name.
 struct Case {
   Vec3<E> i, o, h, r;  // h normalised, r the mirror direction of i
   E ni, no, nh, oh, ro;
@@ -136,7 +136,7 @@ E d_ggx(const Case& c) {
 E d_beckmann(const Case& c) {
   return exp(-slope2(c)) / (pi() * c["alpha_x"] * c["alpha_y"] * pow(c.nh, 4));
 }
-// alpha tan(theta) in the direction's azimuth
+// Returns alpha tan(theta) in the azimuth of the direction.
 E alpha_tan(const Case& c, const Vec3<E>& w) {
   return sqrt(pow(c["alpha_x"] * w.x, 2) + pow(c["alpha_y"] * w.y, 2)) / w.z;
 }
@@ -147,13 +147,13 @@ E lambda_beckmann(const Case& c, const Vec3<E>& w) {
   const E a = 1 / alpha_tan(c, w);
   return (boost::math::erf(a) - 1) / 2 + exp(-a * a) / (2 * a * sqrt(pi()));
 }
-// Ribardiere et al. 2017, sigma = alpha.
+// Ribardiere et al. 2017, with sigma = alpha.
 E d_student(const Case& c) {
   const E gamma = c["gamma"];
   return pow(1 + slope2(c) / (gamma - 1), -gamma) / (pi() * c["alpha_x"] * c["alpha_y"] * pow(c.nh, 4));
 }
-// The slope along the viewer's azimuth is Student's: its mean beyond a = cot(theta)/width, less a times the
-// tail.
+// The slope along the viewer's azimuth has Student's distribution. Lambda is the mean of the slope beyond a
+// = cot(theta)/width, divided by a, minus the tail probability.
 E lambda_student(const Case& c, const Vec3<E>& w) {
   const E gamma = c["gamma"], half = E(1) / 2, a = 1 / (alpha_tan(c, w) * sqrt(gamma - 1)), far = 1 + a * a;
   const E scale = boost::math::tgamma(E(gamma - half)) / (sqrt(pi()) * boost::math::tgamma(E(gamma - 1)));
@@ -178,7 +178,8 @@ E dielectric(const Case& c) {
   return pow((g - cosine) / (g + cosine), 2) / 2 *
          (1 + pow((cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1), 2));
 }
-// Born and Wolf, Principles of Optics, 14.2: N = n + i k, w = a + i b = N cos of the angle inside.
+// Born and Wolf, Principles of Optics, 14.2: N = n + i k, w = a + i b = N times the cosine of the angle
+// inside.
 E conductor(const Case& c) {
   const E n = c["n"], k = c["k"], cosine = c.oh, re = n * n - k * k, im = 2 * n * k;
   const E inside = re - 1 + cosine * cosine, size = sqrt(inside * inside + im * im);
@@ -292,12 +293,13 @@ const std::map<std::string, std::function<E(const Case&)>, std::less<>>& textboo
   return equations;
 }
 
-// The forms' constants (1/pi, 8 pi, ...) are doubles; masking that is a polynomial says how exact that is.
+// The constants of the forms (1/pi, 8 pi, ...) are doubles, hence 2e-15. The masking of
+// cook_torrance_student is a polynomial; the accuracy of this polynomial sets the bound 2e-9.
 double tolerance(std::string_view form) {
   return form == "cook_torrance_student" ? 2e-9 : 2e-15;
 }
 
-// A value inside the usual range of the parameter.
+// Returns a value inside the usual range of the parameter.
 double draw(const ParameterInfo& p, std::mt19937_64& random) {
   const double u = std::uniform_real_distribution<double>(0, 1)(random);
   const double low = p.log_scale ? std::max(p.min, 0.03) : p.min + 0.01 * (p.usual_max - p.min);

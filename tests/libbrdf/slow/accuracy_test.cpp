@@ -1,5 +1,5 @@
-// A search of a million evaluations for each form and scalar finds no error larger than the form's header
-// states.
+// A search of a million evaluations for each form and scalar finds no error larger than the error stated in
+// the form's header.
 #include <gtest/gtest.h>
 
 #include "validate/numerics/numerics.h"
@@ -14,7 +14,7 @@ TEST_P(StatedAccuracy, HoldsInAMillionEvaluations) {
     EXPECT_TRUE(meets_statement(row))
         << row.form << ' ' << row.scalar << ": " << row.errors.body << ", " << row.errors.faint << ", "
         << row.errors.tail << ", the body at " << row.where.parameters;
-    // Near gamma = 10 floats of Student's t miss what all others keep to by 1.5 %.
+    // Near gamma = 10 Student's t in float exceeds the budget that all other forms meet by 1.5 %.
     const bool student = row.form == "cook_torrance_student" && row.scalar == "float";
     EXPECT_EQ(meets_budget(row), !student) << row.form << ' ' << row.scalar;
     EXPECT_LT(row.errors.body, 1.05 * numerics_budget(row.scalar).body);

@@ -1,5 +1,5 @@
-// A stack of 256 x 256 texels of 151 images: what is found, how well standard errors say how well, and the
-// picture.
+// Tests a stack of 256 x 256 texels and 151 images: the parameters found, the coverage of their standard
+// errors, and the picture.
 #include <gtest/gtest.h>
 
 #include "tests/maps/case.h"

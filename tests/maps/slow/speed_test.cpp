@@ -1,4 +1,4 @@
-// What a texel costs: on one thread, by processor time.
+// Measures the processor time of a texel on one thread.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +26,8 @@ double seconds_of(Work&& work) {
   return processor_seconds() - before;
 }
 
-// Microseconds for each texel: read, from the neighbour's solution, from the grid, and as a table of its own.
+// Microseconds for each texel: to read it, to fit it from the neighbour's solution, from the grid, and as a
+// table of its own.
 struct Cost {
   double read, warm, grid, table;
 };
@@ -73,7 +74,8 @@ Cost cost_of(synth::TexelOptions o, bool fits_normal) {
   return cost;
 }
 
-// Against the same machine's fit of the texel's table, so that what else the machine does falls out.
+// The bound is relative to the fit of the texel's table on the same machine, so that other load of the
+// machine cancels.
 TEST(MapsSpeed, ATexelOf151ImagesCostsATwentiethOfItsTable) {
   const Cost given = cost_of(small_stack(64, 151), false);
   EXPECT_LT(given.warm, 0.05 * given.table);
@@ -82,7 +84,8 @@ TEST(MapsSpeed, ATexelOf151ImagesCostsATwentiethOfItsTable) {
   EXPECT_LT(fitted.warm, 0.1 * fitted.table);
 }
 
-// 151 lights by 151 viewers, from memory: files would cost more than the fits of so few texels.
+// 151 lights by 151 viewers. The values come from memory, because files would cost more than the fits of so
+// few texels.
 TEST(MapsSpeed, ATexelOf22801ImagesCostsATenthOfItsTable) {
   synth::TexelOptions o = small_stack(8, 151);
   o.viewers = 151;

@@ -1,4 +1,4 @@
-// Every comparison at its full length.
+// All comparisons of simulation and theory at their full length.
 #include "micro/theory.h"
 
 #include <gtest/gtest.h>

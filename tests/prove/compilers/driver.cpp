@@ -1,6 +1,6 @@
-// What a certificate holds of every form, in hexadecimal: each property's domain and cover, or whether both
-// orders are one formula. Of prove/scalar and the search alone, so that it is soon built by several
-// compilers.
+// Prints the content of a certificate for every form, in hexadecimal: the domain and the cover of each
+// property, and whether both orders of the directions give one formula. Uses only prove/scalar and the
+// search, to build quickly with several compilers.
 #include <cstdio>
 
 #include "brdf/forms.h"
@@ -13,7 +13,7 @@ namespace {
 
 using namespace brdf::prove;
 
-constexpr SearchOptions kSearch{60, 1e9};  // no clock: the same boxes on any machine
+constexpr SearchOptions kSearch{60, 1e9};  // no time limit, so every machine makes the same boxes
 
 void print(const Claim& claim) {
   std::printf("%d %d %d\n", claim.form, int(claim.property), int(claim.precision));

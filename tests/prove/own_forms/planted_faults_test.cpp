@@ -1,4 +1,4 @@
-// Forms with a fault each: none of them is proved.
+// Forms with one planted fault each. No such form is proved.
 #include <gtest/gtest.h>
 
 #include "brdf/fresnel.h"

@@ -1,5 +1,5 @@
-// Two thousand random shaders with planted violations, none proved; five hundred sound ones, most proved
-// within a second.
+// In two thousand random shaders with planted violations the prover proves no property that is violated.
+// It proves most of five hundred sound shaders within a second each.
 #include <gtest/gtest.h>
 
 #include "prove/shader/self_test.h"

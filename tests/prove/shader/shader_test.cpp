@@ -1,5 +1,5 @@
-// Users' shaders on boxes: no value lies outside, faults are refuted or stay open, what is not known is not
-// claimed.
+// Users' shaders on boxes: no value lies outside the enclosure, faults are refuted or remain open, and
+// unknown facts are not claimed.
 #include <gtest/gtest.h>
 
 #include "io/files/content.h"
@@ -190,9 +190,9 @@ TEST(ShaderProofs, FaultsAreRefutedOrStayOpen) {
                 .at("finite")
                 .verdict,
             Verdict::proved);
-  // dot(L, H) may round above 1, and pow of less than 0 is no number.
+  // dot(L, H) may round above 1, and pow of a negative number is NaN.
   EXPECT_NE(proofs_of(shader::kGgx, {Property::finite}).at("finite").verdict, Verdict::proved);
-  // Numbers that an integer does not hold: the nearest one that it does.
+  // Numbers that an integer cannot hold are converted to the nearest integer that exists.
   EXPECT_NE(of("return 1.0 / float(uint(-1.25 - 0.5 * r));").at("finite").verdict, Verdict::proved);
   EXPECT_NE(of("return 1.0 / float(int(-3e9 - 1e9 * r) + 2147483647 + 1);").at("finite").verdict,
             Verdict::proved);

@@ -1,4 +1,4 @@
-// What may not be proved of a shader, and what must stay proved.
+// Properties of a shader that must not be proved, and properties that must remain proved.
 #include <gtest/gtest.h>
 
 #include "prove/shader/self_test.h"

@@ -1,5 +1,5 @@
-// What a page needs to evaluate every form of the catalogue in WebGL 2 and to compare, as JSON on stdout:
-// shaders in GLSL ES, configurations and the library's float values of them.
+// Writes as JSON to stdout the data with which a page evaluates every form of the catalogue in WebGL 2 and
+// compares the results: shaders in GLSL ES, configurations, and the float values of the library for them.
 #include <iostream>
 
 #include "brdf/trace.h"
@@ -11,8 +11,8 @@ namespace {
 
 using namespace brdf;
 
-constexpr std::size_t kSide = 64;     // of the target: 4096 pairs of directions a form
-constexpr std::size_t kOneSet = 256;  // pairs that share their parameters, and so a peak
+constexpr std::size_t kSide = 64;     // of the target: 4096 pairs of directions per form
+constexpr std::size_t kOneSet = 256;  // pairs that share their parameters, and therefore a peak
 
 template <class T>
 std::string packed(const std::vector<T>& rows) {

@@ -1,5 +1,5 @@
-// Compiled once for the tests of the renderer: beside forms that they name, those would be compiled again,
-// unoptimised.
+// Compiled once for the tests of the renderer. If the tests named these forms themselves, each test would
+// compile the forms again, without optimisation.
 #include "tests/render/strangers.h"
 
 #include "brdf/cosine_lobe.h"
@@ -8,7 +8,7 @@
 namespace brdf::render {
 namespace {
 
-// The lobe's weight first, the diffuse one last.
+// The weight of the lobe comes first, the diffuse weight last.
 template <class T>
 struct GleamWeights {
   T gleam, ground;

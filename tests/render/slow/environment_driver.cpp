@@ -1,4 +1,4 @@
-// Light from all around, deferred and reference, with the samples that the bounds ask for: minutes.
+// Light from all around, deferred and reference, with as many samples as the bounds require. Takes minutes.
 #include <iostream>
 
 #include "render/gpu/renderer.h"
@@ -33,8 +33,8 @@ TEST(EnvironmentSlow, WhiteFurnaceOfTheDeferredRenderer) {
   });
 }
 
-// Whole spheres, to the grazing rim: 256 samples against the reference's 16,384; the times are those of the
-// last run of 16.
+// Whole spheres, to the grazing rim: 256 samples against 16,384 samples of the reference. The printed times
+// are of the last run of 16 samples.
 void expect_pictures_equal(const std::string& picture) {
   constexpr int kSize = 16;
   Device device;

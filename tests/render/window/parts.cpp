@@ -1,4 +1,5 @@
-// Commands, layout, the mouse's hand, light by hand, names of files: without a window.
+// The parts of the window that work without a window: commands, layout, mouse input, light by mouse, names
+// of files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -210,7 +211,7 @@ TEST(FitTask, ReturnsWhatTheSolverFoundAndStops) {
   EXPECT_FALSE(task.running());
 }
 
-// Samples of this material in the plane of incidence.
+// Writes samples of this material in the plane of incidence.
 void write_samples_of(const Material& material, const std::filesystem::path& file) {
   io::SampleTable table;
   table.channels = material.channels;

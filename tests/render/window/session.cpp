@@ -1,4 +1,4 @@
-// What the window does with a state, without a window.
+// The effect of the window's commands on a state, tested without a window.
 #include "render/viewer/session.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// Tests the recommendation of a model for a scene, and the costs on which it is based.
 #include "trade/recommend/recommend.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ std::filesystem::path data(const std::string& name) {
   return std::filesystem::path(BRDF_SOURCE_DIR) / "data" / name;
 }
 
-// A form may be younger than the ledger that is shipped.
+// Returns whether the shipped ledger has this form. A form may be newer than the ledger.
 bool in_shipped_ledger(const Reflectance& form) {
   static const Ledger ledger = read_ledger(data("ledger.json"));
   return std::any_of(ledger.rows.begin(), ledger.rows.end(),
@@ -35,7 +36,7 @@ RecommendOptions close_up() {
 
 TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
   RecommendOptions options = close_up();
-  options.ledger = data("ledger.json");  // costs that are the same everywhere
+  options.ledger = data("ledger.json");  // costs that are the same on every machine
   for (const Reflectance& form : catalogue())
     if (info(form).canonical) options.models.push_back(form);
   std::erase_if(options.models, [&](const Reflectance& form) { return !in_shipped_ledger(form); });
@@ -58,7 +59,7 @@ TEST(Recommend, ACloseUpOfPaperNeedsNoAnisotropyAndNoGrazingAccuracy) {
 
 TEST(Recommend, SaysNoneAndNamesTheBest) {
   RecommendOptions options = close_up();
-  options.max_cost_ns = 1e-3;  // nothing is that cheap
+  options.max_cost_ns = 1e-3;  // no form is that cheap
   options.models = {*find_form("lambert"), *find_form("ward"), *find_form("cook_torrance")};
   const Recommendation r = recommend(options);
   EXPECT_FALSE(r.chosen.has_value());
@@ -66,7 +67,7 @@ TEST(Recommend, SaysNoneAndNamesTheBest) {
   EXPECT_TRUE(to_json(r).at("chosen").is_null());
 }
 
-// Not in the catalogue: a power of the half vector's cosine, as it stands.
+// This form is not in the catalogue: a plain power of the half vector's cosine.
 struct plain_lobe : Takes<LobeWeights, Exponent> {
   static constexpr std::string_view name = "plain_lobe";
   static constexpr std::string_view family = "plain_lobe";
@@ -106,7 +107,8 @@ TEST(Costs, AreReadWhereTheLedgerHasTheRowAndMeasuredWhereNot) {
   const Costs whole = costs_of(models, ledger);
   for (std::size_t k = 0; k < models.size(); ++k)
     EXPECT_EQ(whole.measured[k], catalogue_index(models[k]) >= 0 && !in_shipped_ledger(models[k]));
-  // Ten times dearer than it is: what is measured is told relative to it.
+  // The costs in the ledger are made ten times as high. Measured costs are given relative to the ledger, so
+  // that they must rise, too.
   for (LedgerRow& row : ledger.rows) row.cost.seconds *= 10;
   std::erase_if(ledger.rows,
                 [](const LedgerRow& row) { return row.choice == "ward" || row.choice == "masking dropped"; });
@@ -115,11 +117,11 @@ TEST(Costs, AreReadWhereTheLedgerHasTheRowAndMeasuredWhereNot) {
     const std::string_view name = info(models[k]).name;
     EXPECT_EQ(costs.measured[k], whole.measured[k] || name == "ward" || name == "masking dropped") << name;
     EXPECT_GT(costs.ns[k], 0) << name;
-    if (whole.measured[k]) continue;  // a form that came later than the ledger
+    if (whole.measured[k]) continue;  // a form newer than the ledger
     if (!costs.measured[k]) {
       EXPECT_NEAR(costs.ns[k], 10 * whole.ns[k], 1e-9 * costs.ns[k]) << name;
     } else {
-      EXPECT_GT(costs.ns[k], 2 * whole.ns[k]) << name;  // another machine, a busy one: only the order is told
+      EXPECT_GT(costs.ns[k], 2 * whole.ns[k]) << name;  // only roughly: the machine differs and may be busy
     }
   }
 }

@@ -1,5 +1,5 @@
-// What is not in the catalogue is judged as the forms are; what it lacks is named, neither failed nor left
-// out.
+// Reflectances that are not in the catalogue are judged like the forms. Facts that they lack are named, and
+// neither fail nor are left out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace brdf::validate {
 namespace {
 
-// --- A form of one's own, with three weights, two widths and nothing else known of it ---------------------
+// --- A user's form with three weights and two widths, without further known facts -------------------------
 
 template <class T>
 struct ThreeWeights {
@@ -31,7 +31,7 @@ struct ThreeWeights {
   static constexpr ThreeWeights from_linear(const std::array<T, 3>& w) { return {w[0], w[1], w[2]}; }
 };
 
-// The width across comes first, and the names share nothing.
+// The width across comes first, and the names have nothing in common with the catalogue's.
 template <class T>
 struct TwoSpreads {
   T filling, warp;
@@ -87,7 +87,8 @@ class Lambda : public ReflectanceModel {
       shape_{ParameterInfo{"sharpness", 0, 1, 0.5, 1, "", false, ""}};
 };
 
-// Says that it has derivatives: by the shape they are right, by the weight no numbers for some directions.
+// Declares derivatives. The derivative by the shape is right; the derivative by the weight is NaN for some
+// directions.
 class Torn final : public Lambda {
  public:
   Torn() : Lambda(matt) { info_.differentiable = true; }
@@ -153,7 +154,7 @@ TEST(Outside, ViolationsOfValuesAloneAreFound) {
       [](double weight, double, const Vec3<double>& wi, const Vec3<double>&) { return weight * wi.z; }));
   EXPECT_EQ(checks_that_are(found, Outcome::fail), (Names{"energy", "reciprocity"}));
   EXPECT_NEAR(found.at("energy").value, kPi, 1e-6);
-  EXPECT_TRUE(found.at("energy").witness->command.empty());  // no command knows it
+  EXPECT_TRUE(found.at("energy").witness->command.empty());  // no command can reproduce it
 }
 
 TEST(Outside, ADerivativeThatIsNoNumberFails) {
