@@ -11,6 +11,7 @@ lowers ceilings to the present figures and raises no ceiling; --lines prints the
 import argparse
 import collections
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -97,7 +98,7 @@ def main():
         print(f"{group:16}" + "".join(f"{figure[word]:8.1f}" for word in WORDS))
         own = ceilings.get(group, {})
         faults += faults_of(group, words, counts, own)
-        lowest = {word: round(min(figure[word], own.get(word, figure[word])), 1) for word in WORDS}
+        lowest = {word: min(math.ceil(10 * figure[word]) / 10, own.get(word, math.inf)) for word in WORDS}
         lowered[group] = {word: value for word, value in lowest.items() if value > WORDS[word][0]}
     if options.update:
         stated.write_text(json.dumps({group: own for group, own in lowered.items() if own}, indent=1) + "\n")
