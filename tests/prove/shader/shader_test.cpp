@@ -51,8 +51,8 @@ struct Counted {
   std::string first;
 };
 
-// Returns whether direction_of() moved a component that was exactly 0. The direction is then in a neighbouring
-// box, because the box on the axis holds the direction of the axis only.
+// Returns whether direction_of() moved a component that was exactly 0. The direction is then in another box:
+// the box on the axis holds the direction of the axis only.
 template <class T>
 bool is_next_to_axis(const Vec3<T>& w) {
   const auto moved = [](T c) { return c != 0 && std::abs(c) < std::numeric_limits<T>::min(); };
