@@ -219,10 +219,11 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
       << '\n';
   if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
   if (result.beyond_max_theta)
-    out << "  " << result.beyond_max_theta << " rows beyond " << options.max_theta
+    out << "  " << io::plural(result.beyond_max_theta, "row") << " beyond " << options.max_theta
         << " degrees left out (--max-theta)\n";
   if (result.outside_domain)
-    out << "  " << result.outside_domain << " rows left out: negative values without a residual\n";
+    out << "  " << io::plural(result.outside_domain, "row")
+        << " left out: negative values without a residual\n";
   if (options.free_scale)
     out << "  values divided by the scale " << io::short_number(table.scale, 6)
         << ", which is unknown: weights are relative\n";

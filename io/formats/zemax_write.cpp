@@ -68,14 +68,14 @@ class Grid {
 
   std::vector<std::string> lost(const SampleTable& back) const {
     std::vector<std::string> out;
-    const auto count = [&](std::size_t n, const std::string& what) {
-      if (n > 0) out.push_back(std::to_string(n) + " " + what);
+    const auto count = [&](std::size_t n, const std::string& noun, const std::string& rest) {
+      if (n > 0) out.push_back(plural(n, noun) + rest);
     };
-    count(grazing_, "rows at 90 degrees");
-    count(zero_, "rows with the value 0, which means 'not measured'");
+    count(grazing_, "row", " at 90 degrees");
+    count(zero_, "row", " with the value 0, which means 'not measured'");
     count(std::size_t(std::count_if(table_.metadata.begin(), table_.metadata.end(),
                                     [](const Comment& c) { return !is_kept(c.first, c.second); })),
-          "comments that are no short key with a value");
+          "comment", " outside the form of a short key with a value");
     if (table_.channels.size() == 1 && table_.channels[0] != "fr") out.push_back("the channel's name");
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
       if (table_.has_sigma(c)) {
@@ -86,7 +86,7 @@ class Grid {
       out.push_back("the azimuth of the light, " + to_text(*only_phi_i_) +
                     " degrees: all azimuths are turned to its 180");
     if (const std::size_t rows = rows_in_order().size(); rows != back.rows())
-      count(rows - back.rows(), "rows at the horizon");
+      count(rows - back.rows(), "row", " at the horizon");
     else if (const double moved = largest_movement(back); moved > 0)
       out.push_back("directions beyond " + short_number(moved, 2) + " degrees");
     return out;

@@ -85,7 +85,7 @@ TEST_F(Csv, DividesTheStatedCosineOut) {
   EXPECT_EQ(o.rows(), 1u);
   EXPECT_EQ(o.skipped, 1u);
   EXPECT_THAT(o.warnings, testing::ElementsAre("column 'fr' is f_r times cos_o: divided by cos_o",
-                                               HasSubstr("1 rows left out")));
+                                               HasSubstr("1 row left out")));
   const SampleTable i =
       read_samples(file("# quantity: f_r * cos_i\n" + std::string(kOneChannel) + "60,0,0,0,1\n"));
   EXPECT_DOUBLE_EQ(i.values[0][0], 2.0);

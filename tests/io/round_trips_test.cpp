@@ -140,10 +140,9 @@ TEST_F(RoundTrips, LensDesignTextHoldsAScanInThePlaneOfIncidence) {
 TEST_F(RoundTrips, LensDesignTextSaysWhatItCannotHold) {
   const std::string rows = "30,180,30,0,1,.1\n30,180,40,0,2,.1\n30,180,50,0,0,.1\n30,180,90,0,4,.1\n";
   again(read("# free text\n" + kAngles + "Y,sigma_Y\n" + rows), ".zemax");
-  EXPECT_THAT(lost_,
-              ElementsAre("1 rows at 90 degrees", "1 rows with the value 0, which means 'not measured'",
-                          "1 comments that are no short key with a value", "the channel's name",
-                          "standard deviations"));
+  EXPECT_THAT(lost_, ElementsAre("1 row at 90 degrees", "1 row with the value 0, which means 'not measured'",
+                                 "1 comment outside the form of a short key with a value",
+                                 "the channel's name", "standard deviations"));
   again(read(kAngles + "fr\n30,180,40.12345678901,0,1\n"), ".zemax");
   EXPECT_THAT(lost_, ElementsAre(HasSubstr("directions beyond ")));
   EXPECT_THAT(refusal(read(kAngles + "r,g,b\n1,2,3,4,5,6,7\n"), ".zemax"),
