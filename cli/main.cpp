@@ -101,7 +101,8 @@ int run(int argc, char** argv) try {
     app.parse(std::move(words));
     return static_cast<int>(exit_code);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    const bool is_understood = first.starts_with("-") || !app.get_subcommands().empty();
+    if (error.get_exit_code() == 0 && is_understood) return app.exit(error);
     return report(usage_fault(app, error.what(), first), Exit::bad_input);
   }
 } catch (const InputError& error) {
