@@ -142,6 +142,18 @@ std::vector<std::string> texts_of_cosines() {
 }
 INSTANTIATE_TEST_SUITE_P(Cosines, ShaderBoxes, testing::ValuesIn(texts_of_cosines()));
 
+// One function for each coordinate of a vector that a parameter can ask for.
+std::vector<std::string> texts_of_coordinates() {
+  std::vector<std::string> texts;
+  for (const std::string vector : {"L", "V", "H", "N"})
+    for (const std::string coordinate : {".x", ".y", ".z"}) {
+      texts.emplace_back("float brdf(vec3 L, vec3 V, vec3 H, vec3 N) { return ");
+      texts.back() += vector + coordinate + "; }";
+    }
+  return texts;
+}
+INSTANTIATE_TEST_SUITE_P(Coordinates, ShaderBoxes, testing::ValuesIn(texts_of_coordinates()));
+
 std::map<std::string, Proof> proofs_of(const std::string& text,
                                        std::vector<Property> properties = {
                                            Property::finite, Property::non_negative, Property::energy}) {
