@@ -5,6 +5,8 @@ const kShapes = ["circle", "triangle", "rect", "rectRot", "crossRot", "star", "c
 const kMostInLegend = 8;
 Chart.defaults.font.family = 'system-ui, "DejaVu Sans", sans-serif';
 Chart.defaults.animation = false;
+// Letters, points and lines follow the size of the page's text, which is smaller on paper.
+const sized = (pixels) => pixels * Number.parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 
 // Ticks of a logarithmic axis: 1, 2 and 5 times a power of ten, in few digits.
@@ -28,7 +30,7 @@ const pointNames = {
       if (!set.showLine)
         for (const { x, y } of chart.getDatasetMeta(k).data) taken.push([x - 5, y - 5, x + 5, y + 5]);
     ctx.save();
-    ctx.font = "11px " + Chart.defaults.font.family;
+    ctx.font = sized(11) + "px " + Chart.defaults.font.family;
     ctx.textBaseline = "middle";
     Object.assign(ctx, { fillStyle: colour("text"), strokeStyle: colour("back"), lineWidth: 3, lineJoin: "round" });
     for (const { name, x, y } of spots) {
@@ -66,9 +68,9 @@ const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
   const drawn = colour(faint ? "faint" : "c" + index);
   const line = {
     label: s.label, data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, faint, borderColor: drawn,
-    backgroundColor: faint && points ? "transparent" : drawn, borderWidth: faint ? 1 : 2, showLine: !points,
-    borderDash: s.style === "dashed" ? [6, 4] : faint ? [] : kDashes[index], clip: 6, spanGaps: false,
-    pointStyle: faint ? "circle" : kShapes[index], pointRadius: !points ? 0 : index < 4 ? 3.5 : 5, pointBorderWidth: 1.5,
+    backgroundColor: faint && points ? "transparent" : drawn, borderWidth: sized(faint ? 1 : 2), showLine: !points,
+    borderDash: s.style === "dashed" ? [6, 4] : faint ? [] : kDashes[index].map(sized), clip: 6, spanGaps: false,
+    pointStyle: faint ? "circle" : kShapes[index], pointRadius: !points ? 0 : sized(index < 4 ? 3.5 : 5), pointBorderWidth: sized(1.5),
   };
   const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x, y: values[j] })), showLine: true,
     borderWidth: 0, pointRadius: 0, fill, backgroundColor: drawn + "38" });
@@ -110,7 +112,7 @@ const chartOf = (plot, index) => {
       plugins: {
         legend: { display: labelled > 1 && labelled <= kMostInLegend,
           onClick: null,
-          labels: { usePointStyle: true, pointStyleWidth: 34, generateLabels: legendOf } },
+          labels: { usePointStyle: true, pointStyleWidth: 34, boxHeight: sized(9), padding: sized(10), generateLabels: legendOf } },
         tooltip: { filter: (item) => item.dataset.label !== "" || item.dataset.names, callbacks: {
           label: (item) => (item.dataset.names?.[item.dataIndex] || item.dataset.label) + ": "
             + Number(item.parsed.x.toPrecision(4)) + ", " + Number(item.parsed.y.toPrecision(4)) } },
@@ -123,6 +125,7 @@ const chartOf = (plot, index) => {
 let charts = [];
 const drawAll = () => {
   for (const chart of charts) chart.destroy();
+  Chart.defaults.font.size = sized(12);
   charts = plots.map(chartOf);
   document.documentElement.dataset.plots = charts.length;
 };

@@ -2,7 +2,7 @@
 // when the colours of the page change (dark, light, paper): whoever draws on a canvas draws anew.
 const printing = (on) => {
   document.documentElement.toggleAttribute("data-printing", on);
-  for (const part of document.querySelectorAll("details:not(.commands)")) {
+  for (const part of document.querySelectorAll("details:not(.commands, .screen)")) {
     if (on) part.dataset.was = part.open ? "open" : "";
     part.open = on || part.dataset.was === "open";
   }

@@ -88,10 +88,10 @@ void HtmlReport::command(std::string_view text) {
              "</pre></details>\n";
 }
 
-void HtmlReport::begin_fold(std::string_view summary, bool open) {
+void HtmlReport::begin_fold(std::string_view summary, Paper paper) {
   ++open_folds_;
-  body_ += std::string("<details class=\"part\"") + (open ? " open" : "") + "><summary>" +
-           html_escaped(summary) + "</summary>\n";
+  body_ += std::string("<details class=\"part") + (paper == Paper::left_out ? " screen" : "") +
+           "\"><summary>" + html_escaped(summary) + "</summary>\n";
 }
 
 void HtmlReport::end_fold() {

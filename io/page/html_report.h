@@ -126,6 +126,9 @@ struct HeatMap {
   Colours colours = Colours::sequential;
 };
 
+// What a printed page shows of a fold.
+enum class Paper { open, left_out };
+
 class HtmlReport {
  public:
   explicit HtmlReport(std::string title) : title_(std::move(title)) {}
@@ -150,9 +153,9 @@ class HtmlReport {
   // Adds a command, folded because most readers do not need it.
   void command(std::string_view text);
 
-  // The content between the two calls is folded under one line. Folds may contain folds; all are open on
-  // paper. end_fold() throws std::logic_error if no fold is open.
-  void begin_fold(std::string_view summary, bool open = false);
+  // The content between the two calls is folded under one line. Folds may contain folds. On paper a fold is
+  // open, or it is left out. end_fold() throws std::logic_error if no fold is open.
+  void begin_fold(std::string_view summary, Paper paper = Paper::open);
   void end_fold();
   // Adds an explanation of a term to this page from here on, in addition to the glossary or in place of its
   // entry.

@@ -70,7 +70,7 @@ def main():
         for page in (study, study / "paint", folder / "one"):
             shots = folder / f"pictures_{page.name}"
             shots.mkdir()
-            check_page(browser, shots, page / "index.html")
+            check_page(browser, shots, page / "index.html", most_paper=6)
 
 
 main()

@@ -9,6 +9,7 @@ import sys
 
 from browser import SOFTWARE, Browser
 from html_report import make_pages, plots_of
+from paper import check_print
 
 WIDTHS = (1280, 400)
 
@@ -113,19 +114,22 @@ def check_keyboard(page, path):
 
 
 def check_paper(page, path):
-    """On paper folds are open, commands are left out, and curves that were drawn for the dark are dark on white."""
+    """On paper folds are open or left out, and curves that were drawn for the dark are dark on white."""
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.scheme(True, "print")
-    closed = page.evaluate("document.querySelectorAll('details:not(.commands):not([open])').length")
+    closed = page.evaluate("document.querySelectorAll('details:not(.commands, .screen):not([open])').length")
     assert closed == 0, (path, closed)
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") in ("rgb(255, 255, 255)", "rgba(0, 0, 0, 0)")
-    assert page.evaluate("[...document.querySelectorAll('details.commands')].every(e => !e.offsetHeight)"), path
+    assert page.evaluate("[...document.querySelectorAll('details.commands, details.screen')].every(e => !e.offsetHeight)"), path
     if page.evaluate("document.querySelector('canvas[id]') !== null"):
         assert page.evaluate("charts[0].options.scales.x.ticks.color") == "#555", path
 
 
-def check_page(browser, folder, path):
+def check_page(browser, folder, path, most_paper=None):
+    """At most `most_paper` sheets of A4, if it is given."""
     grounds = []
+    with browser.open(path) as page:
+        sheets = check_print(page, folder, most_paper)
     for width in WIDTHS:
         for dark in (False, True):
             with browser.open(path, width, dark=dark) as page:
@@ -138,7 +142,7 @@ def check_page(browser, folder, path):
                 page.scheme(dark)
                 check_paper(page, path)
     assert max(grounds) > 250 and min(grounds) < 40, grounds
-    print(f"{path.name}: {plots} plots and {pictures} pictures drawn at {WIDTHS}, light and dark")
+    print(f"{path.name}: {plots} plots and {pictures} pictures drawn at {WIDTHS}, light and dark; {sheets} sheets of A4")
 
 
 def main():
