@@ -98,11 +98,18 @@ class Binder {
     }
     if (input.type.ends_with("]") || input.type.starts_with("mat") || (integer && input.slots.size() > 1))
       return add_numbers(input, name, declared, out);
-    if (input.type == "vec4") {  // a colour and its coverage
+    if (input.type == "vec4") {  // a colour, and a number of its own if that is read
       Input colour = input;
-      out.push_back({Binding::From::one, colour.slots[3]});
       colour.slots.pop_back();
-      return add_parameter(colour, name, declared, false, out);
+      add_parameter(colour, name, declared, false, out);
+      if (!read_.contains({false, input.slots[3]}))
+        return out.push_back({Binding::From::one, input.slots[3]});
+      const Declared* const own = declaration(name + "_w");
+      const std::size_t before = f_.parameters.size();
+      add_parameter({input.name, "float", {input.slots[3]}, false, input.argument}, name + "_w", own, false,
+                    out);
+      if (!own && f_.parameters.size() > before) f_.parameters.back().initial.fill(1);
+      return;
     }
     if (input.type == "vec2") {
       for (int k = 0; k < 2; ++k) {
@@ -221,12 +228,20 @@ class Binder {
                                 : " is no whole number below 2^31, and it is one"));
   }
 
-  // Whether the text declares the name as bool: a block of constants stores truth values as integers.
+  // Whether the text declares the name as bool, and as no other integer, outside all functions: a block of
+  // constants stores truth values as integers.
   bool is_declared_bool(const std::string& name) const {
     const std::vector<Token> tokens = tokens_of(f_.source.whole);
-    for (std::size_t k = 1; k < tokens.size(); ++k)
-      if (tokens[k].is(name) && tokens[k - 1].is("bool")) return true;
-    return false;
+    std::vector<bool> open;  // of each bracket that is open: whether a function's arguments or body are in it
+    bool boolean = false;
+    for (std::size_t k = 1; k < tokens.size(); ++k) {
+      if (tokens[k].is("(") || tokens[k].is("{")) open.push_back(tokens[k].is("(") || tokens[k - 1].is(")"));
+      if ((tokens[k].is(")") || tokens[k].is("}")) && !open.empty()) open.pop_back();
+      if (!tokens[k].is(name) || std::find(open.begin(), open.end(), true) != open.end()) continue;
+      if (tokens[k - 1].is("int") || tokens[k - 1].is("uint")) return false;
+      boolean = boolean || tokens[k - 1].is("bool");
+    }
+    return boolean;
   }
 
   // The initial value in "uniform float NAME = 0.3;"; std::nullopt if the text has no such line.

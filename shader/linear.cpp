@@ -6,6 +6,7 @@
 #include "brdf/directions.h"
 #include "brdf/random.h"
 #include "io/files/numbers.h"
+#include "shader/dependence.h"
 
 namespace brdf::shader {
 namespace {
@@ -42,16 +43,6 @@ class Probe {
   void set(std::size_t parameter, double value) {
     const Parameter& p = f_.parameters[parameter];
     for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) values_[p.first + k] = value;
-  }
-  // Changes the other two components of all colours.
-  void recolour() {
-    for (const Parameter& p : f_.parameters)
-      if (p.colour) values_[p.first + 1] = within(p, uniform()), values_[p.first + 2] = within(p, uniform());
-  }
-  // Makes all colours grey.
-  void whiten() {
-    for (const Parameter& p : f_.parameters)
-      if (p.colour) values_[p.first + 1] = values_[p.first + 2] = values_[p.first];
   }
   double value(std::size_t component = 0) {
     return evaluate<double>(f_, runner_, values_, wi_, wo_, component);
@@ -116,65 +107,32 @@ std::optional<double> scale_of(std::initializer_list<double> numbers) {
   return scale;
 }
 
-// Whether f is a straight line in the parameter and changes with it somewhere.
+// Whether f is a straight line in the parameter over its whole range, ends included, and changes with it.
 bool is_affine(const Function& f, std::size_t parameter) {
+  const Parameter& p = f.parameters[parameter];
   bool changes = false;
   return holds_at_places(f,
                          [&](Probe& probe) -> std::optional<bool> {
-                           double y[4];
-                           for (int j = 0; j < 4; ++j) {
-                             probe.set(parameter, j / 4.0);
+                           double y[5], scale = 0;
+                           for (int j = 0; j < 5; ++j) {
+                             probe.set(parameter, p.min + (p.max - p.min) * j / 4);
                              y[j] = probe.value();
+                             if (!std::isfinite(y[j])) return std::nullopt;
+                             scale = std::max(scale, std::abs(y[j]));
                            }
-                           const auto scale = scale_of({y[0], y[1], y[2], y[3]});
-                           if (!scale) return std::nullopt;
-                           changes = changes || !same(y[3], y[0], *scale);
-                           return same(y[2] - y[1], y[1] - y[0], *scale) &&
-                                  same(y[3] - y[2], y[2] - y[1], *scale);
+                           changes = changes || !same(y[4], y[0], scale);
+                           for (int j = 1; j < 4; ++j)
+                             if (!same(y[j + 1] - y[j], y[1] - y[0], scale)) return false;
+                           return true;
                          }) &&
          changes;
 }
 
-// Whether no term contains both parameters.
-bool is_separate(const Function& f, std::size_t a, std::size_t b) {
-  return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
-    double y[2][2];
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        probe.set(a, 0.2 + 0.6 * i);
-        probe.set(b, 0.3 + 0.6 * j);
-        y[i][j] = probe.value();
-      }
-    const auto scale = scale_of({y[0][0], y[0][1], y[1][0], y[1][1]});
-    if (!scale) return std::nullopt;
-    return same(y[1][1] - y[1][0], y[0][1] - y[0][0], *scale);
-  });
-}
-
-// Whether the value is 0 when all weights are 0 (but < 0), or f0 has no effect when all weights except
-// number `but` are 0.
-bool vanishes(const Function& f, const Linear& linear, int but) {
-  return holds_at_places(f, [&](Probe& probe) -> std::optional<bool> {
-    for (std::size_t j = 0; j < linear.weights.size(); ++j)
-      if (int(j) != linear.f0) probe.set(linear.weights[j], int(j) == but ? 0.5 : 0);
-    if (but < 0) {
-      const double value = probe.value();
-      return std::isfinite(value) ? std::optional(value == 0) : std::nullopt;
-    }
-    if (linear.f0 < 0) return true;
-    probe.set(linear.weights[std::size_t(linear.f0)], 0);
-    const double without = probe.value();
-    probe.set(linear.weights[std::size_t(linear.f0)], 1);
-    const double with = probe.value();
-    if (!scale_of({without, with})) return std::nullopt;
-    return same(with, without, std::abs(without));
-  });
-}
-
 // The linear parameters with f0. The other weights are separate from one another, and f0 is separate from
 // all except one of them.
-std::optional<Linear> with_f0(const Function& f, std::vector<std::size_t> weights,
+std::optional<Linear> with_f0(const Function& f, const Degrees& degrees, std::vector<std::size_t> weights,
                               std::optional<std::size_t> f0) {
+  if (weights.empty() || !vanishes_with(f, weights)) return std::nullopt;
   Linear out;
   out.weights = std::move(weights);
   if (f0) {
@@ -182,11 +140,10 @@ std::optional<Linear> with_f0(const Function& f, std::vector<std::size_t> weight
     std::sort(out.weights.begin(), out.weights.end());
     out.f0 = int(std::find(out.weights.begin(), out.weights.end(), *f0) - out.weights.begin());
   }
-  if (out.weights.size() == (f0 ? 1u : 0u) || !vanishes(f, out, -1)) return std::nullopt;
   int divided = -1;
   for (std::size_t k = 0; k < out.weights.size(); ++k) {
     if (int(k) == out.f0) continue;
-    if (f0 && !vanishes(f, out, int(k))) {
+    if (f0 && !degrees.is_separate(*f0, out.weights[k])) {
       if (divided >= 0) return std::nullopt;
       divided = int(k);
       out.lobes.push_back({k, LobeWeight::Factor::f0});
@@ -202,11 +159,12 @@ std::optional<Linear> with_f0(const Function& f, std::vector<std::size_t> weight
 }  // namespace
 
 std::optional<Linear> linear_parameters(const Function& f) {
+  const Degrees degrees = degrees_of(f);
   std::vector<std::size_t> affine;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {
     const Parameter& p = f.parameters[k];
-    const bool is =
-        !p.boolean && !p.whole && p.role != Role::width && p.role != Role::width_across && is_affine(f, k);
+    const bool is = !p.boolean && !p.whole && p.role != Role::width && p.role != Role::width_across &&
+                    degrees.is_affine(k) && is_affine(f, k);
     if (is)
       affine.push_back(k);
     else if (p.colour)
@@ -225,7 +183,7 @@ std::optional<Linear> linear_parameters(const Function& f) {
                    [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   for (const std::size_t k : order) {
     const bool fits =
-        std::all_of(weights.begin(), weights.end(), [&](std::size_t w) { return is_separate(f, k, w); });
+        std::all_of(weights.begin(), weights.end(), [&](std::size_t w) { return degrees.is_separate(k, w); });
     (fits ? weights : others).push_back(k);
   }
   std::sort(weights.begin(), weights.end());
@@ -237,8 +195,9 @@ std::optional<Linear> linear_parameters(const Function& f) {
     return true;
   };
   for (const std::size_t f0 : others)
-    if (const auto linear = with_f0(f, weights, f0); linear && holds_colours(*linear)) return linear;
-  if (const auto linear = with_f0(f, weights, std::nullopt); linear && holds_colours(*linear)) return linear;
+    if (const auto linear = with_f0(f, degrees, weights, f0); linear && holds_colours(*linear)) return linear;
+  if (const auto linear = with_f0(f, degrees, weights, std::nullopt); linear && holds_colours(*linear))
+    return linear;
   return std::nullopt;
 }
 
@@ -266,18 +225,6 @@ bool is_zero_where_asked(const Function& f) {
   return true;
 }
 
-bool keeps_channels(const Function& f) {
-  Probe probe(f);
-  for (int k = 0; k < kProbes; ++k) {
-    probe.move();
-    const double value = probe.value();
-    probe.recolour();
-    const double other = probe.value();
-    if (other != value && !(std::isnan(other) && std::isnan(value))) return false;
-  }
-  return true;
-}
-
 bool holds_cosine(const Function& f) {
   constexpr double kReciprocal = 1e-6, kSeen = 1e-2;
   bool seen = false;
@@ -292,19 +239,6 @@ bool holds_cosine(const Function& f) {
                                   kReciprocal * std::max(std::abs(of_i), std::abs(of_o));
                          }) &&
          seen;
-}
-
-bool same_in_all_channels(const Function& f) {
-  if (f.as_meant.results.size() == 1) return true;
-  Probe probe(f);
-  for (int k = 0; k < 2 * kProbes; ++k) {
-    probe.move();
-    probe.whiten();
-    const double r = probe.value(0);
-    for (const std::size_t c : {1, 2})
-      if (const double v = probe.value(c); v != r && !(std::isnan(v) && std::isnan(r))) return false;
-  }
-  return true;
 }
 
 }  // namespace brdf::shader

@@ -1,4 +1,4 @@
-// Finds the parameters in which a shader's value is linear, by evaluating the shader.
+// Finds the parameters in which a shader's value is linear, from its program and by evaluating it.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,9 @@ struct Linear {
 };
 
 // Returns the parameters in which the value is linear; std::nullopt if there are no such parameters, or if
-// a colour is not among them. With these parameters f is the sum of weight times lobe, to 1e-9 at many
-// directions and parameters chosen at random, except places where the function has no value.
+// a colour is not among them. The program shows that f is the sum of weight times lobe between the ends of
+// the weights' ranges (shader/dependence.h). That the ends are no exception, f is evaluated at many
+// directions and parameters chosen at random, to 1e-9, except places where the function has no value.
 std::optional<Linear> linear_parameters(const Function& function);
 
 // Returns a note on a function that has no finite value at some of the tested places, all of which are
@@ -29,14 +30,8 @@ std::string said_of_holes(const Function& function);
 // Returns whether the function is 0 at all of many places chosen at random.
 bool is_zero_where_asked(const Function& function);
 
-// Returns whether a channel's value depends only on the channel's own component of every colour.
-bool keeps_channels(const Function& function);
-
 // Returns whether the value is not reciprocal, but becomes reciprocal when divided by the cosine to the
 // light. In this case the value contains that cosine.
 bool holds_cosine(const Function& function);
-
-// Returns whether equal components of all colours give equal components of the value.
-bool same_in_all_channels(const Function& function);
 
 }  // namespace brdf::shader

@@ -6,6 +6,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "shader/dependence.h"
 #include "shader/glsl.h"
 #include "shader/linear.h"
 

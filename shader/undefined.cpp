@@ -136,6 +136,7 @@ constexpr Sentence kSentences[] = {
     {Undefined::no_return, 0, "a path ends without a return"},
     {Undefined::index, 2, "an index is outside its array"},
     {Undefined::division, 2, "integers are divided by 0 or beyond their range"},
+    {Undefined::remainder, 2, "the remainder of an integer below 0"},
     {Undefined::shift, 2, "a shift by 32 bits or more"},
     {Undefined::conversion, 1, "a number is outside the range of the integer that it becomes"},
     {Undefined::pow, 2, "pow of a base below 0, or of 0 to an exponent that is not above 0"},

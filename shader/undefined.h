@@ -18,6 +18,7 @@ enum class Undefined : std::uint8_t {
   no_return,   // a path ends without a return
   index,       // outside the array
   division,    // of integers by 0, or of the least integer by -1
+  remainder,   // of integers below 0: in GLSL of any, in HLSL of two with different signs
   shift,       // by 32 bits or more
   conversion,  // of a number outside the range of the integer type
   pow,         // of a base below 0, or of 0 to an exponent that is not above 0
@@ -58,9 +59,13 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
       return if_so(!(number(s.a) > -2147483649.0 && number(s.a) < 2147483648.0), Undefined::conversion);
     case Op::to_unsigned:
       return if_so(!(number(s.a) > -1 && number(s.a) < 4294967296.0), Undefined::conversion);
+    case Op::smod:  // of GLSL
+      if (std::int32_t(integer(s.a)) < 0 || std::int32_t(integer(s.b)) < 0) return Undefined::remainder;
+      return if_so(integer(s.b) == 0, Undefined::division);
+    case Op::srem:  // of HLSL
+      if ((integer(s.a) ^ integer(s.b)) >> 31 && integer(s.a) != 0) return Undefined::remainder;
+      [[fallthrough]];
     case Op::sdiv:
-    case Op::smod:
-    case Op::srem:
       return if_so(integer(s.b) == 0 || (integer(s.a) == 0x80000000u && integer(s.b) == 0xffffffffu),
                    Undefined::division);
     case Op::udiv:

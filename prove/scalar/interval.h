@@ -31,8 +31,13 @@ class Interval {
   double lo = 0, hi = 0;
 
   constexpr Interval() = default;
-  // Rounds the constant to Base.
-  constexpr explicit Interval(double constant) : lo(double(Base(constant))), hi(lo) {}
+  // Rounds the constant to Base. Poisoned if the constant is infinite, NaN, or out of the range of Base.
+  constexpr explicit Interval(double constant) {
+    const double rounded = double(Base(constant));
+    const bool finite = rounded >= -kLargest && rounded <= kLargest;
+    lo = finite ? rounded : -std::numeric_limits<double>::infinity();
+    hi = finite ? rounded : std::numeric_limits<double>::infinity();
+  }
   // Returns [low, high], low <= high; poisoned if one of them is out of the range of Base.
   static Interval of(double low, double high) {
     Interval r;

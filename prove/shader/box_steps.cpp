@@ -60,6 +60,7 @@ std::optional<Undefined> undefined_integer(const Step& s, const Whole& a, const 
   if (!may_be_undefined(s.op, a, b)) return std::nullopt;
   return s.op == Op::index                                       ? Undefined::index
          : s.op == Op::shl || s.op == Op::shr || s.op == Op::sar ? Undefined::shift
+         : (s.op == Op::smod || s.op == Op::srem) && b.lo > 0    ? Undefined::remainder
                                                                  : Undefined::division;
 }
 

@@ -151,7 +151,8 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
       return monotone(a, [](double v) { return std::ceil(v); });
     case Op::trunc:
       return trunc(a);
-    case Op::round:
+    case Op::round:  // GLSL leaves open which way a half is rounded
+      return a.poisoned() ? a : I::of(std::ceil(a.lo - 0.5), std::floor(a.hi + 0.5));
     case Op::round_even:
       return monotone(a, [](double v) { return std::nearbyint(v); });
     case Op::fract:

@@ -135,9 +135,12 @@ Whole whole_op(Op op, const Whole& a, const Whole& b, const Whole& c) {
 bool may_be_undefined(Op op, const Whole& a, const Whole& b) {
   const auto holds = [](const Whole& x, std::int64_t value) { return x.lo <= value && value <= x.hi; };
   switch (op) {
-    case Op::sdiv:
     case Op::smod:
+      return a.lo < 0 || b.lo <= 0;
     case Op::srem:
+      if ((a.lo < 0 && b.hi > 0) || (a.hi > 0 && b.lo < 0)) return true;
+      [[fallthrough]];
+    case Op::sdiv:
       return holds(b, 0) || (holds(b, -1) && holds(a, Whole::kLeast));
     case Op::udiv:
     case Op::umod:

@@ -360,9 +360,11 @@ Program lower(const spirv::Module& module, const spirv::Function& entry, const L
   }
 }
 
-bool holds_kernels(const spirv::Module& module) {
-  return std::any_of(module.functions.begin(), module.functions.end(),
-                     [&](const auto& f) { return kernel_of(module, f.second) != nullptr; });
+std::vector<NamedKernel> kernels_of(const spirv::Module& module) {
+  std::vector<NamedKernel> out;
+  for (const auto& [number, function] : module.functions)
+    if (const Kernel* kernel = kernel_of(module, function)) out.push_back({&function, kernel->op});
+  return out;
 }
 
 }  // namespace brdf::shader

@@ -36,8 +36,12 @@ struct LowerOptions {
 // than allowed.
 Program lower(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options = {});
 
-// Returns whether the module contains kernels that represent functions of the library.
-bool holds_kernels(const spirv::Module& module);
+// A function of the module that has the name of a kernel of the library.
+struct NamedKernel {
+  const spirv::Function* function;
+  Op op;  // the function of the library that a kernel of this name approximates
+};
+std::vector<NamedKernel> kernels_of(const spirv::Module& module);
 
 // Removes the steps on which no result depends.
 void remove_unused(Program& program);

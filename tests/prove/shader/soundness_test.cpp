@@ -86,6 +86,90 @@ TEST(SentencesOfProofs, NameTheLeastCosine) {
   }
 }
 
+// No property of these shaders may be proved; each is violated at some parameters.
+void expect_unproved(const std::string& text, std::vector<Property> properties) {
+  const auto proofs = all_proofs(text, std::move(properties));
+  EXPECT_FALSE(proofs.empty()) << text;
+  for (const Proof& p : proofs) EXPECT_NE(p.verdict, Verdict::proved) << text << "\n" << p.statement;
+}
+
+TEST(InfiniteConstants, AreNotProvedToVanish) {
+  for (const char* body :
+       {"float big = 1.0 / 0.0; return 0.2 * p + 0.0 * big;", "float big = 3e39; return 0.0 * big + 0.3 * p;",
+        "float big = 3.4e38 * 12.0; return p * 0.1 + (p - p) * big;"})
+    expect_unproved(with_body(body), {Property::finite, Property::non_negative, Property::energy});
+  expect_unproved(with_body("if (isinf(2.0 / 0.0)) return -0.7; return 0.2 * p;"), {Property::non_negative});
+}
+
+TEST(ColoursInProofs, AreNotGreyIfChannelsMix) {
+  const std::string head =
+      "//: color c 0.5 0.5 0.5\n//: param p 0 1 0.5\nvec3 brdf(vec3 L, vec3 V, vec3 N, vec3 c, float p) { ";
+  for (const char* body : {"return vec3(0.1 * c.r, 0.04 + 0.1 * c.g - 0.09 * c.r, 0.1 * c.b);",
+                           "return p > 0.96 ? 0.03 + 0.1 * c - 0.08 * c.gbr : 0.1 * c;",
+                           "vec3 f = 0.1 * c; if (p > 0.97) f.b -= 0.09 * c.g; return f;"})
+    expect_unproved(head + body + " }", {Property::non_negative});
+  expect_unproved(head + "return vec3(0.2 * c.r, 0.25 * c.g + 0.28 * (1.0 - c.r), 0.2 * c.b); }",
+                  {Property::energy});
+  expect_unproved(head + "vec3 f = vec3(0.2 * p); if (p > 0.95) f.g = -0.3; return f; }",
+                  {Property::non_negative});
+}
+
+TEST(ColoursInProofs, OfSeparateChannelsStayProved) {
+  for (const char* body :
+       {"return c * (0.2 + 0.1 * p);",
+        "vec3 f; for (int k = 0; k < 3; ++k) f[k] = c[k] > 0.04 ? c[k] : 0.5 * c[k]; return 0.2 * f;"})
+    for (const Proof& p : all_proofs("//: color c 0.5 0.5 0.5\n//: param p 0 1 0.5\nvec3 brdf(vec3 L, vec3 "
+                                     "V, vec3 N, vec3 c, float p) { " +
+                                         std::string(body) + " }",
+                                     kBoth))
+      EXPECT_EQ(p.verdict, Verdict::proved) << body << ": " << p.statement;
+}
+
+TEST(WeightsInProofs, AreLinearOnlyIfTheProgramShowsIt) {
+  // A weight that is cut off, or that counts more between two values. No light is gained at any weight.
+  for (const char* body :
+       {"min(kd, 0.8)", "clamp(kd, 0.0, 0.7)", "(kd > 3.1 && kd < 3.2 ? 0.3 * kd : 0.2 * kd)"}) {
+    const std::string text = "//: param kd 0 4 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float kd) { return " +
+                             std::string(body) + " / 3.14159265; }";
+    EXPECT_TRUE(shader::shader_of(text)->info().lobes.empty()) << body;
+    for (const Proof& p : all_proofs(text, {Property::energy}))
+      EXPECT_NE(p.verdict, Verdict::refuted) << body << ": " << p.statement;
+  }
+  EXPECT_EQ(shader::shader_of("//: param kd 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float kd) { float f "
+                              "= 0.0; if (kd > 0.0) f += clamp(kd, 0.0, 1.0) / 3.14159265; return f; }")
+                ->info()
+                .lobes.size(),
+            1u);
+}
+
+TEST(InputsOfProofs, AreAllNumbersThatTheFunctionReads) {
+  expect_unproved(
+      "//: param m 0 1 0.5\nuniform vec4 m;\nfloat brdf(vec3 L, vec3 V, vec3 N) { return 0.3 * m.x * m.w - "
+      "0.1 * (1.0 - m.w); }",
+      {Property::non_negative});
+  // A truth value of another function of the same name makes no truth value of a number.
+  EXPECT_NE(shader::refusal(
+                "uniform uint mode;\nfloat other(float x) { bool mode = x > 0.3; return mode ? 1.0 : 0.4; "
+                "}\nfloat brdf(vec3 L, vec3 V, vec3 N) { return mode == 3u ? -0.2 : 0.1 * other(L.z); }")
+                .find("mode of float brdf"),
+            std::string::npos);
+}
+
+TEST(NamesInProofs, OfTheLibrarysKernelsMayBeTheUsers) {
+  expect_unproved(
+      "//: param p 0.1 1 0.5\nfloat brdf_exp(float x) { return 1.0 - 2.0 * x; }\nfloat brdf(vec3 L, vec3 V, "
+      "vec3 N, float p) { return 0.1 * brdf_exp(p); }",
+      {Property::non_negative});
+}
+
+TEST(UndefinedProofs, RemaindersOfNumbersBelowZeroAndHalvesAreOpen) {
+  const std::string head = "//: param n -6 6 0\nfloat brdf(vec3 L, vec3 V, vec3 N, int n) { ";
+  expect_unproved(head + "return (n % 5) <= 4 ? 0.2 : 0.1; }", kBoth);
+  expect_unproved(with_body("return round(2.5 + 0.0 * p) > 2.0 ? -0.1 : 0.1;"), {Property::non_negative});
+  for (const Proof& p : all_proofs(head + "return ((n + 6) % 5) <= 4 ? 0.2 : 0.1; }", kBoth))
+    EXPECT_EQ(p.verdict, Verdict::proved) << p.statement;
+}
+
 TEST(SelfTestOfProofs, FindsNoFalseVerdict) {
   SelfTestOptions options;
   options.planted = 25, options.sound = 10, options.samples = 25'000, options.seconds = 0.2, options.seed = 5;
