@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md --quick
-# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md
+# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/howto --quick
+# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/howto
 """Runs the commands of documents and compares what they print with what the document shows.
 
-    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/tutorials.md
+    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/howto
 
+A folder means every Markdown file in it, so that no page is forgotten.
 A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
 output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
 numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
@@ -94,7 +95,8 @@ def forms_without_a_page(brdf):
 def verbs_of_help(brdf):
     """Rows of the table of verbs: name and description, in the order of `brdf --help`."""
     rows = []
-    for line in subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout.split("\n"):
+    text = subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout
+    for line in text.partition("\nOptions:\n")[2].split("\n"):  # the introduction above it may have lines of the same shape
         if found := re.match(r"  (\w+) +(\S.*)", line):
             rows.append([found[1], found[2]])
         elif rows and line.startswith(" " * 30) and line.strip():
@@ -171,8 +173,9 @@ def main():
     parser.add_argument("--quick", action="store_true", help="leave out what says that it takes long")
     options = parser.parse_args()
     brdf = pathlib.Path(options.brdf).resolve()
-    good = [check(document, brdf, options.update, options.quick) for document in options.documents]
-    sys.exit(0 if all(good) else 1)
+    documents = [d for given in options.documents for d in (sorted(given.glob("*.md")) if given.is_dir() else [given])]
+    good = [check(document, brdf, options.update, options.quick) for document in documents]
+    sys.exit(0 if good and all(good) else 1)
 
 
 if __name__ == "__main__":
