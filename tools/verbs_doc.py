@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# ctest: style.verbs label=style needs=brdf_viewer,brdf_trade,plain @brdf@ --check
+# ctest: style.verbs label=style needs=brdf_viewer,plain @brdf@ --check
 """verbs_doc.py BRDF [--check]: writes docs/verbs.md, the reference of the verbs, from `BRDF --help` and `BRDF VERB --help`; --check
 fails if the page differs from the help of BRDF."""
 import argparse
