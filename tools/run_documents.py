@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
-# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md --quick
-# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md
+# ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/data.md @source@/docs/howto --quick
+# ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/data.md @source@/docs/howto
 """Runs the commands of documents and compares what they print with what the document shows.
 
-    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/tutorials.md
+    tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/data.md docs/howto
 
+A folder means every Markdown file in it, so that no page is forgotten. A document without a command fails.
 A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
 output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
 numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
-run, but what it prints is not compared; one that says it takes `half a minute` or `some seconds` is left out by --quick. A command that exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch
-folder, in order, so that one may read what another wrote; `data` there is the repository's. A command that names
-$BRDF_DATA_DIR is left out, and said so, where the variable is unset. What names a form that docs/models.md does not have yet
-is listed, not compared: the documents are older than that form. A table headed `| verb | purpose |` lists the verbs of `brdf --help`, in its order and words. --update
-writes the real output, and that table, into the document.
+run, but its output is not compared; a command marked `# half a minute` or `# some seconds` is left out by --quick. A command that
+exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch folder, in order, so that a
+command may read the output of an earlier one; `data` in this folder is the repository's. If BRDF_DATA_DIR is unset, a command that
+names the variable is left out and reported. Output that names a form which docs/models.md does not have yet is listed, not
+compared. A table headed `| verb | purpose |` lists the verbs of `brdf --help`, in its order and words. --update writes the real
+output, and that table, into the document.
 """
 import argparse
 import json
@@ -94,7 +96,8 @@ def forms_without_a_page(brdf):
 def verbs_of_help(brdf):
     """Rows of the table of verbs: name and description, in the order of `brdf --help`."""
     rows = []
-    for line in subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout.split("\n"):
+    text = subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout
+    for line in text.partition("\nOptions:\n")[2].split("\n"):  # the introduction above it may have lines of the same shape
         if found := re.match(r"  (\w+) +(\S.*)", line):
             rows.append([found[1], found[2]])
         elif rows and line.startswith(" " * 30) and line.strip():
@@ -122,7 +125,7 @@ def check(document, brdf, update, quick):
     young = forms_without_a_page(brdf)
     lines = document.read_text().split("\n")
     failed = 0 if check_verbs(document, brdf, lines, update) else 1
-    ran = int(VERBS in lines)
+    ran, left_out = int(VERBS in lines), 0
     replacements = []
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(pathlib.Path(__file__).resolve().parent.parent / "data", f"{folder}/data")
@@ -130,9 +133,11 @@ def check(document, brdf, update, quick):
         for command, begin, end in blocks(lines):
             if "$BRDF_DATA_DIR" in command and not os.environ.get("BRDF_DATA_DIR"):
                 print(f"{document}:{begin}: left out, BRDF_DATA_DIR is unset: {command}")
+                left_out += 1
                 continue
             if quick and re.search("# (half a minute|some seconds)", command):
                 print(f"{document}:{begin}: left out by --quick: {command}")
+                left_out += 1
                 continue
             run = subprocess.run(
                 ["bash", "-c", f'brdf() {{ "{brdf}" "$@" 2>&1; }}; {command}\n'], cwd=folder, stdout=subprocess.PIPE,
@@ -160,7 +165,7 @@ def check(document, brdf, update, quick):
     if update:
         document.write_text("\n".join(lines))
     print(f"{document}: {ran} commands and tables, {failed} differ from what is shown")
-    return ran > 0 and failed == 0
+    return ran + left_out > 0 and failed == 0
 
 
 def main():
@@ -171,8 +176,9 @@ def main():
     parser.add_argument("--quick", action="store_true", help="leave out what says that it takes long")
     options = parser.parse_args()
     brdf = pathlib.Path(options.brdf).resolve()
-    good = [check(document, brdf, options.update, options.quick) for document in options.documents]
-    sys.exit(0 if all(good) else 1)
+    documents = [d for given in options.documents for d in (sorted(given.glob("*.md")) if given.is_dir() else [given])]
+    good = [check(document, brdf, options.update, options.quick) for document in documents]
+    sys.exit(0 if good and all(good) else 1)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # ctest: style.links label=style @source@
-"""links.py ROOT: every relative link of every document leads to a file, and every fragment to a heading of that file."""
+"""links.py ROOT: every relative link of every document leads to a file, and every fragment to a heading of that file; docs/index.md
+links every page of docs."""
 import pathlib
 import re
 import sys
@@ -33,7 +34,18 @@ def faults(root):
                 print(f"{document.relative_to(root)}: {link}: {target.name} has no such heading")
                 found += 1
     print(f"{looked_at} links, {found} lead nowhere")
-    return found or not looked_at
+    return found + unlisted(root) or not looked_at
+
+
+def unlisted(root):
+    """The number of pages of docs that the start page does not link. Templates and single decisions are not listed."""
+    docs = root / "docs"
+    listed = {(docs / link.partition("#")[0]).resolve() for link in LINK.findall((docs / "index.md").read_text())}
+    pages = [p for p in docs.rglob("*.md") if not p.name.endswith(".in.md") and p.parent.name not in ("decisions", "api")]
+    missing = [p for p in sorted(pages) if p.name != "index.md" and p not in listed]
+    for page in missing:
+        print(f"docs/index.md: does not link {page.relative_to(root)}")
+    return len(missing)
 
 
 sys.exit(bool(faults(pathlib.Path(sys.argv[1]).resolve())))
