@@ -62,7 +62,7 @@ class Film:
 
 
 def changed(before, rows):
-    """(left, top, right, bottom) of the rectangle in which two pictures differ; WebP wants even left and top."""
+    """(left, top, right, bottom) of the rectangle of changes; WebP wants even left and top."""
     height, width = len(rows), len(rows[0])
     if before is None:
         return 0, 0, width, height

@@ -4,11 +4,11 @@
 """The web site of the documents: site_test.py FOLDER [BROWSER]
 
 The site is built in FOLDER. Every link of every page leads to a file and to a place of that file, no page
-loads anything from another address, and the site is smaller than 15 MB. A document without a kind and a link
-to a file that does not exist are errors of tools/site. With BROWSER the site has the pages of the public
-headers too. Its first page and the first page of the headers have no message in the console and nothing wider
-than the window at 390, 1280 and 1920 pixels, light and dark, and the search finds pages. Exit code 77: MkDocs
-or Doxygen is missing.
+loads anything from another address, and the site is smaller than 15 MB. A document that docs/index.md does
+not list and a link to a file that does not exist are errors of tools/site. With BROWSER the site has the
+pages of the public headers too. Its first page and the first page of the headers have no message in the
+console and nothing wider than the window at 390, 1280 and 1920 pixels, light and dark, and the search finds
+pages. Exit code 77: MkDocs or Doxygen is missing.
 """
 import functools
 import html.parser
@@ -100,7 +100,7 @@ def check_that_faults_are_found(folder):
 def check_errors(folder):
     """tools/site with a copy of the documents to which a fault was added."""
     for name, text, expected in (
-            ("docs/strange.md", "# Strange\n", "docs/strange.md: the page belongs to no kind"),
+            ("docs/strange.md", "# Strange\n", "docs/strange.md: no section of docs/index.md links to"),
             ("docs/tour.md", "# Tour\n\nSee [this](no.md).\n", "docs/tour.md, line 3: the link no.md")):
         shutil.rmtree(folder, ignore_errors=True)
         shutil.copytree(ROOT / "docs", folder / "docs")
@@ -130,7 +130,7 @@ def check_in_browser(site, name):
     for dark in (False, True):
         # The page keeps the first choice of colours, so that each browser is new.
         with Browser(name, server="127.0.0.1") as browser:
-            for first in ("index.html", "api/index.html"):
+            for first in ("index.html", "readme.html", "api/index.html"):
                 for width in (390, 1280, 1920):
                     with browser.open(f"{address}/{first}", width, 900, dark) as page:
                         page.evaluate("new Promise(done => setTimeout(done, 300))")
