@@ -11,21 +11,16 @@ if(BUILD_SHARED_LIBS)
   set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${to_libraries})
 endif()
 
-# Headers of the rooms above libbrdf, as others include them: brdf/ROOM/NAME.h, with what they include of one another
-# spelled so too. Made by public_headers.cmake of these and of all that they include.
-set(entries
-    io/samples/samples.h io/formats/read.h io/samples/relative_scale.h io/material/material_file.h io/material/material_json.h
-    io/material/glsl.h io/files/error.h io/files/provenance.h io/csv/csv.h io/formats/merl.h io/formats/rgl.h io/formats/astm.h
-    io/formats/zemax.h io/formats/exr_table.h measured/measured.h sheet/data_sheet.h validate/form/checks.h
-    validate/report/report.h fit/fit.h fit/stepwise.h fit/file_batch.h fit/report/report.h fit/report/html.h)
+# Headers of the rooms above libbrdf, as others include them: brdf/ROOM/NAME.h, with their includes of one another
+# spelled so, too. public_headers.cmake makes them of the list in public_headers.txt.
 set(BRDF_PUBLIC_HEADERS ${PROJECT_BINARY_DIR}/public)
 set(script ${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake)
 list(TRANSFORM BRDF_INSTALLED_ROOMS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h" OUTPUT_VARIABLE patterns)
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${patterns})
 add_custom_command(OUTPUT ${BRDF_PUBLIC_HEADERS}.stamp
-                   COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D OUT=${BRDF_PUBLIC_HEADERS}
-                           "-DROOMS=${BRDF_INSTALLED_ROOMS}" "-DENTRIES=${entries}" -P ${script}
-                   COMMAND ${CMAKE_COMMAND} -E touch ${BRDF_PUBLIC_HEADERS}.stamp DEPENDS ${headers} ${script} VERBATIM)
+                   COMMAND ${CMAKE_COMMAND} -D OUT=${BRDF_PUBLIC_HEADERS} -P ${script}
+                   COMMAND ${CMAKE_COMMAND} -E touch ${BRDF_PUBLIC_HEADERS}.stamp
+                   DEPENDS ${headers} ${script} ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt VERBATIM)
 add_custom_target(brdf_public_headers ALL DEPENDS ${BRDF_PUBLIC_HEADERS}.stamp)
 
 # brdf_component(TARGET NAME [REQUIRES names] [PC requirements] [PC_LIBS flags]): exports the target as brdf::NAME.

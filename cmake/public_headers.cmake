@@ -1,20 +1,27 @@
-# cmake -D SOURCE=tree -D OUT=folder -D ROOMS=rooms -D ENTRIES=headers -P public_headers.cmake: writes these headers, and those
+# cmake -D OUT=folder -P public_headers.cmake: writes the headers that public_headers.txt lists, and the headers
 # that they include, as OUT/brdf/ROOM/NAME.h; `#include "ROOM/NAME.h"` becomes `#include "brdf/ROOM/NAME.h"`.
+# The rooms are the installed rooms of rooms.txt without libbrdf, whose headers are in a folder of this form.
 cmake_minimum_required(VERSION 3.25)
-list(JOIN ROOMS "|" rooms)
-while(ENTRIES)
-  list(POP_FRONT ENTRIES header)
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH SOURCE)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/rooms.txt rooms REGEX "^[0-9]+ [a-z]+[^ ]* installed:")
+list(TRANSFORM rooms REPLACE "^[0-9]+ ([a-z]+).*" "\\1")
+list(REMOVE_ITEM rooms libbrdf)
+list(JOIN rooms "|" rooms)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt entries REGEX "^[^#]")
+while(entries)
+  list(POP_FRONT entries header)
   if(NOT header IN_LIST done)
     list(APPEND done ${header})
     file(READ ${SOURCE}/${header} text)
     string(REGEX MATCHALL "#include \"(${rooms})/[^\"]+\"" includes "${text}")
     list(TRANSFORM includes REPLACE "#include \"(.*)\"" "\\1")
-    list(APPEND ENTRIES ${includes})
+    list(APPEND entries ${includes})
     string(REGEX REPLACE "#include \"(${rooms})/" "#include \"brdf/\\1/" text "${text}")
-    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)  # one that has not changed keeps its time
+    # A header that has not changed keeps its time.
+    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)
   endif()
 endwhile()
 file(GLOB_RECURSE found RELATIVE ${OUT}/brdf ${OUT}/brdf/*.h)
 list(REMOVE_ITEM found ${done})
 list(TRANSFORM found PREPEND ${OUT}/brdf/)
-file(REMOVE ${OUT}/none ${found})  # what is public no more
+file(REMOVE ${OUT}/none ${found})  # headers that are no longer public

@@ -46,6 +46,13 @@ std::vector<std::string> batch_names(const std::vector<std::string>& files);
 // from the same content, so a run that was killed repeats only the files in progress. An error in a file is
 // recorded in its row. Throws InputError if the folder cannot be written, if a result would replace one of
 // the files, or if two results would have the same name.
+// Example:
+//     brdf::fit::BatchOptions batch;
+//     batch.folder = "fits";
+//     batch.spheres = false;
+//     const std::vector<std::string> files{"matt.csv"};
+//     const auto rows = run_batch(files, {{*brdf::find_form("lambert")}}, {}, batch);
+//     write_summary(rows, batch.folder);
 std::vector<BatchRow> run_batch(const std::vector<std::string>& files,
                                 const std::vector<std::vector<Reflectance>>& models,
                                 const FitOptions& options, const BatchOptions& batch);

@@ -20,6 +20,14 @@ using RefitSolutions = std::vector<std::vector<double>>;
 // fitted. `refits` holds the results of solve_refits() for all models; they are reused instead of solved
 // again. The result contains the data sheet of the samples, and lack of fit is judged against the noise
 // that the data sheet found. Throws InputError if the options are not valid for these models.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     brdf::fit::FitOptions options;
+//     options.metric = brdf::fit::Metric::automatic;
+//     const auto samples = brdf::fit::arranged(brdf::io::read_samples("paint.csv"), options);
+//     const auto result = brdf::fit::fit(samples, {{*brdf::find_form("cook_torrance")}}, options);
+//     for (const brdf::fit::Estimate& e : result.ranking.front().estimates)
+//       std::printf("%s %s: %g (%g to %g)\n", e.name.c_str(), e.channel.c_str(), e.value, e.low, e.high);
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress = {},
               const RefitSolutions* refits = nullptr);

@@ -23,6 +23,11 @@ namespace brdf::fit {
 // The ranking holds every model tried, the chosen one first. `progress` is called with a description of
 // each step before it is tried. Throws InputError if no rows can be held out, because then no step can be
 // judged.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const auto prepared = brdf::fit::prepared(brdf::io::read_samples("matt.csv"), {});
+//     const auto result = fit_stepwise(prepared, [](const std::string& step) { std::puts(step.c_str()); });
+//     std::printf("chosen: %s\n", result.ranking.front().form.c_str());
 FitResult fit_stepwise(const Prepared& prepared, const Progress& progress = {});
 
 }  // namespace brdf::fit

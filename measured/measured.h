@@ -114,6 +114,13 @@ class MeasuredReflectance final : public ReflectanceModel {
 };
 
 // Returns the reflectance as a material: a term without parameters.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     using namespace brdf;
+//     const auto paint = std::make_shared<measured::MeasuredReflectance>(io::read_samples("paint.csv"));
+//     const auto seen = paint->measured_at(direction(20_deg, 0_deg), direction(25_deg, 180_deg));
+//     if (seen) std::printf("%g 1/sr\n", seen->f.front());
+//     const Material material = material_of(paint);
 Material material_of(std::shared_ptr<const MeasuredReflectance> measured);
 
 }  // namespace brdf::measured

@@ -52,6 +52,11 @@ struct DataSheet {
 // gives the reason; a check that could not have seen its fault is undecided. Each fault is reported once:
 // the checks that it would mislead are then not_applicable. A large table takes as long as reading its
 // file, a small one some tens of milliseconds (bench_sheet FILE).
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::sheet::DataSheet sheet = brdf::sheet::data_sheet(brdf::io::read_samples("paint.csv"));
+//     for (const brdf::sheet::Finding* fault : sheet.faults())
+//       std::printf("%s: %s\n", fault->check.c_str(), fault->statement.c_str());
 DataSheet data_sheet(const io::SampleTable& table, const SheetOptions& options = {});
 
 // Returns for each row whether it holds a fill value: the same as DataSheet::not_measured, without the

@@ -11,6 +11,12 @@ namespace brdf::fit {
 
 // Returns the page: the verdict with its warnings, a sphere (if `sphere` is true), slices with bands, a map
 // of the deviations, parameters, ranking, samples; correlations and minima are folded (fit/report/page.h).
+// Example:
+//     // #include "brdf/fit/fit.h"
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("matt.csv");
+//     const auto result = brdf::fit::fit(table, {{*brdf::find_form("lambert")}}, {});
+//     std::ofstream("matt.html") << html_report(result, table, {}, false);
 std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options,
                         bool sphere = true);
 

@@ -50,6 +50,13 @@ struct TextStyle {
   bool colours = false;
 };
 // Prints the ranking and the parameters of the form at the top.
+// Example:
+//     // #include "brdf/fit/fit.h"
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("matt.csv");
+//     const auto result = brdf::fit::fit(table, {{*brdf::find_form("lambert")}}, {});
+//     print(std::cout, result, table, {});
+//     std::cout << to_json(result, table, {}).dump(2) << '\n';
 void print(std::ostream& out, const FitResult& result, const io::SampleTable& table,
            const FitOptions& options, const TextStyle& style = {});
 

@@ -7,6 +7,13 @@ namespace brdf {
 
 // Bad input or usage. The message names the file, the line or JSON path, the value and the rule. Exit code
 // 2.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     try {
+//       brdf::io::read_samples("no such file.csv");
+//     } catch (const brdf::InputError& error) {
+//       std::printf("%s\n", error.what());
+//     }
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -31,6 +31,10 @@ Provenance provenance(std::optional<std::uint64_t> seed = std::nullopt);
 
 // Returns the record as pairs of key and value ("brdf_version", "command", "seed"), for CSV headers and
 // JSON objects.
+// Example:
+//     brdf::io::record_command("my_program paint.csv");
+//     for (const auto& [key, value] : provenance_fields(brdf::io::provenance()))
+//       std::printf("# %s: %s\n", key.c_str(), value.c_str());
 std::vector<std::pair<std::string, std::string>> provenance_fields(const Provenance& made);
 
 }  // namespace brdf::io

@@ -25,6 +25,12 @@ SampleTable read(const Content& text, const Supplied& supplied);
 // become keywords. QUANTITY f_r is added if the name of a channel indicates another quantity. Returns the
 // losses, one phrase each: comments that are not keywords (free text, keys with blanks). Throws InputError
 // if the table breaks a rule of tables, has no rows, or has a channel name that VARS cannot hold.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("in_plane.csv");
+//     for (const std::string& loss : brdf::io::astm::write("in_plane.astm", table))
+//       std::printf("lost: %s\n", loss.c_str());
+//     const auto again = brdf::io::astm::read(brdf::io::read_content("in_plane.astm"), {});
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io::astm

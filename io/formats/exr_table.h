@@ -24,6 +24,12 @@ inline constexpr std::string_view kExrPrefix = "comment.";
 
 // Writes `table` to `path`. Returns the losses, one phrase each. A positive standard deviation stays above
 // 0 even if a float cannot hold it. Throws InputError if the table has no rows or breaks a rule of tables.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("paint.csv");
+//     for (const std::string& loss : write_exr_table("paint.exr", table))
+//       std::printf("lost: %s\n", loss.c_str());
+//     const brdf::io::SampleTable again = brdf::io::read_samples("paint.exr");
 std::vector<std::string> write_exr_table(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io

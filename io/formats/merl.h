@@ -44,6 +44,11 @@ SampleTable read(const Content& content, const Supplied& supplied = {});
 // Writes the mean of the rows in each cell, and -1 for cells without rows. The names of the channels
 // determine which are red, green and blue (io/colour/channel_colours.h). Returns the losses, one phrase
 // each. Throws InputError if the channels have no colours, or if a value is too large for the file.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("paint.csv");
+//     for (const std::string& loss : brdf::io::merl::write("paint as cells.binary", table))
+//       std::printf("lost: %s\n", loss.c_str());
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io::merl

@@ -13,6 +13,10 @@ namespace brdf::io {
 // (docs/formats.md). Values of another quantity are converted to f_r. `supplied` states facts that the file
 // does not state, and must not contradict the file. Every table that is read can be written: names, finite
 // values and comments obey the rules of a CSV. Throws InputError with file, line and column.
+// Example:
+//     const brdf::io::SampleTable table = brdf::io::read_samples("paint.csv");
+//     for (const std::string& warning : table.warnings) std::printf("%s\n", warning.c_str());
+//     std::printf("%zu rows of %zu channels\n", table.rows(), table.channels.size());
 SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied = {});
 SampleTable read_samples(Content content, const Supplied& supplied = {});
 // Reads a table of directions in the same way; a CSV without any column of values is accepted.

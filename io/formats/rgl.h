@@ -45,6 +45,11 @@ class Measurement {
 // 345 in steps of 15. Directions for which the tables leave the value undefined (a density of 0) are left
 // out and counted. `supplied` must agree with the format about values and azimuths. Throws InputError for a
 // disagreement, and if the file is damaged or holds no finite value.
+// Example:
+//     const brdf::io::Content content = brdf::io::read_content("copper.bsdf");
+//     const brdf::io::rgl::Measurement copper(content);  // interpolated by the rule of the format
+//     const brdf::io::SampleTable table = brdf::io::rgl::read(content);  // rows for a fit
+//     std::printf("%s: %zu rows\n", copper.description().c_str(), table.rows());
 SampleTable read(const Content& content, const Supplied& supplied = {});
 
 }  // namespace brdf::io::rgl

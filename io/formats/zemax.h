@@ -24,6 +24,12 @@ SampleTable read(const Content& text, const Supplied& supplied = {});
 // of each block is the trapezoidal sum of f_r cos_o over the grid. Returns the losses, one phrase each.
 // Throws InputError for other channels, if two rows belong to the same entry, and if more than seven of
 // eight entries would be empty.
+// Example:
+//     // #include "brdf/io/formats/read.h"
+//     const brdf::io::SampleTable table = brdf::io::read_samples("in_plane.csv");
+//     for (const std::string& loss : brdf::io::zemax::write("in_plane.zemax", table))
+//       std::printf("lost: %s\n", loss.c_str());
+//     const auto again = brdf::io::zemax::read(brdf::io::read_content("in_plane.zemax"), {});
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& table);
 
 }  // namespace brdf::io::zemax

@@ -41,6 +41,12 @@ GlslParts glsl_parts(const Material& material, const GlslContent& content = {});
 
 // Returns the source of `material`. Throws InputError if a reflectance has no GLSL, or if brdf_material is
 // requested for channels that are not colours (io/colour/channel_colours.h).
+// Example:
+//     // #include "brdf/io/material/material_file.h"
+//     const brdf::Material copper = brdf::io::read_material("copper.json");
+//     brdf::io::GlslContent content;
+//     content.dialect = brdf::GlslDialect::es;  // WebGL 2
+//     const std::string shader = glsl_source(copper, content);
 std::string glsl_source(const Material& material, const GlslContent& content = {});
 
 // Returns a number of 28 bits that distinguishes texts. Every preprocessor accepts such a number as an int.

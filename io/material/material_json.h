@@ -18,6 +18,11 @@ struct MaterialFile {
 
 // Reads a material file, or the selected material of a saved state of `brdf view`. Throws InputError with
 // file, JSON path, value and rule.
+// Example:
+//     brdf::io::MaterialFile file = brdf::io::read_material_file("copper.json");
+//     file.name = "dark copper";
+//     for (double& weight : file.material.terms.front().weights.front()) weight /= 2;
+//     write_material_file("dark_copper.json", file);
 MaterialFile read_material_file(const std::filesystem::path& path);
 MaterialFile read_material_file(const Content& content);
 // Writes a material file. Throws InputError as check_material() does.

@@ -66,6 +66,12 @@ struct SampleTable {
 enum class Origin { measured, computed };
 
 // Returns the unit vectors of all rows in the local frame (normal +z, tangent +x).
+// Example:
+//     brdf::io::SampleTable table;
+//     table.channels = {"green"};
+//     table.add_directions(30, 0, 30, 180);  // degrees: the mirror direction
+//     table.values = {{0.8}};                // 1/sr
+//     const brdf::DirectionArrays<double> directions = unit_directions(table);
 DirectionArrays<double> unit_directions(const SampleTable& table);
 
 }  // namespace brdf::io

@@ -35,6 +35,13 @@ std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings = kFitRings
 Vec3<double> aperture_direction(const Vec3<double>& axis, const ApertureNode& node);
 
 // Computes f_r per channel averaged over both cones, in 1/sr. `out` has one value per channel.
+// Example:
+//     using namespace brdf;
+//     const Material material = make_material(*find_form("ward"), {"fr"});
+//     const auto cone = aperture_nodes(degrees(2)), point = aperture_nodes(degrees(0));
+//     double value;
+//     const auto wi = direction(30_deg, 0_deg), wo = direction(30_deg, 180_deg);
+//     eval_aperture(material, wi, wo, point, cone, {&value, 1});
 void eval_aperture(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
                    std::span<const ApertureNode> source, std::span<const ApertureNode> detector,
                    std::span<double> out);

@@ -51,6 +51,11 @@ Directions<T> one_pair(const Vec3<T>& wi, const Vec3<T>& wo) {
 }
 
 // Returns the unit vector with this polar angle and azimuth.
+// Example:
+//     brdf::DirectionArrays<double> arrays(1);
+//     arrays.set(0, direction(brdf::degrees(30), brdf::degrees(0)),
+//                direction(brdf::degrees(45), brdf::degrees(180)));
+//     const brdf::Vec3<double> to_viewer = arrays.view().wo(0);
 Vec3<double> direction(Angle theta, Angle phi);
 
 // Writes the directions as seen from a frame with its tangent rotated by phi.

@@ -51,6 +51,10 @@ AlbedoResult directional_albedo(const Term& term, std::size_t channel, Angle the
                                 const AlbedoOptions& options = {});
 
 // Computes the albedo of all channels of a sum of terms. Channels that share a shape are integrated together.
+// Example:
+//     const brdf::Material material = make_material(*brdf::find_form("oren_nayar"));
+//     for (const auto& albedo : directional_albedo(material, brdf::degrees(60), brdf::degrees(0)))
+//       std::printf("%.6f, error at most %.1e\n", albedo.value, albedo.error_bound);
 std::vector<AlbedoResult> directional_albedo(const Material& material, Angle theta, Angle phi,
                                              const AlbedoOptions& options = {});
 

@@ -43,6 +43,12 @@ bool is_anisotropic(const Material& material);
 // Computes f_r per channel in 1/sr, without the cosine (eval_cos: times cos_i). Directions are unit vectors
 // in the frame of the surface. The result is 0 below the horizon and always finite. `out` has one value per
 // channel.
+// Example:
+//     const brdf::Material material = brdf::make_material(*brdf::find_form("cook_torrance"));
+//     const auto wi = direction(brdf::degrees(45), brdf::degrees(0));
+//     const auto wo = direction(brdf::degrees(40), brdf::degrees(180));
+//     std::vector<double> f_r(material.channels.size());
+//     eval(material, wi, wo, f_r);
 void eval(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> out);
 void eval_cos(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
               std::span<double> out);

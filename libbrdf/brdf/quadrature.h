@@ -21,6 +21,11 @@ struct GaussRule {
 
 // Returns the Gauss-Legendre rule with n points. Nodes are accurate to 1e-16 (Newton's method on the
 // Legendre recurrence). Rules are computed once and kept. Thread safe.
+// Example:
+//     const brdf::quadrature::GaussRule& rule = brdf::quadrature::gauss_legendre(8);
+//     double integral = 0;  // of exp over [0, 1]
+//     for (std::size_t k = 0; k < rule.node.size(); ++k)
+//       integral += rule.weight[k] * std::exp(rule.node[k]);
 const GaussRule& gauss_legendre(int n);
 // Returns the Gauss-Lobatto rule with n >= 3 points, which includes both ends; exact up to degree 2 n - 3.
 const GaussRule& gauss_lobatto(int n);

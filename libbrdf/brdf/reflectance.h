@@ -4,9 +4,6 @@
 // directions. Its info lists the optional features: lobes that are linear in the weights, derivatives,
 // GLSL, a sampler, facts. Callers test for a feature, never for a concrete type. Dispatch happens once per
 // call; pass blocks of directions.
-//
-//   const Reflectance form = *find_form("ward");
-//   const Material material = make_material(form);  // brdf/material.h
 #pragma once
 
 #include <memory>
@@ -221,6 +218,13 @@ inline const ReflectanceInfo& info(const Reflectance& reflectance) {
 }
 
 // Returns the forms of the catalogue (brdf/forms.h), in its order.
+// Example:
+//     for (const brdf::Reflectance& form : brdf::catalogue()) {
+//       std::printf("%s:", std::string(info(form).name).c_str());
+//       for (const brdf::ParameterInfo& parameter : info(form).shape)
+//         std::printf(" %s", std::string(parameter.name).c_str());
+//       std::printf("\n");
+//     }
 std::span<const Reflectance> catalogue();
 // Returns the forms in their order, one group per family.
 std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> forms = catalogue());

@@ -14,6 +14,10 @@
 namespace brdf {
 
 // Returns all targets; the targets of one program are adjacent.
+// Example:
+//     for (const brdf::Reflectance& target : brdf::targets())
+//       if (target.info().family == "blender" && target.info().fittable())
+//         std::printf("%s\n", std::string(target.info().name).c_str());
 std::span<const Reflectance> targets();
 
 }  // namespace brdf

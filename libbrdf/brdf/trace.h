@@ -137,6 +137,9 @@ class Traced {
 Traced from_bits(TracedBits bits);
 
 // Returns the GLSL functions of the elementary kernels. A shader needs them once, before any form.
+// Example:
+//     const brdf::Reflectance form = *brdf::find_form("ward");
+//     const std::string functions = brdf::glsl_kernels() + form->glsl();
 std::string glsl_kernels(const GlslOptions& options = {});
 
 namespace detail {

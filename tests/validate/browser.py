@@ -5,7 +5,8 @@
         page.evaluate("document.title")
         page.screenshot(path)
 
-No address outside can be reached. The protocol is Chrome's DevTools over file descriptors 3 and 4.
+No address outside can be reached, except `server`, an address of this machine. The protocol is Chrome's
+DevTools over file descriptors 3 and 4.
 """
 import base64
 import json
@@ -19,15 +20,14 @@ import tempfile
 import time
 
 WORDS = ["--headless=new", "--no-sandbox", "--disable-background-networking", "--disable-sync", "--disable-extensions",
-         "--no-first-run", "--hide-scrollbars", "--proxy-server=127.0.0.1:9", "--host-resolver-rules=MAP * ~NOTFOUND",
-         "--remote-debugging-pipe", "about:blank"]
+         "--no-first-run", "--hide-scrollbars", "--proxy-server=127.0.0.1:9", "--remote-debugging-pipe", "about:blank"]
 # WebGL on the processor, the same on every machine.
 SOFTWARE = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 SHELL = 'exec "$0" "$@" 3<&$PIPE_IN 4>&$PIPE_OUT'
 
 
 class Browser:
-    def __init__(self, name, *words, patience=120, driver=None):
+    def __init__(self, name, *words, patience=120, driver=None, server=None):
         executable = shutil.which(name)
         if not executable:
             sys.exit(f"{name} is not installed: tools/setup test")
@@ -35,13 +35,14 @@ class Browser:
         self.profile = tempfile.mkdtemp(prefix="brdf_browser_")
         to_read, self.to_write = os.pipe()
         self.to_listen, to_answer = os.pipe()
+        rules = "--host-resolver-rules=MAP * ~NOTFOUND" + (f", EXCLUDE {server}" if server else "")
         gpu = [] if any("gl" in word for word in words) else ["--disable-gpu"]
         # A Vulkan driver that the environment names would take SwiftShader's place.
         variables = {name: value for name, value in os.environ.items() if not name.startswith("VK_")}
         if driver:
             variables["VK_DRIVER_FILES"] = driver
         self.process = subprocess.Popen(
-            ["bash", "-c", SHELL, executable, f"--user-data-dir={self.profile}", *gpu, *words, *WORDS],
+            ["bash", "-c", SHELL, executable, f"--user-data-dir={self.profile}", *gpu, *words, rules, *WORDS],
             pass_fds=(to_read, to_answer), env=variables | {"PIPE_IN": str(to_read), "PIPE_OUT": str(to_answer)},
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_read)
@@ -87,7 +88,9 @@ class Browser:
             self.events.append(answer)
 
     def open(self, path, width=1280, height=900, dark=False):
-        return Page(self, pathlib.Path(path).resolve().as_uri(), width, height, dark)
+        """A page by its file, or by its address at `server`."""
+        address = path if str(path).startswith("http:") else pathlib.Path(path).resolve().as_uri()
+        return Page(self, address, width, height, dark)
 
 
 class Page:
@@ -132,7 +135,8 @@ class Page:
                 details = parameters["exceptionDetails"]
                 self.console.append(details.get("exception", {}).get("description", details["text"]))
             if event["method"] == "Log.entryAdded":
-                self.console.append(parameters["entry"]["text"])
+                entry = parameters["entry"]
+                self.console.append(f"{entry['text']} {entry.get('url', '')}".strip())
         self.browser.events.clear()
 
     def scheme(self, dark, media=""):

@@ -97,6 +97,12 @@ Finding within_seconds(CheckOptions options, const std::function<Finding(const C
 
 // Runs all checks of all subjects in order, on all processors, and judges them against the violations that
 // the forms declare. Throws InputError if outside code declares a violation of an unknown check.
+// Example:
+//     // #include "brdf/io/material/material_file.h"
+//     using brdf::validate::Subject;
+//     const Subject copper = Subject::material("copper", brdf::io::read_material("copper.json"));
+//     for (const auto& finding : brdf::validate::run_checks({copper}, {}))
+//       std::printf("%s: %s\n", finding.check.c_str(), finding.statement.c_str());
 std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const CheckOptions& options,
                                 const io::Progress& progress = {});
 

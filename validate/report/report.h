@@ -42,6 +42,12 @@ struct ReportContent {
 // Returns the report as an HTML page: the verdict, the pictures in a row with one line each, the properties
 // as a matrix, then the plots of each table and subject. The command that prints the same numbers is folded
 // beneath each plot.
+// Example:
+//     brdf::validate::ReportContent content;
+//     content.subjects = {brdf::validate::Subject::form(*brdf::find_form("phong"))};
+//     content.findings = {check_reciprocity(content.subjects.front(), {})};
+//     std::ofstream("phong.html") << to_html(content);
+//     std::printf("%s\n", brdf::validate::summary(content.findings).c_str());
 std::string to_html(const ReportContent& content);
 
 // Returns the overall verdict: how many checks passed, and how many failed, are known violations, undecided
