@@ -38,16 +38,19 @@ struct Channels {
   }
 };
 
-bool keeps_channels(const Function& f, const Program& program, const std::vector<Binding>& bindings) {
+Mixing mixing_of(const Function& f, const Program& program, const std::vector<Binding>& bindings) {
   Channels domain;
   Flow flow(program, domain);
   for_each_parameter(f, bindings, [&](const Binding& b, std::size_t k, std::size_t component) {
     if (f.parameters[k].colour) flow.start(b.integer, b.slot) = Channels::Value(1u << component);
   });
-  if (!flow.run()) return false;
-  for (std::size_t k = 0; k < flow.results().size(); ++k)
-    if (flow.results()[k] & ~(1u << k)) return false;
-  return true;
+  if (!flow.run()) return Mixing::all;
+  Mixing out = Mixing::none;
+  for (std::size_t k = 0; k < flow.results().size(); ++k) {
+    const unsigned others = flow.results()[k] & ~(1u << k);
+    out = std::max(out, others == 0 ? Mixing::none : others == 1 ? Mixing::first : Mixing::all);
+  }
+  return out;
 }
 
 // How a value depends on the parameters.
@@ -328,8 +331,8 @@ class Equal {
 
 }  // namespace
 
-bool keeps_channels(const Function& f) {
-  return keeps_channels(f, f.as_written, f.bindings) && keeps_channels(f, f.as_meant, f.bindings_as_meant);
+Mixing mixing_of(const Function& f) {
+  return std::max(mixing_of(f, f.as_written, f.bindings), mixing_of(f, f.as_meant, f.bindings_as_meant));
 }
 
 bool same_in_all_channels(const Function& f) {

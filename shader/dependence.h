@@ -10,9 +10,13 @@
 
 namespace brdf::shader {
 
-// Returns true if channel k of the value depends on no component of a colour other than component k, by
-// data or by a branch. If false, nothing is known.
-bool keeps_channels(const Function& function);
+// The components of colours on which channel k of the value may depend, by data or by a branch.
+enum class Mixing {
+  none,   // component k alone
+  first,  // component k and the first one
+  all     // any; or the program is too large to be followed
+};
+Mixing mixing_of(const Function& function);
 
 // Returns true if equal components of all colours give equal components of the value, because the same
 // operations compute them. If false, nothing is known.

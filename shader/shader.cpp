@@ -64,11 +64,12 @@ ShaderReflectance::ShaderReflectance(Function function, std::optional<ShaderOrig
 }
 
 void ShaderReflectance::find_tables() {
-  const bool mixes = !keeps_channels(function_);
-  if (mixes) require_directions(function_);
-  if (mixes) split_colours(function_);
+  const Mixing mixing = mixing_of(function_);
+  reads_first_ = mixing == Mixing::first;
+  if (mixing == Mixing::all) require_directions(function_);
+  if (mixing == Mixing::all) split_colours(function_);
   const std::deque<Parameter>& parameters = function_.parameters;
-  const std::optional<Linear> linear = linear_parameters(function_);
+  const std::optional<Linear> linear = reads_first_ ? std::nullopt : linear_parameters(function_);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const bool weight =
         linear ? std::find(linear->weights.begin(), linear->weights.end(), k) != linear->weights.end()

@@ -47,6 +47,9 @@ class ShaderReflectance final : public ReflectanceModel {
   // Returns the function's values for a channel's parameters, in the function's order.
   template <class T>
   std::vector<T> values_of(const ParameterValues<T>& p) const;
+  // Returns true if every channel may also depend on the first component of a colour. A channel's value then
+  // needs ParameterValues::first.
+  bool reads_first_channel() const { return reads_first_; }
   // Parameters of the function at each position of the tables.
   const std::vector<std::size_t>& weight_parameters() const { return weights_; }
   const std::vector<std::size_t>& shape_parameters() const { return shape_; }
@@ -77,6 +80,7 @@ class ShaderReflectance final : public ReflectanceModel {
   std::vector<ParameterInfo> weight_table_, shape_table_;
   std::vector<LobeWeight> lobes_;
   std::vector<std::string> channels_;
+  bool reads_first_ = false;
   std::vector<Violation> violations_;
   ReflectanceInfo info_;
 };

@@ -36,11 +36,7 @@ struct Trial {
     wi = io::unit_vector(theta_i, phi_i), wo = io::unit_vector(theta_o, phi_o);
   }
   std::optional<shader::UndefinedValue> undefined(const ShaderSubject& s, Precision precision) const {
-    std::vector<double> values(s.function().values);
-    for (std::size_t k = 0; k < s.parameters(); ++k) {
-      const shader::Parameter& p = s.function().parameters[k];
-      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c) values[p.first + c] = at[k];
-    }
+    const std::vector<double> values = s.values(std::span<const double>(at));
     return precision == Precision::float_type ? shader::undefined_value<float>(s.function(), values, wi, wo)
                                               : shader::undefined_value<double>(s.function(), values, wi, wo);
   }
@@ -58,17 +54,24 @@ struct Trial {
 
 }  // namespace
 
+std::size_t ShaderSubject::place(std::size_t parameter) const {
+  std::size_t out = 0;
+  for (std::size_t k = 0; k < parameter; ++k) out += width(function().parameters[k]);
+  return out;
+}
+
 std::vector<double> ShaderSubject::possible(std::vector<double> point) const {
-  for (std::size_t k = 0; k < parameters(); ++k)
-    if (function().parameters[k].whole) point[k] = std::floor(point[k] + 0.5);
+  for (std::size_t k = 0; k < function().parameters.size(); ++k)
+    if (function().parameters[k].whole) point[place(k)] = std::floor(point[place(k)] + 0.5);
   return point;
 }
 
 Domain ShaderSubject::domain(bool with_viewer) const {
   Domain d;
   for (const shader::Parameter& p : function().parameters)
-    d.variables.push_back({p.name, p.min, p.max,
-                           p.log_scale && p.min > 0 ? Variable::Cut::logarithmic : Variable::Cut::middle});
+    for (std::size_t c = 0; c < width(p); ++c)
+      d.variables.push_back({width(p) > 1 ? p.name + "_" + "rgb"[c] : p.name, p.min, p.max,
+                             p.log_scale && p.min > 0 ? Variable::Cut::logarithmic : Variable::Cut::middle});
   add_direction(d, "i", turns);
   if (with_viewer) add_direction(d, "o", true);
   return d;
@@ -76,12 +79,8 @@ Domain ShaderSubject::domain(bool with_viewer) const {
 
 ShaderInputs ShaderSubject::inputs(std::span<const Bounds> box) const {
   ShaderInputs in;
-  in.values.resize(function().values);
-  std::size_t at = 0;
-  for (const shader::Parameter& p : function().parameters) {
-    for (std::size_t k = 0; k < (p.colour ? 3u : 1u); ++k) in.values[p.first + k] = box[at];
-    ++at;
-  }
+  in.values = values(box);
+  const std::size_t at = parameters();
   in.cos_i = box[at];
   in.turn_i = box[at + 1];
   if (box.size() > at + 2) {
@@ -94,20 +93,30 @@ ShaderInputs ShaderSubject::inputs(std::span<const Bounds> box) const {
 Material ShaderSubject::at(std::span<const double> values, std::string& said) const {
   Material m = material;
   Term& term = m.terms.front();
+  if (model.reads_first_channel() && m.channels.size() == 1) {
+    m.channels = {"r", "g", "b"};
+    term.weights.resize(3, term.weights.front());
+    term.shape.resize(3, term.shape.front());
+  }
   const auto& weights = model.weight_parameters();
   const auto& shape = model.shape_parameters();
   for (std::size_t k = 0; k < weights.size(); ++k)
-    for (auto& w : term.weights) w[k] = values[weights[k]];
+    for (std::size_t c = 0; c < term.weights.size(); ++c)
+      term.weights[c][k] = values[place(weights[k]) + (width(function().parameters[weights[k]]) > 1 ? c : 0)];
   for (std::size_t k = 0; k < shape.size(); ++k)
-    for (auto& values_of_shape : term.shape) values_of_shape[k] = values[shape[k]];
-  for (std::size_t k = 0; k < parameters(); ++k)
-    said += " --set " + function().parameters[k].name + "=" + io::to_text(values[k]);
+    for (auto& values_of_shape : term.shape) values_of_shape[k] = values[place(shape[k])];
+  for (std::size_t k = 0; k < function().parameters.size(); ++k) {
+    const shader::Parameter& p = function().parameters[k];
+    said += " --set " + p.name + "=" + io::to_text(values[place(k)]);
+    for (std::size_t c = 1; c < width(p); ++c) said += "," + io::to_text(values[place(k) + c]);
+  }
   return m;
 }
 
 std::vector<std::pair<std::string, double>> ShaderSubject::named(std::span<const double> values) const {
   std::vector<std::pair<std::string, double>> all;
-  for (std::size_t k = 0; k < parameters(); ++k) all.emplace_back(function().parameters[k].name, values[k]);
+  const Domain names = domain(false);
+  for (std::size_t k = 0; k < parameters(); ++k) all.emplace_back(names.variables[k].name, values[k]);
   return all;
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,32 @@ struct ShaderSubject {
   bool turns = true;  // the light has to be rotated: no symmetry of the program is shown
 
   const shader::Function& function() const { return model.function(); }
-  std::size_t parameters() const { return function().parameters.size(); }
+  // The number of variables that represent a parameter: three for a colour whose first component may affect
+  // the other channels, otherwise one.
+  std::size_t width(const shader::Parameter& p) const {
+    return p.colour && model.reads_first_channel() ? 3 : 1;
+  }
+  // The number of variables before the parameter, or of all parameters.
+  std::size_t place(std::size_t parameter) const;
+  std::size_t parameters() const { return place(function().parameters.size()); }
   // Returns the point with integer parameters rounded to whole numbers, since the function itself uses
   // whole numbers for any value between them.
   std::vector<double> possible(std::vector<double> point) const;
   Domain domain(bool with_viewer) const;
-  // Returns the inputs for a box. Each of the three components of a colour is anywhere in the colour's
-  // range.
+  // Returns the values of all parameters, from those of the variables.
+  template <class T>
+  std::vector<T> values(std::span<const T> variables) const {
+    std::vector<T> out(function().values);
+    std::size_t at = 0;
+    for (const shader::Parameter& p : function().parameters) {
+      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c)
+        out[p.first + c] = variables[at + (width(p) > 1 ? c : 0)];
+      at += width(p);
+    }
+    return out;
+  }
+  // Returns the inputs for a box. Each component of a colour that one variable represents is anywhere in the
+  // variable's range.
   ShaderInputs inputs(std::span<const Bounds> box) const;
   // Returns the material with these parameters, in the function's order. Appends the corresponding words of
   // the command line to `said`.
