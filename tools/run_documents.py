@@ -93,9 +93,13 @@ def forms_without_a_page(brdf):
 
 def verbs_of_help(brdf):
     """Rows of the table of verbs: name and description, in the order of `brdf --help`."""
-    rows = []
+    rows, in_group = [], False
     for line in subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout.split("\n"):
-        if found := re.match(r"  (\w+) +(\S.*)", line):
+        if line and not line.startswith(" "):  # "Options:" and the descriptions are followed by other lines than verbs
+            in_group = line.endswith(":") and line != "Options:"
+        elif not in_group:
+            continue
+        elif found := re.match(r"  (\w+) +(\S.*)", line):
             rows.append([found[1], found[2]])
         elif rows and line.startswith(" " * 30) and line.strip():
             rows[-1][1] += " " + line.strip()
