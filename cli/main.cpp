@@ -13,9 +13,12 @@
 #include <string>
 
 #include "cli/help.h"
+#include "cli/options/next_step.h"
 #include "cli/options/old_spelling.h"
 #include "cli/options/options.h"
+#include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #ifdef BRDF_HAS_FIT
@@ -35,6 +38,7 @@ Exit exit_code = Exit::good;
 
 int report(std::string_view message, Exit code, std::string_view before = "") {
   std::cout.flush();
+  erase_progress();
   const bool colours = colours_on(STDERR_FILENO);
   std::cerr << (colours ? "\x1b[31mbrdf:\x1b[0m " : "brdf: ") << before;
   try {
@@ -83,12 +87,15 @@ int run(int argc, char** argv) try {
       "Exit codes: 0 good, 1 a result that fails, 2 bad input or usage, 3 the environment lacks something.",
       "brdf");
   app.set_version_flag("--version", "brdf " BRDF_VERSION);
+  app.footer("Documentation: man brdf-VERB, and the folder docs of the source code.");
   app.require_subcommand(1);
   const int columns = columns_of(STDOUT_FILENO);
   // Must precede the verbs, which inherit the formatter.
   app.formatter(help_layout(columns ? columns : 80));
   add_verbs(app);
   require_plain_numbers(app);
+  use_streams(app);
+  add_quiet_option(app);
   io::record_command_line(argc, argv);
   if (argc == 1) {
     std::cout << app.help();
@@ -132,6 +139,7 @@ CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char*
 void add_missing(CLI::App& app, const char* name) {
   CLI::App* verb = app.add_subcommand(name, "(left out of this build)");
   verb->allow_extras();
+  set_missing(name);
   on_run(*verb, [name]() -> Exit {
     throw EnvironmentError(std::string("this build has no `") + name +
                            "`: a library it needs was missing (see the messages of cmake)");

@@ -274,7 +274,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
     left_out.y.push_back(row.best.value("cross_validated_error", std::nan("")));
   }
   html.verdict(good == rows.size() ? io::Mark::good : io::Mark::warn,
-               std::to_string(good) + " of " + std::to_string(rows.size()) + " files have a usable fit.");
+               std::to_string(good) + " of " + io::plural(rows.size(), "file") +
+                   (good == 1 ? " has" : " have") + " a usable fit.");
   std::vector<io::Figure> pictures;
   for (const BatchRow& row : rows) {
     const fs::path picture = folder / (row.name + ".png");

@@ -59,6 +59,7 @@ JobReport run(const Job& given) {
   Finish finish{.rounding = job.rounding};
   if (job.supersample) finish.supersample = *job.supersample;
   finish.probed = job.probe.has_value();
+  if (!job.turntable) finish.progress = job.progress;
   Pictures pictures(device, options, job.samples, finish);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
   if (job.exposure_from_picture) state.scene.exposure = exposure_from(pictures.a_picture());

@@ -57,8 +57,10 @@ struct Job {
   // number of the frame.
   std::optional<int> turntable;
   double frames_per_second = 25;
-  int quality = 90;                        // of .webp: 100 is lossless
-  std::function<void(int, int)> progress;  // frames done, total number of frames
+  int quality = 90;  // of .webp: 100 is lossless
+  // Called with the finished parts and their total number: the frames of a turn, or the sample places of the
+  // picture that is written.
+  std::function<void(int, int)> progress;
 };
 
 struct JobReport {

@@ -125,8 +125,8 @@ bool is_drawn(const Row& row) {
 
 std::string verdict_of(const std::vector<Row>& rows, std::size_t usable, std::size_t warned) {
   const std::size_t broken = count(rows, [](const Row& row) { return row.fault != Fault::none; });
-  std::string text =
-      std::to_string(usable) + " of " + std::to_string(rows.size()) + " samples have a usable fit";
+  std::string text = std::to_string(usable) + " of " + io::plural(rows.size(), "sample") +
+                     (usable == 1 ? " has" : " have") + " a usable fit";
   if (warned > 0) text += ", " + std::to_string(warned) + " of these with warnings";
   if (broken > 0) text += "; " + std::to_string(broken) + " could not be studied";
   return text + ".";

@@ -93,7 +93,7 @@ void add_files(io::HtmlReport& report, const Findings& found, const SampleOption
   if (!found.properties.empty())
     commands += "brdf fit " + samples + options.fit_words + " -o " + material + "\nbrdf validate " +
                 material + "\nbrdf render " + material + " --measured " + samples +
-                " -o spheres.png\nbrdf export --material " + material + " --to glsl -o " + kShader;
+                " -o spheres.png\nbrdf export " + material + " --to glsl -o " + kShader;
   report.command(commands);
 }
 

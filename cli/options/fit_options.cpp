@@ -102,7 +102,7 @@ work::TaskOptions task_options_of(const std::vector<std::string>& words) {
 }
 
 work::Caller this_program() {
-  return {&interrupted, [](const std::string& sentence) { Note() << sentence; }};
+  return {&interrupted, [](const std::string& sentence) { Warning() << sentence; }};
 }
 
 void watch_for_interrupt() {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/options/terminal.h"
 #include "io/columns/stated_quantity.h"
 #include "io/files/text.h"
 
@@ -115,8 +116,28 @@ std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool al
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice) {
   verb.add_option("--form", choice.form,
                   "A form by name (`brdf models` lists them), at its default parameters");
-  verb.add_option("--material", choice.material, "A material's JSON file");
+  verb.add_option("--material", choice.material, "The same as MATERIAL");
   add_repeated_option(verb, "--set", choice.set, "name=value, or one value per channel: name=v,v,v");
+}
+
+CLI::Option* add_material_argument(CLI::App& verb, std::string& file, const std::string& option,
+                                   const std::string& description) {
+  const CLI::Option* const older = verb.get_option(option);
+  return verb.add_option_function<std::string>(
+      "MATERIAL",
+      [&file, older, option](const std::string& given) {
+        if (older->count() > 0)
+          throw InputError("MATERIAL " + given + " and " + option + " " + older->results().front() +
+                           " are both given: give one of them");
+        file = given;
+      },
+      description);
+}
+
+void add_quiet_option(CLI::App& app) {
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App* a) { return !a->get_allow_extras(); }))
+    verb->add_flag_callback("-q,--quiet", set_quiet,
+                            "No progress, notes or next step on the terminal; warnings and errors stay");
 }
 
 }  // namespace brdf::cli

@@ -41,6 +41,13 @@ std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool al
 
 // Adds --form, --material and --set, identical in every verb that takes one material.
 void add_material_options(CLI::App& verb, io::MaterialChoice& choice);
+// Adds the positional argument MATERIAL, which sets `file`. `option` names the older option with the same
+// meaning; both together are refused.
+CLI::Option* add_material_argument(CLI::App& verb, std::string& file, const std::string& option,
+                                   const std::string& description);
+
+// Adds -q and --quiet to every verb of the program.
+void add_quiet_option(CLI::App& app);
 
 // Adds --polarisation and --repeats, identical in every verb that reads samples to use them.
 void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);

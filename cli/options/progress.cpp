@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 
 #include "cli/options/terminal.h"
 #include "io/files/text.h"
@@ -23,15 +25,23 @@ std::string duration_text(double seconds) {
   return std::to_string(s / 3600) + " h " + std::to_string(s % 3600 / 60) + " min";
 }
 
-// Rewrites one line on stderr.
+std::atomic<bool> is_shown = false;
+
+// Rewrites one line on stderr. The destructor erases the line.
 class Line {
  public:
+  Line() = default;
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+  ~Line() { erase_progress(); }
+
   void show(const std::string& what, double fraction) const {
+    if (fraction >= 1) return erase_progress();
     const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
     const int columns = columns_of(STDERR_FILENO);
-    std::cerr << '\r' << progress_text(what, fraction, seconds, columns ? columns : 80) << "\x1b[K";
-    if (fraction >= 1) std::cerr << "\r\x1b[K";
-    std::cerr.flush();
+    is_shown = true;
+    std::cerr << '\r' + progress_text(what, fraction, seconds, columns ? columns : 80) + "\x1b[K"
+              << std::flush;
   }
 
  private:
@@ -42,7 +52,11 @@ class Line {
 }  // namespace
 
 bool shows_progress() {
-  return isatty(STDERR_FILENO) != 0;
+  return !is_quiet() && isatty(STDERR_FILENO) != 0;
+}
+
+void erase_progress() {
+  if (is_shown.exchange(false)) std::cerr << "\r\x1b[K" << std::flush;
 }
 
 std::string progress_text(const std::string& what, double fraction, double seconds, int columns) {
@@ -60,17 +74,24 @@ std::string progress_text(const std::string& what, double fraction, double secon
 
 std::function<void(int, int)> progress_line(std::string what) {
   if (!shows_progress()) return [](int, int) {};
-  return [what = std::move(what), line = Line()](int done, int total) {
-    line.show(what + ": " + std::to_string(done) + " of " + std::to_string(total), double(done) / total);
+  return [what = std::move(what), line = std::make_shared<Line>()](int done, int total) {
+    line->show(what + ": " + std::to_string(done) + " of " + std::to_string(total), double(done) / total);
   };
 }
 
 std::function<void(double, const std::string&)> percent_line() {
   if (!shows_progress()) return [](double, const std::string&) {};
-  return [line = Line()](double fraction, const std::string& what) {
+  return [line = std::make_shared<Line>()](double fraction, const std::string& what) {
     char percent[16];
     std::snprintf(percent, sizeof percent, "%3.0f %%  ", 100 * fraction);
-    line.show(percent + what, fraction);
+    line->show(percent + what, fraction);
+  };
+}
+
+std::function<void(const std::string&)> step_line(std::string before) {
+  if (!shows_progress()) return [](const std::string&) {};
+  return [before = std::move(before), line = std::make_shared<Line>()](const std::string& what) {
+    line->show(before + ": " + what, 0);
   };
 }
 

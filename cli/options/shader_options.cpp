@@ -177,6 +177,10 @@ void add_material_options(CLI::App& verb, MaterialOptions& options) {
   add_shader_options(verb, options.shader);
 }
 
+void add_material_argument(CLI::App& verb, MaterialOptions& options) {
+  add_material_argument(verb, options.material, "--material", "A material's JSON file");
+}
+
 io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb) {
   io::MaterialChoice choice = options;
   if (const auto shader = load(options.shader, verb)) choice.made = shader->material;

@@ -80,6 +80,9 @@ struct MaterialOptions : io::MaterialChoice {
 };
 // Adds --form, --material, --set and the options of a shader.
 void add_material_options(CLI::App& verb, MaterialOptions& options);
+// Adds the positional argument MATERIAL, with the meaning of --material. Call this function after
+// add_material_options().
+void add_material_argument(CLI::App& verb, MaterialOptions& options);
 // Returns the chosen material, and choose_material_file() the whole file. Notes on stderr begin with `verb`.
 Material choose_material(const MaterialOptions& options, const std::string& verb);
 io::MaterialFile choose_material_file(const MaterialOptions& options, const std::string& verb);

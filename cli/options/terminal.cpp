@@ -8,12 +8,15 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "cli/options/progress.h"
 #include "io/files/text.h"
 
 namespace brdf::cli {
 namespace {
 
 constexpr int kFewest = 60, kMost = 200;
+
+bool quiet = false;
 
 // Returns the length of the escape sequence at the beginning of the text, or 0 if there is no escape
 // sequence.
@@ -113,12 +116,31 @@ std::string folded(std::string_view text, int columns) {
   return out;
 }
 
-Note::~Note() {
+bool is_quiet() {
+  return quiet;
+}
+
+void set_quiet() {
+  quiet = true;
+}
+
+Warning::~Warning() {
+  erase_progress();
   std::cerr << io::printable(str()) << '\n';
 }
 
+Note::~Note() {
+  if (!is_quiet()) Warning() << str();
+}
+
+int descriptor_of(TextStream stream) {
+  return stream == TextStream::out ? STDOUT_FILENO : STDERR_FILENO;
+}
+
 PlainText::~PlainText() {
-  std::cout << folded(str(), columns_of(STDOUT_FILENO));
+  if (stream_ == TextStream::error && is_quiet()) return;
+  erase_progress();
+  (stream_ == TextStream::out ? std::cout : std::cerr) << folded(str(), columns_of(descriptor_of(stream_)));
 }
 
 }  // namespace brdf::cli

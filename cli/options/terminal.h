@@ -20,8 +20,22 @@ bool colours_on(int descriptor);
 // is broken after a comma, or left whole if it has no comma.
 std::string folded(std::string_view text, int columns);
 
-// A line of text that the destructor prints on stderr. The text passes through io::printable(), which
-// prevents names of files and messages of libraries from controlling the terminal.
+// With --quiet, notes, progress and next steps are not printed; results, warnings and errors are.
+bool is_quiet();
+void set_quiet();
+
+// A warning, which changes the meaning of the results: a line of text that the destructor prints on stderr.
+// The text passes through io::printable(), which prevents names of files and messages of libraries from
+// controlling the terminal.
+class Warning : public std::ostringstream {
+ public:
+  Warning() = default;
+  Warning(const Warning&) = delete;
+  Warning& operator=(const Warning&) = delete;
+  ~Warning() override;
+};
+
+// The same for information that a user may miss: nothing is printed with --quiet.
 class Note : public std::ostringstream {
  public:
   Note() = default;
@@ -30,13 +44,24 @@ class Note : public std::ostringstream {
   ~Note() override;
 };
 
-// Text that the destructor prints on stdout, folded to the width of the terminal.
+// The stream that text for people goes to. If a file of the verb is written to standard output, its text
+// goes to standard error.
+enum class TextStream { out, error };
+
+// Text that the destructor prints, folded to the width of the terminal. Text on stderr is left out with
+// --quiet.
 class PlainText : public std::ostringstream {
  public:
-  PlainText() = default;
+  explicit PlainText(TextStream stream = TextStream::out) : stream_(stream) {}
   PlainText(const PlainText&) = delete;
   PlainText& operator=(const PlainText&) = delete;
   ~PlainText() override;
+
+ private:
+  TextStream stream_;
 };
+
+// Returns the file descriptor of the stream.
+int descriptor_of(TextStream stream);
 
 }  // namespace brdf::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "cli/options/next_step.h"
 #include "io/files/json.h"
 #include "io/files/text.h"
 
@@ -11,11 +12,13 @@ namespace brdf::cli {
 Exit summarise(const std::vector<fit::BatchRow>& rows, const std::filesystem::path& folder, bool json) {
   fit::write_summary(rows, folder);
   const bool good = std::ranges::all_of(rows, [](const fit::BatchRow& row) { return fit::usable(row); });
-  if (json)
+  const std::string page = (folder / "summary.html").string();
+  if (json) {
     std::cout << io::to_text(fit::to_json(rows, folder));
-  else
-    std::cout << io::printable((folder / "summary.csv").string()) << ", "
-              << io::printable((folder / "summary.html").string()) << '\n';
+  } else {
+    std::cout << io::printable((folder / "summary.csv").string()) << ", " << io::printable(page) << '\n';
+    print_next_step({open_page(page)});
+  }
   if (std::ranges::any_of(rows, &fit::BatchRow::environment_failed)) return Exit::environment;
   return good ? Exit::good : Exit::failed;
 }

@@ -6,8 +6,10 @@
 #include <iostream>
 
 #include "cli/options/fit_options.h"
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/progress.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/stack_scene.h"
 #include "io/files/error.h"
@@ -48,6 +50,10 @@ Exit write_results(const StackFiles& files, const texel::Stack& stack, const map
   else
     maps::print(std::cout, stack, making, summary, files.output, seconds);
   if (!files.json && !scene.empty()) std::cout << io::printable(scene) << '\n';
+  if (!files.json)
+    print_next_step(
+        {scene.empty() ? "" : scene_command((std::filesystem::path(files.output) / kSceneFile).string()),
+         open_page(files.report)});
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
 
@@ -56,6 +62,8 @@ Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_option
   const auto started = std::chrono::steady_clock::now();
   maps::Settings settings = work::settings_of(stack_options, choice, options);
   if (files.output.empty()) throw InputError("a stack needs -o FOLDER");
+  require_file({"-o", files.output}, "the results of a stack are a folder");
+  require_file({"--report", files.report}, "the report of a stack goes with a folder of results");
   const std::string given = work::normals_file(stack_options);
   if (!stack_options.regions.empty() && stack_options.share.empty())
     throw InputError("--regions: are those of --share: name a shape");
@@ -76,7 +84,7 @@ Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_option
                              maps::read_sharing(stack_options.share, stack_options.regions, stack), resources,
                              progress);
   if (was_interrupted()) {
-    Note() << "brdf fit: interrupted: nothing is written";
+    Warning() << "brdf fit: interrupted: nothing is written";
     return Exit::failed;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <iostream>
 
+#include "cli/options/next_step.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
@@ -14,9 +16,11 @@
 namespace brdf::cli {
 namespace {
 
-void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options) {
-  PlainText out;
-  fit::print(out, result, table, options, {columns_of(STDOUT_FILENO), colours_on(STDOUT_FILENO)});
+void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,
+           TextStream stream) {
+  PlainText out(stream);
+  const int descriptor = descriptor_of(stream);
+  fit::print(out, result, table, options, {columns_of(descriptor), colours_on(descriptor)});
 }
 
 }  // namespace
@@ -25,18 +29,25 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
                const FitTargets& targets) {
   const fit::FormFit& best = result.ranking.front();
   const std::string& output = targets.material;
-  if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output))
-    Note() << "brdf fit: interrupted: " << output << " is kept as it was";
-  else if (!output.empty() && best.solved())
+  const TextStream stream = text_stream({{"-o", output}, {"--report", targets.report}}, targets.json);
+  bool is_written = false;
+  if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output)) {
+    Warning() << "brdf fit: interrupted: " << output << " is kept as it was";
+  } else if (!output.empty() && best.solved()) {
     io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
-  else if (!output.empty())
-    Note() << "brdf fit: no form could be fitted: " << output << " is not written";
+    is_written = true;
+  } else if (!output.empty()) {
+    Warning() << "brdf fit: no form could be fitted: " << output << " is not written";
+  }
   if (!targets.report.empty())
     io::write_file_atomically(targets.report, fit::html_report(result, table, options));
-  if (targets.json)
+  if (targets.json) {
     std::cout << io::to_text(fit::to_json(result, table, options));
-  else
-    print(result, table, options);
+  } else {
+    print(result, table, options, stream);
+    print_next_step({is_written ? view_command(output, targets.samples) : "", open_page(targets.report)},
+                    stream);
+  }
   return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
 }
 

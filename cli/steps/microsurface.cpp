@@ -44,9 +44,9 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
           ->capture_default_str()};
   for (CLI::Option* detail : details) detail->needs(surface);
   // Options of materials and of the instrument do not apply to a traced surface.
-  for (const char* name :
-       {"--form", "--material", "--grid", "--step", "--blind-zone", "--aperture", "--source-aperture",
-        "--noise", "--noise-floor", "--saturation", "--clip-negatives", "--sigma-columns"}) {
+  for (const char* name : {"MATERIAL", "--form", "--material", "--grid", "--step", "--blind-zone",
+                           "--aperture", "--source-aperture", "--noise", "--noise-floor", "--saturation",
+                           "--clip-negatives", "--sigma-columns"}) {
     for (CLI::Option* other : verb.get_options())
       if (other->check_name(name)) surface->excludes(other);
   }

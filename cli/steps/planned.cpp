@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "cli/options/fit_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/fit_files.h"
 #include "cli/steps/fit_stack.h"
@@ -24,10 +25,11 @@ Exit collect_refits(const work::Task& task, const CollectFiles& files) {
   const fit::RefitSolutions solutions = work::refits_of(task);
   const fit::FitResult result =
       fit::fit(samples, fit::models_of(task.options().choice.form), options, {}, &solutions);
-  return write_fit(result, samples.table, options, {files.output, files.report, false});
+  return write_fit(result, samples.table, options, {files.output, files.report, "", false});
 }
 
 Exit collect_stack(const work::Task& task, const CollectFiles& files) {
+  require_file({"-o", files.output}, "the results of a stack are a folder");
   const work::StackTask stack = task.stack();
   io::check_folder_target({"-o", files.output}, result_names());
   const texel::Planes maps = work::maps_of(task, stack);
@@ -38,17 +40,19 @@ Exit collect_stack(const work::Task& task, const CollectFiles& files) {
 
 Exit collect_tables(const work::Task& task, const CollectFiles& files) {
   if (!files.report.empty()) throw InputError("--report is for a stack of photographs");
+  require_file({"-o", files.output}, "the results of several files are a folder");
   work::unpack_units(task, files.output);
   const fit::FitChoice& choice = task.options().choice;
   if (task.plan().verb == "study") {
     const study::StudyOptions options =
         work::study_options(choice, !task.options().no_pictures, files.output, 1, this_program());
-    return print_study(study::study(task.samples(), options), files.output, false);
+    return print_study(study::study(task.samples(), options), files.output, false,
+                       choice.options.supplied == io::Supplied());
   }
   const auto rows = work::fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
                                     fit_options(choice, 1), this_program());
   for (const fit::BatchRow& row : rows)
-    if (!row.error.empty() && row.error != fit::kInterrupted) Note() << "brdf collect: " << row.error;
+    if (!row.error.empty() && row.error != fit::kInterrupted) Warning() << "brdf collect: " << row.error;
   return summarise(rows, files.output, false);
 }
 

@@ -94,7 +94,9 @@ class SceneWriter {
       }
     }
     add("albedo", picture_of(maps_, values), *p);
-    if (above > 0) lost_ = "; " + std::to_string(above) + " values of it are above 1 and cut";
+    if (above > 0)
+      lost_ = "; " + io::plural(std::size_t(above), "value") + " above 1 " +
+              (above == 1 ? "was cut" : "were cut");
   }
 
   void add_roughness() {

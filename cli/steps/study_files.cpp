@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "cli/options/next_step.h"
 #include "cli/options/terminal.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
@@ -40,12 +41,20 @@ void print_text(const std::vector<study::Row>& rows, const std::filesystem::path
 void say_faults(const std::vector<study::Row>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (const std::string& sentence : rows[k].assumptions)
-      Note() << "brdf study: " << rows[k].file << ": " << sentence;
+      Warning() << "brdf study: " << rows[k].file << ": " << sentence;
     if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
-      Note() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
+      Warning() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
   }
   if (const auto left = std::count_if(rows.begin(), rows.end(), was_left); left > 0)
-    Note() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
+    Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
+}
+
+// Returns the command that shows the material of a single sample in the window.
+std::string command_for(const std::vector<study::Row>& rows, bool is_readable) {
+  if (rows.size() != 1) return "";
+  const std::filesystem::path material = rows[0].folder / study::kMaterial;
+  if (!std::filesystem::exists(material)) return "";
+  return view_command(material.string(), is_readable ? rows[0].file : "");
 }
 
 void print_json(const std::vector<study::Row>& rows) {
@@ -61,9 +70,12 @@ void print_json(const std::vector<study::Row>& rows) {
 
 }  // namespace
 
-Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json) {
+Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json,
+                 bool is_readable) {
   say_faults(rows);
   json ? print_json(rows) : print_text(rows, folder);
+  if (const auto page = folder / study::kPage; !json && std::filesystem::exists(page))
+    print_next_step({open_page(page.string()), command_for(rows, is_readable)});
   const auto has = [&](study::Fault fault) {
     return std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) { return row.fault == fault; });
   };

@@ -10,7 +10,9 @@
 namespace brdf::cli {
 
 // Prints a line for each sample, or JSON if `json` is true, and on stderr the reason for each sample without
-// a study.
-Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json);
+// a study. The text ends with the next step, which shows the samples in the window only if `is_readable` is
+// true: the window reads them without --quantity and --mirror-side.
+Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json,
+                 bool is_readable);
 
 }  // namespace brdf::cli

@@ -56,6 +56,7 @@ void add_albedo(CLI::App& app) {
   CLI::App* verb = add_verb(app, Purpose::judge, "albedo",
                             "Compute the directional albedo of a material, with an error bound");
   add_material_options(*verb, options->material);
+  add_material_argument(*verb, options->material);
   verb->add_option("--theta", options->albedo.theta,
                    "Polar angles of the fixed direction, degrees, separated by commas")
       ->delimiter(',')
@@ -78,7 +79,7 @@ void add_albedo(CLI::App& app) {
       "1e-12: of a form that grows without limit towards grazing that cosine alone decides it.\n"
       "Examples: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
       "0,60\n"
-      "          brdf albedo --material fitted.json --theta 45 --phi 30 --fixed o --rule adaptive "
+      "          brdf albedo fitted.json --theta 45 --phi 30 --fixed o --rule adaptive "
       "--tolerance "
       "1e-8 --json\n"
       "          brdf albedo --shader disney.brdf --set roughness=0.3 --theta 0,60,85");

@@ -43,7 +43,8 @@ Exit run_collect(const CollectCall& o) {
       std::cout << missing << '\n';
     else if (!o.json)
       std::cerr << "brdf collect: " << open.size() << " of " << states.size()
-                << " units are missing or damaged: " << missing << '\n';
+                << (open.size() == 1 ? " units is" : " units are") << " missing or damaged: " << missing
+                << '\n';
     return Exit::failed;
   }
   return o.output.empty() || o.json ? Exit::good : put_together(task, files);

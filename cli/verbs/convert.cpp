@@ -1,11 +1,14 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "interop/rgl.h"
 #include "io/columns/supplied.h"
+#include "io/csv/csv.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
@@ -52,22 +55,28 @@ Exit to_rgl(const ConvertCall& o) {
   const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
   io::write_file_atomically(out, bytes);
   Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
-  Note() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
-            "(export --to rgl --measured interpolates beside a fit)";
+  Warning() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
+               "(export --to rgl --measured interpolates beside a fit)";
+  print_next_step({view_command(out)}, TextStream::error);
   return Exit::good;
 }
 
 Exit run_convert(const ConvertCall& o) {
   const std::string &in = o.in, &out = o.out;
   if (out.ends_with(".bsdf")) return to_rgl(o);
-  io::check_table_format(out);
+  if (!is_stream(out)) io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
   io::SampleTable table = synth::table_of_file(in, o.supplied);
   arrange(o, table);
-  for (const std::string& warning : table.warnings) Note() << "brdf convert: " << in << ": " << warning;
-  const std::vector<std::string> lost = io::write_table(out, table);
+  for (const std::string& warning : table.warnings) Warning() << "brdf convert: " << in << ": " << warning;
+  std::vector<std::string> lost;
+  if (is_stream(out))
+    io::write_samples(out, table);
+  else
+    lost = io::write_table(out, table);
   Note() << "brdf convert: " << io::plural(table.rows(), "row") << " of " << table.format << " to " << out;
-  for (const std::string& what : lost) Note() << "brdf convert: lost: " << what;
+  for (const std::string& what : lost) Warning() << "brdf convert: lost: " << what;
+  print_next_step({view_command(out)}, TextStream::error);
   return Exit::good;
 }
 
@@ -85,7 +94,7 @@ void add_convert(CLI::App& app) {
   verb->add_option(
           "OUT", options->out,
           "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392) or .zemax (lens-design "
-          "text)")
+          "text); - for CSV on standard output")
       ->required();
   add_keep_fill_option(*verb, options->keep_fill);
   add_arrangement_options(*verb, options->arrangement);
@@ -93,6 +102,7 @@ void add_convert(CLI::App& app) {
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
       "          brdf convert paper.csv paper.bsdf\n"
+      "          zcat paper.csv.gz | brdf convert - - --repeats average\n"
       "          brdf convert scan.csv scan.zemax --keep-fill\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
       "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative");

@@ -8,6 +8,7 @@
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "io/csv/csv.h"
+#include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
@@ -18,6 +19,33 @@
 
 namespace brdf::cli {
 namespace {
+
+struct EvalCall {
+  MaterialOptions material;
+  std::string first, directions, output;  // `first`: the first of two positional arguments, or the only one
+  bool cosine = false;
+};
+
+// A pipe can be read only once and is not looked into.
+bool is_json_file(const std::string& file) {
+  return std::filesystem::is_regular_file(file) && io::is_json(io::read_content(file));
+}
+
+// Sorts the positional arguments: MATERIAL and DIRECTIONS, or DIRECTIONS alone.
+void settle_arguments(EvalCall& o) {
+  if (o.first.empty()) throw InputError("DIRECTIONS is required (see brdf eval --help)");
+  if (o.directions.empty()) {
+    o.directions = o.first;
+    return;
+  }
+  if (!o.material.material.empty())
+    throw InputError("MATERIAL " + o.first + " and --material " + o.material.material +
+                     " are both given: give one of them");
+  if (is_json_file(o.directions) && !is_json_file(o.first))
+    throw InputError(o.first + ", " + o.directions +
+                     ": the material's JSON comes first, then the directions: brdf eval MATERIAL DIRECTIONS");
+  o.material.material = o.first;
+}
 
 // Multiplies the measured values by the cosine of the angle of incidence, to match the columns of computed
 // values.
@@ -63,35 +91,32 @@ std::size_t report_not_finite(const io::SampleTable& table, std::size_t first) {
       if (!std::isfinite(table.values[c][k]) && count++ == 0) row = k, column = c;
   if (count == 0) return 0;
   const std::size_t all = table.rows() * (table.channels.size() - first);
-  Note() << "brdf eval: " << count << " of " << all << (count == 1 ? " values is" : " values are")
-         << " no finite number; the first: " << table.where(row) << ": " << table.channels[column] << " "
-         << (std::isnan(table.values[column][row]) ? "nan" : io::to_text(table.values[column][row]));
+  Warning() << "brdf eval: " << count << " of " << all << (count == 1 ? " values is" : " values are")
+            << " no finite number; the first: " << table.where(row) << ": " << table.channels[column] << " "
+            << (std::isnan(table.values[column][row]) ? "nan" : io::to_text(table.values[column][row]));
   return count;
 }
 
 }  // namespace
 
 void add_eval(CLI::App& app) {
-  struct EvalCall {
-    MaterialOptions material;
-    std::string directions, output;
-    bool cosine = false;
-  };
   auto options = std::make_shared<EvalCall>();
   CLI::App* verb = add_verb(app, Purpose::look, "eval", "Evaluate a material at given directions");
   add_material_options(*verb, options->material);
-  verb->add_option("DIRECTIONS", options->directions, "CSV with theta_i,phi_i,theta_o,phi_o in degrees")
-      ->required();
+  verb->add_option("MATERIAL", options->first, "A material's JSON file (not with --form or --shader)");
+  verb->add_option("DIRECTIONS", options->directions,
+                   "CSV with theta_i,phi_i,theta_o,phi_o in degrees (required)");
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
   verb->footer(
       "Exit code 1 where a value is no finite number: all rows are written, such values as nan, inf or "
       "-inf.\n"
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
-      "          brdf eval --material fitted.json --cos directions.csv\n"
+      "          brdf eval fitted.json --cos directions.csv\n"
       "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
       "--returns f directions.csv");
   on_run(*verb, [options] {
+    settle_arguments(*options);
     io::check_targets({{"-o", options->output}},
                       {options->material.material, options->material.shader.file, options->directions});
     const Material material = choose_material(options->material, "eval");

@@ -2,8 +2,10 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "interop/programs.h"
@@ -30,7 +32,7 @@ namespace {
 struct ExportCall {
   MaterialOptions material;
   std::string measured, to, output, name, kernels = "own";
-  bool include = false, naive = false, json = false;
+  bool include = false, naive = false, json = false, is_positional = false;
   std::optional<double> max_loss;
   io::Supplied supplied;
   std::uint64_t size = interop::kUsualTable;
@@ -47,7 +49,7 @@ struct Made {
 // Compares the loss with --max-loss.
 Exit judged_loss(const ExportCall& o, const interop::Loss& loss) {
   if (!o.max_loss || loss.rms <= *o.max_loss) return Exit::good;
-  Note() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
+  Warning() << "brdf export: the loss is above --max-loss " << io::short_number(*o.max_loss);
   return Exit::failed;
 }
 
@@ -55,9 +57,9 @@ Exit judged_loss(const ExportCall& o, const interop::Loss& loss) {
 Exit say_table_loss(const ExportCall& o, const Material& wanted, const Material& table, io::Json& json) {
   const std::optional<interop::Loss> loss = interop::loss_of_table(wanted, table);
   if (!loss) {
-    Note() << "brdf export: how much is lost is not known: the file has other channels than the material";
+    Warning() << "brdf export: how much is lost is not known: the file has other channels than the material";
     if (!o.max_loss) return Exit::good;
-    Note() << "brdf export: --max-loss " << io::short_number(*o.max_loss) << " is not shown to hold";
+    Warning() << "brdf export: --max-loss " << io::short_number(*o.max_loss) << " is not shown to hold";
     return Exit::failed;
   }
   Note() << "brdf export: read back as the file's users do: " << interop::in_words(*loss);
@@ -88,11 +90,12 @@ void check_measured(const ExportCall& o) {
         ": samples have no formula; --to merl and --to rgl write them as a table, and a shader is made "
         "of a fitted material");
   if (!o.material.form.empty() || !o.material.set.empty())
-    throw InputError("--measured: goes with --material alone, whose ratio to the samples is interpolated");
+    throw InputError("--measured: goes with MATERIAL alone, whose ratio to the samples is interpolated");
 }
 
 void check_output(const ExportCall& o) {
   if (o.output.empty()) throw InputError("--to " + o.to + ": needs -o FILE");
+  require_file({"-o", o.output}, "--to " + o.to + " writes a binary table");
   io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
 }
 
@@ -102,7 +105,7 @@ std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
   io::SampleTable samples = io::read_samples(o.measured, o.supplied);
   for (const std::string& sentence : samples.assumptions)
-    Note() << "brdf export: " << o.measured << ": " << sentence;
+    Warning() << "brdf export: " << o.measured << ": " << sentence;
   return measured::seen_in_colour(std::move(samples), fitted ? &*fitted : nullptr,
                                   measured::MeasuredReflectance::Beside::likeliest);
 }
@@ -124,7 +127,7 @@ Made export_merl(const ExportCall& o) {
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
   Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
          << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
-  for (const std::string& what : lost) Note() << "brdf export: lost: " << what;
+  for (const std::string& what : lost) Warning() << "brdf export: lost: " << what;
   Made made{{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
   if (material)
     made.exit = say_table_loss(o, *material, interop::read_back_merl(io::read_content(o.output)), made.json);
@@ -178,7 +181,7 @@ Made export_formula(const ExportCall& o) {
   const bool with_material = !o.material.material.empty() || !o.material.set.empty();
   if (!with_material && !o.name.empty() && o.to != "cpp")
     throw InputError("--name: --to " + o.to +
-                     " of a form alone writes no material; --set or --material makes one");
+                     " of a form alone writes no material; --set or MATERIAL makes one");
   if (const auto language = language_of(o.to)) {
     if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
     write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
@@ -202,7 +205,7 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
   Note() << "brdf export: " << made.target << ": " << interop::in_words(made);
-  for (const std::string& sentence : made.not_held) Note() << "brdf export: not held: " << sentence;
+  for (const std::string& sentence : made.not_held) Warning() << "brdf export: not held: " << sentence;
   return {to_json(program, made), judged_loss(o, made.loss)};
 }
 
@@ -241,11 +244,27 @@ void check_use(const ExportCall& o, const interop::Program* program) {
         "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
 }
 
-Exit run_export(const ExportCall& o) {
+// Samples that are given as MATERIAL are used as those of --measured. A pipe can be read only once and is
+// assumed to contain a material.
+void take_samples(ExportCall& o) {
+  const std::string& file = o.material.material;
+  if (!o.is_positional || !o.measured.empty() || !std::filesystem::is_regular_file(file) ||
+      io::is_json(io::read_content(file)))
+    return;
+  o.measured = file;
+  o.material.material.clear();
+}
+
+Exit run_export(ExportCall& o) {
   const interop::Program* program = interop::find_program(o.to);
+  take_samples(o);
   check_use(o, program);
-  if (!o.json) return made_by(o, program).exit;
-  if (o.output.empty()) throw InputError("--json: needs -o FILE for what is written");
+  if (!o.json) {
+    const Exit exit = made_by(o, program).exit;
+    if (o.to == kMerl || o.to == kRgl) print_next_step({view_command(o.output)}, TextStream::error);
+    return exit;
+  }
+  if (o.output.empty() || is_stream(o.output)) throw InputError("--json: needs -o FILE for what is written");
   try {
     const Made made = made_by(o, program);
     print_json(o, made.json);
@@ -269,8 +288,9 @@ void add_export(CLI::App& app) {
   CLI::App* verb = add_verb(app, Purpose::ship, "export",
                             "Write a material for another program or as a shader, or samples as a table");
   add_material_options(*verb, options->material);
+  add_material_argument(*verb, options->material);
   verb->add_option("--measured", options->measured,
-                   "Samples, with what lies between them; --material: the fit that they are interpolated "
+                   "Samples, with what lies between them; MATERIAL: the fit that they are interpolated "
                    "beside");
   verb->add_option(
           "--to", options->to,
@@ -307,7 +327,7 @@ void add_export(CLI::App& app) {
       "Of shaders the output is a whole shader of any stage with an empty main(); of glsl-es with highp as "
       "its "
       "precision.\n"
-      "With --form alone the functions take the parameters as arguments; with --set or --material a "
+      "With --form alone the functions take the parameters as arguments; with --set or MATERIAL a "
       "function\n"
       "brdf_material(wi, wo) with the parameters as constants is added. With --include, in HLSL and in C++ "
       "several\n"
@@ -315,18 +335,21 @@ void add_export(CLI::App& app) {
       "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
       "          brdf export --form ward --to glsl --kernels builtin\n"
-      "          brdf export --material copper.json --to glsl-es --include -o copper.glsl\n"
-      "          brdf export --material gold.json --name inlay --to glsl-es --include -o inlay.glsl\n"
+      "          brdf export copper.json --to glsl-es --include -o copper.glsl\n"
+      "          brdf export gold.json --name inlay --to glsl-es --include -o inlay.glsl\n"
       "          brdf export --form ward --to explorer -o ward.brdf\n"
-      "          brdf export --material copper.json --to blender --max-loss 0.01 -o copper.py\n"
-      "          brdf export --material copper.json --to gltf --naive\n"
-      "          brdf export --material copper.json --to materialx -o copper.mtlx --json\n"
-      "          brdf export --material copper.json --to merl -o copper.binary\n"
-      "          brdf export --material copper.json --to rgl --size 25M -o copper.bsdf\n"
-      "          brdf export --measured copper.csv --material copper.json --to merl -o copper.binary\n"
-      "          brdf export --measured plane.csv --quantity BRF --mirror-side negative --to merl -o "
+      "          brdf export copper.json --to blender --max-loss 0.01 -o copper.py\n"
+      "          brdf export copper.json --to gltf --naive\n"
+      "          brdf export copper.json --to materialx -o copper.mtlx --json\n"
+      "          brdf export copper.json --to merl -o copper.binary\n"
+      "          brdf export copper.json --to rgl --size 25M -o copper.bsdf\n"
+      "          brdf export copper.json --measured copper.csv --to merl -o copper.binary\n"
+      "          brdf export plane.csv --quantity BRF --mirror-side negative --to merl -o "
       "plane.binary");
-  on_run(*verb, [options] { return run_export(*options); });
+  on_run(*verb, [options, verb] {
+    options->is_positional = verb->count("MATERIAL") > 0;
+    return run_export(*options);
+  });
 }
 
 }  // namespace brdf::cli

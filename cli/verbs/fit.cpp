@@ -7,6 +7,7 @@
 #include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/fit_files.h"
 #include "cli/steps/fit_stack.h"
@@ -67,24 +68,35 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   if (o.shader.embed && o.output.empty())
     throw InputError("--embed: goes with -o: it is the material that holds the text");
+  text_stream({{"-o", o.output}, {"--report", o.report}}, o.json);  // throws before any file is read
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
   const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
   const auto models = models_of(o);
   watch_for_interrupt();
-  fit::Progress progress;
-  if (shows_progress()) progress = [](const std::string& what) { Note() << "brdf fit: " << what; };
-  return write_fit(fit::fit(samples, models, options, progress), samples.table, options,
-                   {o.output, o.report, o.json});
+  const fit::FitResult result = fit::fit(samples, models, options, step_line("brdf fit"));
+  // The window reads samples without --quantity and --mirror-side.
+  const bool is_readable = o.choice.options.supplied == io::Supplied();
+  return write_fit(result, samples.table, options,
+                   {o.output, o.report, is_readable ? o.samples[0] : "", o.json});
+}
+
+// With --quiet, progress does not report the faults and assumptions of each file.
+void warn_of(const fit::BatchRow& row) {
+  if (!is_quiet()) return;
+  if (!row.error.empty() && row.error != fit::kInterrupted) Warning() << "brdf fit: " << row.error;
+  for (const std::string& sentence : row.assumptions) Warning() << row.file << ": " << sentence;
 }
 
 Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
   if (o.output.empty()) throw InputError("several sample files need -o FOLDER");
+  require_file({"-o", o.output}, "the results of several files are a folder");
   watch_for_interrupt();
   const auto progress = [](const std::string& message) { Note() << message; };
   const std::vector<fit::BatchRow> rows =
       work::fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, this_program(), progress);
   const auto left = std::ranges::count(rows, fit::kInterrupted, &fit::BatchRow::error);
-  if (left > 0) Note() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
+  for (const fit::BatchRow& row : rows) warn_of(row);
+  if (left > 0) Warning() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
   return summarise(rows, o.output, o.json);
 }
 
@@ -111,7 +123,8 @@ void add_fit(CLI::App& app) {
   FitCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::begin, "fit", "Fit forms to samples");
   verb->add_option("SAMPLES", o.samples,
-                   "Sample tables (CSV, MERL, ...), folders of them, or one stack of photographs")
+                   "Sample tables (CSV, MERL, ...; - for standard input), folders of them, or one stack of "
+                   "photographs")
       ->required();
   add_fit_options(*verb, o.choice);
   add_bootstrap_option(*verb, o.choice);
@@ -120,8 +133,8 @@ void add_fit(CLI::App& app) {
                  "The material holds the shader's text, with its includes, in place of its file's name (of "
                  "--shader, with -o)");
   verb->add_option("-o,--output", o.output,
-                   "Material file to write; with several sample files, and of a stack: the folder of the "
-                   "results");
+                   "Material file to write (- for standard output); with several sample files, and of a "
+                   "stack: the folder of the results");
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
@@ -135,7 +148,8 @@ void add_fit(CLI::App& app) {
       "Examples: brdf fit samples.csv --form all -o material.json\n"
       "          brdf fit samples.csv --shader walter.brdf --embed -o walter.json\n"
       "          brdf fit samples.csv --shader walter.brdf --form cook_torrance\n"
-      "          brdf fit samples.csv --form auto --json\n"
+      "          brdf fit samples.csv --form auto --json --quiet\n"
+      "          zcat samples.csv.gz | brdf fit - --form ward -o - > ward.json\n"
       "          brdf fit paint.csv --form cook_torrance --physical --tie f0\n"
       "          brdf fit paint.csv --form ward --per-channel --max-theta 75 --aperture 1 --weights "
       "solid_angle\n"

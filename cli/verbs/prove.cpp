@@ -3,9 +3,11 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "io/files/output.h"
@@ -144,6 +146,7 @@ Exit run_prove(const ProveCall& o) {
     throw EnvironmentError("--self-test: this build has no shader compiler (glslang)");
 #endif
   }
+  const TextStream stream = text_stream({{"-o", o.output}}, o.json);
   io::check_targets({{"-o", o.output}}, {o.materials.begin(), o.materials.end()});
   prove::Options options;
   const auto required = prove::properties_named("--require", o.require);
@@ -160,21 +163,29 @@ Exit run_prove(const ProveCall& o) {
   prove::Options of_materials = options;
   of_materials.search.seconds = o.seconds.value_or(60);
   std::vector<prove::Proof> proofs;
-  for (const prove::NamedMaterial& m : materials)
+  const auto material_progress = progress_line("brdf prove: materials");
+  for (const prove::NamedMaterial& m : materials) {
+    material_progress(int(&m - materials.data()), int(materials.size()));
     for (prove::Proof& p : prove::prove(m.material, m.file, of_materials)) proofs.push_back(std::move(p));
+  }
+  erase_progress();
   std::vector<Reflectance> forms;
   if (is_given(o.shader)) prove_shader(o.shader, o.json, options, proofs);
   if (o.all || !o.forms.empty() || (materials.empty() && proofs.empty())) forms = forms_of(o.forms, o.all);
   const auto progress = progress_line("brdf prove: forms");
   for (const Reflectance& form : forms) {
+    progress(int(&form - forms.data()), int(forms.size()));
     for (prove::Proof& p : prove::prove(form, options)) proofs.push_back(std::move(p));
-    progress(int(&form - forms.data()) + 1, int(forms.size()));
   }
+  erase_progress();
   if (!o.output.empty()) io::write_file_atomically(o.output, prove::to_certificate(proofs, materials));
-  if (o.json)
+  if (o.json) {
     std::cout << io::to_text(prove::to_json(proofs)) << '\n';
-  else
-    prove::print(std::cout, proofs);
+  } else {
+    if (stream == TextStream::out) prove::print(std::cout, proofs);
+    if (stream == TextStream::error && !is_quiet()) prove::print(std::cerr, proofs);
+    print_next_step({check_command(o.output)}, TextStream::out, "check it");
+  }
   const bool failed = std::ranges::any_of(proofs, [&](const prove::Proof& p) {
     return p.verdict == prove::Verdict::refuted ||
            (p.verdict != prove::Verdict::proved &&

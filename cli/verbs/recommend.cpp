@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
@@ -21,6 +22,7 @@ struct RecommendArguments {
   std::string metric = "image", output;
   ShaderOptions shader;
   std::vector<std::string> set;
+  std::string reference;
   std::string compare;  // the folder with scenes and materials
   bool json = false;
 };
@@ -57,7 +59,7 @@ void choose_shader(RecommendArguments& a) {
   const auto shader = load(a.shader, "recommend");
   if (!shader && !a.set.empty()) throw InputError("--set " + a.set.front() + ": goes with --shader FILE");
   if (!shader) return;
-  if (!a.options.reference.empty()) throw InputError("give one of --reference and --shader");
+  if (!a.options.reference.empty()) throw InputError("give one of MATERIAL and --shader");
   io::MaterialChoice choice;
   choice.made = shader->material;
   choice.set = a.set;
@@ -67,10 +69,13 @@ void choose_shader(RecommendArguments& a) {
 Exit run_recommendation(const RecommendArguments& a) {
   const trade::Recommendation r = trade::recommend(a.options);
   if (!a.output.empty()) trade::write_recommendation(a.output, r);
-  if (a.json)
+  if (a.json) {
     std::cout << io::to_text(trade::to_json(r)) << '\n';
-  else
+  } else {
     PlainText() << trade::to_text(r);
+    if (!a.output.empty())
+      print_next_step({open_page((std::filesystem::path(a.output) / "report.html").string())});
+  }
   return r.chosen ? Exit::good : Exit::failed;
 }
 
@@ -80,7 +85,8 @@ void add_recommend(CLI::App& app) {
   auto a = std::make_shared<RecommendArguments>();
   CLI::App* verb = add_verb(app, Purpose::judge, "recommend", "Find the cheapest model that a scene needs");
   verb->add_option("--scene", a->options.scene, "scene file");
-  verb->add_option("--reference", a->options.reference, "material file, or samples (interpolated)");
+  verb->add_option("--reference", a->reference, "the same as MATERIAL");
+  add_material_argument(*verb, a->reference, "--reference", "material file, or samples (interpolated)");
   add_shader_options(*verb, a->shader);
   add_repeated_option(*verb, "--set", a->set, "a parameter of --shader, name=value");
   verb->add_option("--tolerance", a->options.tolerance, "largest error allowed")
@@ -102,9 +108,9 @@ void add_recommend(CLI::App& app) {
                    "folder for material, pictures and report, which is written last");
   verb->add_flag("--json", a->json, "JSON on stdout");
   verb->footer(
-      "Examples: brdf recommend --scene data/scenes/recommend_grazing.json --reference "
-      "data/materials/ivory_plastic.json --tolerance 0.05 -o out\n"
-      "          brdf recommend --scene scene.json --reference paint.json --metric brdf --ledger ledger.json "
+      "Examples: brdf recommend data/materials/ivory_plastic.json --scene "
+      "data/scenes/recommend_grazing.json --tolerance 0.05 -o out\n"
+      "          brdf recommend paint.json --scene scene.json --metric brdf --ledger ledger.json "
       "--max-cost 2 --json\n"
       "          brdf recommend --scene scene.json --shader disney.brdf --set roughness=0.3 --tolerance "
       "0.02\n"
@@ -113,13 +119,14 @@ void add_recommend(CLI::App& app) {
       "tolerance.");
   on_run(*verb, [a] {
     a->options.progress = percent_line();
+    a->options.reference = a->reference;
     a->options.judge = a->metric == "image" ? trade::Judge::image : trade::Judge::brdf;
     if (!a->compare.empty() && !a->output.empty())
       throw InputError("-o " + a->output + ": --compare-weightings writes to stdout");
     if (!a->compare.empty()) return run_comparison(*a);
     choose_shader(*a);
     if (a->options.scene.empty() || (a->options.reference.empty() && !a->options.made))
-      throw InputError("recommend needs --scene and --reference or --shader (see brdf recommend --help)");
+      throw InputError("recommend needs --scene, and a MATERIAL or --shader (see brdf recommend --help)");
     if (!a->output.empty())
       io::check_folder_target({"-o", a->output}, trade::recommendation_files(),
                               {a->options.scene, a->options.reference, a->options.ledger, a->shader.file});

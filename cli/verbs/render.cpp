@@ -25,7 +25,7 @@ namespace {
 void print_text(const render::JobReport& report, const render::Job& job, bool times) {
   std::cout << (job.output.empty() ? "not written" : io::printable(job.output.string())) << ": "
             << report.width << " x " << report.height;
-  if (job.turntable) std::cout << ", " << *job.turntable << " frames";
+  if (job.turntable) std::cout << ", " << io::plural(std::size_t(*job.turntable), "frame");
   std::cout << " on " << report.device;
   if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
   std::cout << '\n';
@@ -41,7 +41,7 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
     std::cout << '\n';
   }
   if (report.samples > 0) {
-    std::cout << report.samples << " samples of the environment's light per pixel";
+    std::cout << io::plural(std::size_t(report.samples), "sample") << " of the environment's light per pixel";
     if (report.noise >= 0)
       std::cout << ": standard error at most about " << io::short_number(100 * report.noise, 3)
                 << " % of the mean";
@@ -285,9 +285,10 @@ Exit run_render(const CLI::App& verb, RenderCall& o) {
   if (job.output.empty() && o.probe.empty() && !o.times)
     throw InputError("-o is required (see brdf render --help)");
   if (!o.over.empty()) make_row(o);
-  if (job.turntable) job.progress = progress_line("brdf render");
+  job.progress = progress_line(job.turntable ? "brdf render: frames" : "brdf render: parts of the picture");
   const render::JobReport report = render::run(job);
-  for (const std::string& note : report.notes) Note() << "brdf render: " << note;
+  job.progress = {};  // erases the line
+  for (const std::string& note : report.notes) Warning() << "brdf render: " << note;
   o.json ? print_json(report, job) : print_text(report, job, o.times);
   return report.validation_messages > 0 ? Exit::failed : Exit::good;
 }

@@ -33,7 +33,8 @@ Exit run_study(const CLI::App& verb, const StudyCall& o) {
   study::StudyOptions options =
       work::study_options(o.choice, !o.no_pictures, o.output, o.jobs, this_program());
   options.progress = progress_line("brdf study");
-  return print_study(study::study(work::sample_files(o.samples), options), o.output, o.json);
+  return print_study(study::study(work::sample_files(o.samples), options), o.output, o.json,
+                     o.choice.options.supplied == io::Supplied());
 }
 
 }  // namespace
@@ -43,7 +44,9 @@ void add_study(CLI::App& app) {
   StudyCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::begin, "study",
                             "Fit and judge samples: a page for each, an overview of several");
-  verb->add_option("SAMPLES", o.samples, "Sample tables (CSV, MERL, ...), or folders of them")->required();
+  verb->add_option("SAMPLES", o.samples,
+                   "Sample tables (CSV, MERL, ...; - for standard input), or folders of them")
+      ->required();
   add_fit_options(*verb, o.choice);
   verb->add_option("-o,--output", o.output,
                    "Folder of the results: index.html, and with several samples a folder for each")

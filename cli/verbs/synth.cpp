@@ -2,9 +2,11 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/microsurface.h"
 #include "cli/verb.h"
@@ -69,6 +71,7 @@ void add_texel_options(CLI::App& verb, SynthCall& o) {
 void add_options(CLI::App& verb, SynthCall& o) {
   synth::Instrument& instrument = o.instrument;
   add_material_options(verb, o.material);
+  add_material_argument(verb, o.material);
   verb.add_option("--grid", o.grid, "in_plane, hemisphere, merl or a CSV of directions; joined by +")
       ->capture_default_str();
   verb.add_option("--theta-i", instrument.grid.theta_i, "Incidences of in_plane and hemisphere, degrees")
@@ -99,7 +102,7 @@ void add_options(CLI::App& verb, SynthCall& o) {
   verb.footer(
       "Examples: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
       "--noise 0.05 --seed 7 -o samples.csv\n"
-      "          brdf synth --material fitted.json --grid in_plane --theta-i 15,45 --step 2 --blind-zone 4 "
+      "          brdf synth fitted.json --grid in_plane --theta-i 15,45 --step 2 --blind-zone 4 "
       "-o "
       "plane.csv\n"
       "          brdf synth --form ward --aperture 1 --source-aperture 0.5 --noise-floor 0.001 "
@@ -110,7 +113,7 @@ void add_options(CLI::App& verb, SynthCall& o) {
       "--threads 2 -o traced.csv\n"
       "          brdf synth --microsurface mirror_grooves --set alpha=0.2 --bounces 8 --orders --surfaces 64 "
       "--rays 4096 -o grooves.csv\n"
-      "          brdf synth --material brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
+      "          brdf synth brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
       "          brdf synth --form cook_torrance --set kd=0.3,0.2,0.1 --texels 64x64 --lights 151 --viewers "
       "1 --vary "
       "alpha=0.08:0.5 --tilt 30 --noise 0.03 --dark-level 0.001 --registration 0.2 -o stack\n"
@@ -123,7 +126,8 @@ Exit write(const io::SampleTable& table, const std::string& path) {
   io::write_samples(path, table);
   Note() << "brdf synth: " << io::plural(table.rows(), "direction") << ", "
          << io::plural(table.channels.size(), "channel") << " to " << path;
-  for (const std::string& warning : table.warnings) Note() << "brdf synth: warning: " << warning;
+  for (const std::string& warning : table.warnings) Warning() << "brdf synth: warning: " << warning;
+  print_next_step({view_command(path)}, TextStream::error);
   return Exit::good;
 }
 
@@ -138,6 +142,7 @@ Exit run_microsurface(const SynthCall& o) {
 Exit run_stack(const SynthCall& o) {
   synth::TexelOptions stack = o.stack;
   synth::parse_texels(o.texels, stack);
+  require_file({"-o", o.output}, "a stack is a folder");
   stack.noise = o.instrument.noise;
   stack.noise_floor = o.instrument.noise_floor;
   stack.saturation = o.instrument.saturation;
@@ -145,8 +150,8 @@ Exit run_stack(const SynthCall& o) {
   io::check_folder_target({"-o", o.output}, {texel::kLightsFile}, {o.material.material});
   synth::write_stack(o.output, choose_material(o.material, "synth"), stack,
                      progress_line("brdf synth: images"));
-  Note() << "brdf synth: " << stack.lights * stack.viewers << " images of " << stack.width << " x "
-         << stack.height << " texels to " << o.output;
+  Note() << "brdf synth: " << io::plural(std::size_t(stack.lights) * std::size_t(stack.viewers), "image")
+         << " of " << stack.width << " x " << stack.height << " texels to " << o.output;
   return Exit::good;
 }
 

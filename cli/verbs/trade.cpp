@@ -1,10 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/progress.h"
+#include "cli/options/streams.h"
+#include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
@@ -27,21 +29,36 @@ constexpr std::string_view kSuffixes[] = {".json", ".csv", ".html"};
 void check_outputs(const TradeArguments& a) {
   std::vector<io::Target> targets;
   for (const std::string& path : a.outputs) {
-    if (std::ranges::find(kSuffixes, std::filesystem::path(path).extension()) == std::end(kSuffixes))
+    if (!is_stream(path) &&
+        std::ranges::find(kSuffixes, std::filesystem::path(path).extension()) == std::end(kSuffixes))
       throw InputError("-o " + path + ": the ledger is written as .json, .csv or .html");
     if (!a.compared.empty()) throw InputError("-o " + path + ": --compare writes to stdout");
     targets.push_back({"-o", path});
   }
+  text_stream(targets, a.json);  // throws if two of them are standard output
   io::check_targets(targets);
 }
 
 void write_ledger_as(const std::filesystem::path& path, const trade::Ledger& ledger) {
   if (path.extension() == ".csv")
     io::write_file_atomically(path, trade::to_csv(ledger));
-  else if (path.extension() == ".json")
+  else if (path.extension() == ".json" || is_stream(path))
     trade::write_ledger(path, ledger);
   else
     io::write_file_atomically(path, trade::to_html(ledger));
+}
+
+void print_ledger(const TradeArguments& a, const trade::Ledger& ledger) {
+  if (a.json) {
+    std::cout << io::to_text(trade::to_json(ledger)) << '\n';
+    return;
+  }
+  const bool streams = std::ranges::any_of(a.outputs, is_stream);
+  if (!streams) std::cout << trade::to_terminal(ledger);
+  if (streams && !is_quiet()) std::cerr << trade::to_terminal(ledger);
+  for (const std::string& path : a.outputs)
+    if (path.ends_with(".html"))
+      print_next_step({open_page(path)}, streams ? TextStream::error : TextStream::out);
 }
 
 Exit run_comparison(const TradeArguments& a) {
@@ -67,7 +84,7 @@ void add_trade(CLI::App& app) {
       "only kernels, batches, families, fits, frames, or the questions whose name contains this");
   verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
   verb->add_option("-o,--output", arguments->outputs,
-                   "file to write: .json (the ledger), .csv, .html; may be repeated");
+                   "file to write: .json (the ledger; - for standard output), .csv, .html; may be repeated");
   verb->add_option("--compare", arguments->compared,
                    "instead: do the cost ratios of two ledgers agree within 25 %? Rows above 1 ns")
       ->expected(2)
@@ -86,12 +103,9 @@ void add_trade(CLI::App& app) {
     if (ledger.rows.empty())
       throw InputError("--only " + arguments->options.only +
                        ": is no group of questions, and no question's name contains it");
-    if (!ledger.left_out.empty()) std::fprintf(stderr, "%s\n", ledger.left_out.c_str());
+    if (!ledger.left_out.empty()) Warning() << ledger.left_out;
     for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
-    if (arguments->json)
-      std::cout << io::to_text(trade::to_json(ledger)) << '\n';
-    else
-      std::cout << trade::to_terminal(ledger);
+    print_ledger(*arguments, ledger);
     return Exit::good;
   });
 }

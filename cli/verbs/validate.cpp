@@ -4,10 +4,12 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/products.h"
 #include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
+#include "cli/options/streams.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/microsurface.h"
 #include "cli/steps/shader_proof.h"
@@ -125,7 +127,7 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
             validate::Subject::material(file, content.subjects.back().own(), facts_of(*shader));
     if (!content.tables.empty() && content.tables.back().table.source == file)
       for (const std::string& sentence : content.tables.back().table.assumptions)
-        Note() << "brdf validate: " << file << ": " << sentence;
+        Warning() << "brdf validate: " << file << ": " << sentence;
   }
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
@@ -185,7 +187,8 @@ void add_proofs(validate::ReportContent& content) {
 }
 
 void check_output(const ValidateCall& o) {
-  if (!o.output.empty() && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
+  text_stream({{"-o", o.output}}, o.json);  // throws before any file is read
+  if (!o.output.empty() && !is_stream(o.output) && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
     throw InputError("-o " + o.output + ": must end in .html or .md");
   if (!o.pictures.empty() && !o.output.ends_with(".html"))
     throw InputError("--picture " + o.pictures.front() + ": needs -o with a name that ends in .html");
@@ -196,8 +199,8 @@ void check_output(const ValidateCall& o) {
 
 void write_report(const ValidateCall& o, const validate::ReportContent& content) {
   if (o.output.empty()) return;
-  io::write_file_atomically(o.output, o.output.ends_with(".md") ? validate::to_markdown(content.findings)
-                                                                : validate::to_html(content));
+  io::write_file_atomically(o.output, o.output.ends_with(".html") ? validate::to_html(content)
+                                                                  : validate::to_markdown(content.findings));
 }
 
 Exit run_integrators(const ValidateCall& o) {
@@ -237,9 +240,9 @@ void require_one_mode(const CLI::App& verb, const ValidateCall& o) {
     if (is) refuse_without_effect(verb, kValidateOptions, mode, name);
 }
 
-void print(const std::vector<validate::Finding>& findings) {
-  PlainText out;
-  validate::print_findings(out, findings, colours_on(STDOUT_FILENO));
+void print(const std::vector<validate::Finding>& findings, TextStream stream) {
+  PlainText out(stream);
+  validate::print_findings(out, findings, colours_on(descriptor_of(stream)));
 }
 
 Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
@@ -273,10 +276,12 @@ Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
   add_proofs(content);
   content.pictures = std::move(pictures);
   write_report(o, content);
-  if (o.json)
+  if (o.json) {
     std::cout << io::to_text(validate::to_json(content.findings)) << '\n';
-  else
-    print(content.findings);
+  } else {
+    print(content.findings, text_stream({{"-o", o.output}}));
+    if (o.output.ends_with(".html")) print_next_step({open_page(o.output)});
+  }
   return validate::holds(content.findings, o.require) ? Exit::good : Exit::failed;
 }
 
@@ -309,7 +314,7 @@ void add_validate(CLI::App& app) {
   add_supplied_options(*verb, o->supplied);
   verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
   add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
-  verb->add_option("-o,--output", o->output, "report.html or report.md");
+  verb->add_option("-o,--output", o->output, "report.html or report.md; - for Markdown on standard output");
   verb->add_flag("--json", o->json, "findings as JSON");
   verb->add_flag("--integrators", o->integrators, "check the error bounds of the integrals on random cases");
   verb->add_flag(
@@ -330,6 +335,7 @@ void add_validate(CLI::App& app) {
       "sheet.html\n"
       "          brdf validate reflectance_factors.csv --quantity BRF --mirror-side negative\n"
       "          brdf validate --form ward --effort full --seed 2\n"
+      "          brdf fit samples.csv --form ward -o - | brdf validate - --quiet\n"
       "          brdf validate --all --json\n"
       "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"
       "          brdf validate --shader ggx.glsl --such-that \"albedo + f0 <= 1\" --against cook_torrance "

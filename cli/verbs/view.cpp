@@ -52,6 +52,16 @@ std::filesystem::path file_of(const render::Job& job) {
   return job.row.empty() ? job.measured : job.row_source;
 }
 
+// Prints the median time of the frames. The first five are not counted.
+void print_frames(const render::ViewerReport& report) {
+  const std::string frames = io::plural(std::size_t(report.frames), "frame");
+  if (report.median_frame_ms > 0)
+    std::cout << "median of " << frames << ": " << io::short_number(report.median_frame_ms, 3) << " ms, "
+              << io::short_number(1000 / report.median_frame_ms, 3) << " frames/s\n";
+  else
+    std::cout << "no median of " << frames << ": the first five are not counted, give more --frames\n";
+}
+
 }  // namespace
 
 void add_view(CLI::App& app) {
@@ -121,13 +131,11 @@ void add_view(CLI::App& app) {
     io::check_targets(targets, inputs);
     options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
     for (const std::string& note : render::colour_notes(options->viewer.state))
-      Note() << "brdf view: " << note;
+      Warning() << "brdf view: " << note;
     options->viewer.file = file_of(job);
     options->viewer.solver = solver_beside();
     const render::ViewerReport report = render::view(options->viewer);
-    if (options->viewer.orbit && options->viewer.frames > 0)
-      std::cout << "median of " << report.frames << " frames: " << io::short_number(report.median_frame_ms, 3)
-                << " ms, " << io::short_number(1000 / report.median_frame_ms, 3) << " frames/s\n";
+    if (options->viewer.orbit && options->viewer.frames > 0) print_frames(report);
     return report.validation_messages > 0 ? Exit::failed : Exit::good;
   });
 }

@@ -1,10 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <memory>
 #include <optional>
 
 #include "cli/options/fit_options.h"
 #include "cli/options/options.h"
+#include "cli/options/progress.h"
+#include "cli/options/terminal.h"
 #include "cli/steps/fit_stack.h"
 #include "cli/steps/planned.h"
 #include "io/files/error.h"
@@ -29,10 +30,12 @@ Exit run_work(const WorkCall& o) {
                      std::to_string(count - 1));
   watch_for_interrupt();
   io::limit_threads(1);  // the units run in parallel
+  const auto progress = progress_line("brdf work: units");
   for (std::size_t unit = o.unit.value_or(0); unit < (o.unit ? *o.unit + 1 : count); ++unit) {
+    if (!o.unit) progress(int(unit), int(count));
     work::do_unit(task, unit, o.memory, o.check, this_program());
     if (!was_interrupted()) continue;
-    std::cerr << "brdf work: interrupted: unit " << unit << " is not written\n";
+    Warning() << "brdf work: interrupted: unit " << unit << " is not written";
     return Exit::failed;
   }
   return Exit::good;

@@ -1,5 +1,5 @@
 // values MATERIAL.json DIRECTIONS.csv: f_r of a fitted material, a row for each pair of directions and a
-// column for each channel. What `brdf eval --material MATERIAL.json DIRECTIONS.csv` prints, to the last
+// column for each channel. What `brdf eval MATERIAL.json DIRECTIONS.csv` prints, to the last
 // digit.
 #include <cstdio>
 #include <exception>

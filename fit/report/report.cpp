@@ -70,10 +70,10 @@ struct Column {
 void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
   // The widths are minima. `dropped` gives the order of removal if the terminal is too narrow; the least
   // important column goes first.
-  std::vector<Column> table{{0, "form", {}},       {17, "verdict", {}},     {10, "held out", {}, 3},
+  std::vector<Column> table{{0, "form", {}},       {0, "verdict", {}},      {10, "held out", {}, 3},
                             {9, "median", {}},     {8, "90 %", {}, 2},      {10, "off by 2", {}, 1},
                             {11, "x scatter", {}}, {0, "parameters", {}, 4}};
-  if (style.columns == 0) table[0].width = 28;  // enough for a form of the catalogue; sums are longer
+  if (style.columns == 0) table[0].width = 28, table[1].width = 17;  // enough for most names; sums are longer
   for (const FormFit& fit : result.ranking) {
     const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
     const double value = fit.left_out ? fit.left_out->value : kUnknown,
@@ -131,7 +131,7 @@ std::string in_words(const LackOfFit& lack) {
   std::string text = "residual " + times_text(*lack.residual_over_scatter) + " times the scatter";
   if (!lack.beyond_scatter) return text + ": no lack of fit beyond it";
   if (const auto& w = lack.worst)
-    text += "; worst at " + to_text(w->range) + " (" + std::to_string(w->rows) + " rows, " +
+    text += "; worst at " + to_text(w->range) + " (" + io::plural(w->rows, "row") + ", " +
             io::percent(w->share, 2) + " of what was minimised): the values are in the middle " +
             io::short_number(w->ratio, 3) + " times the model's";
   return text;
@@ -140,8 +140,8 @@ std::string in_words(const LackOfFit& lack) {
 std::string others_in_words(const LackOfFit& lack) {
   std::string text;
   for (const WorstRegion& w : lack.others)
-    text += (text.empty() ? "also off at " : "; at ") + to_text(w.range) + " (" + std::to_string(w.rows) +
-            " rows, " + io::percent(w.share, 2) + " of what was minimised): " + io::short_number(w.ratio, 3) +
+    text += (text.empty() ? "also off at " : "; at ") + to_text(w.range) + " (" + io::plural(w.rows, "row") +
+            ", " + io::percent(w.share, 2) + " of what was minimised): " + io::short_number(w.ratio, 3) +
             " times";
   return text;
 }

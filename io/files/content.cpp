@@ -24,6 +24,13 @@ bool is_of_the_name(int error) {
 
 namespace {
 
+// A socket, which some programs connect to standard input, cannot be opened by its name.
+std::FILE* opened(const std::filesystem::path& path) {
+  std::FILE* file = std::fopen(path.c_str(), "rbe");
+  if (!file && errno == ENXIO && path == "/dev/stdin") file = ::fdopen(::dup(STDIN_FILENO), "rb");
+  return file;
+}
+
 std::string named(const std::string& name) {
   return name.empty() ? "''" : name;
 }
@@ -45,7 +52,7 @@ Content read_content(const std::filesystem::path& path, std::size_t limit) {
   Content content{path.string(), {}};
   const auto refuse = [&](const std::string& what) { throw InputError(content.name + ": " + what); };
   const std::string too_large = "is larger than " + std::to_string(limit >> 20) + " MiB";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), &std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(opened(path), &std::fclose);
   struct stat status;
   if (!file || fstat(fileno(file.get()), &status) != 0) cannot_be_read(content.name, errno);
   if (S_ISDIR(status.st_mode)) refuse("is a folder");

@@ -15,7 +15,11 @@ std::string short_number(double x, int digits) {
 }
 
 std::string percent(double share, int digits) {
-  return short_number(100 * share, digits) + " %";
+  const double value = 100 * share;
+  const std::string text = short_number(value, digits);
+  // Without an exponent: "130 %", not "1.3e+02 %".
+  const bool has_exponent = text.find('e') != text.npos && std::abs(value) >= 1 && std::abs(value) < 1e6;
+  return (has_exponent ? std::to_string(std::llround(value)) : text) + " %";
 }
 
 std::string percent_to_tenths(double share) {

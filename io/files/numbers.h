@@ -10,6 +10,7 @@ namespace brdf::io {
 // Formats a number with `digits` significant digits, without trailing zeros.
 std::string short_number(double x, int digits = 4);
 // Formats a fraction as a percentage with `digits` significant digits: 0.123 becomes "12.3 %".
+// All digits before the decimal point are kept up to a million percent: 1.3 with two digits becomes "130 %".
 std::string percent(double share, int digits = 3);
 // Formats a fraction as a percentage rounded to a tenth of a percent.
 std::string percent_to_tenths(double share);

@@ -24,7 +24,7 @@ void refuse_by_magic(const Content& content) {
       {"\xff\xd8\xff"sv, "is a picture (JPEG), not a table of samples"},
       {"PK\x03\x04"sv, "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
       {"\xd0\xcf\x11\xe0"sv, "is an Excel workbook: export the sheet as CSV"},
-      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit /dev/stdin` reads what is in it"},
+      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit -` reads what is in it"},
       {"%PDF"sv, "is a PDF: copy the table out of it as text"},
       {"\x89HDF"sv, "is an HDF5 file (AxF and others): export the table as CSV"},
       {"\x93NUMPY"sv, "is an array of NumPy: write it with numpy.savetxt and a header row"},

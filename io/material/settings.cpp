@@ -162,7 +162,7 @@ ParameterInfo parameter_named(const Material& material, const std::string& name,
 
 MaterialFile choose_material_file(const MaterialChoice& choice) {
   if (!choice.form.empty() + !choice.material.empty() + choice.made.has_value() != 1)
-    throw InputError("exactly one of --form, --material and --shader must be given");
+    throw InputError("exactly one of MATERIAL, --form and --shader must be given");
   const std::vector<Setting> settings = parse_settings(choice.set, "--set");
   MaterialFile file;
   if (!choice.material.empty()) {

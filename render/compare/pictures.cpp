@@ -68,11 +68,20 @@ int Pictures::samples_drawn() const {
   return fine_a_ ? samples_of_a_place() * finish_.supersample * finish_.supersample : a_->samples();
 }
 
+Picture Pictures::at_places(const PreparedScene& scene, const Draw& draw) {
+  int done = 0;
+  return supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
+    Picture picture = draw(moved);
+    if (finish_.progress) finish_.progress(++done, finish_.supersample * finish_.supersample);
+    return picture;
+  });
+}
+
 Picture Pictures::fine(Renderer& renderer) {
   PreparedScene scene = renderer.scene();
   scene.scene.camera.offset = {};
   int first = 0;  // all places share one sequence of random directions
-  Picture picture = supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
+  Picture picture = at_places(scene, [&](const PreparedScene& moved) {
     renderer.update(moved);
     renderer.draw_samples(samples_of_a_place(), nullptr, std::exchange(first, first + samples_of_a_place()));
     return read(renderer);
@@ -243,7 +252,7 @@ void Pictures::update_b(const ViewState& state) {
     b_picture_ = render_reference(scene, options);
     options.samples = std::max(samples_of_a_place(), kRun);
     draw_fine_b_ = [this, options, scene]() mutable {
-      return supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
+      return at_places(scene, [&](const PreparedScene& moved) {
         options.seed += kMostSupersample * kMostSupersample;
         return render_reference(moved, options);
       });

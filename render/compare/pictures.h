@@ -22,6 +22,8 @@ struct Finish {
   // The picture with one sample per pixel is needed, too.
   bool probed = false;
   Rounding rounding = Rounding::dithered;
+  // Called after each sample place of a picture, with the finished places and their total number.
+  std::function<void(int done, int total)> progress = {};
 };
 
 class Pictures {
@@ -97,6 +99,8 @@ class Pictures {
   Picture read(Renderer& renderer);
   int samples_of_a_place() const;
   Picture fine(Renderer& renderer);
+  // Calls draw() at each place, and reports the progress.
+  Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw);
   Comparison comparison(const ViewState& state, bool labels);
 
   Device* device_;

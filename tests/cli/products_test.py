@@ -111,7 +111,7 @@ def main():
         for verb, (products, values) in verbs.items():
             if call.verb not in (None, verb):
                 continue
-            known = {n for o in surface[verb]["options"] for n in o["names"] if n.startswith("--")} - {"--help", "--output"}
+            known = {n for o in surface[verb]["options"] for n in o["names"] if n.startswith("--")} - {"--help", "--output", "--quiet"}
             if known != set(values):
                 print(f"{verb}: no value, or no such option: {sorted(known ^ set(values))}")
                 faults += 1

@@ -95,7 +95,7 @@ TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {
   expect_refused("eval --form ward --set alpha=x d.csv -o o.csv", "'x' is not a finite number");
   expect_refused("eval --form ward --set ks=1 --set ks=1 d.csv -o o.csv", "is set twice");
   expect_refused("eval --form ward --set ks=1,2 --set kd=1,2,3 d.csv -o o.csv", "2 values for 3 channels");
-  expect_refused("eval d.csv -o o.csv", "exactly one of --form, --material and --shader");
+  expect_refused("eval d.csv -o o.csv", "exactly one of MATERIAL, --form and --shader");
   expect_refused("albedo --form ward --theta 91", "--theta 91: must be between 0 and 90");
   expect_refused("synth --form ward --noise 3 -o o.csv", "--noise 3: must be between 0 and 2");
   expect_refused("models wurd", "'wurd' is no form");

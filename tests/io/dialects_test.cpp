@@ -263,7 +263,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {std::string("\0\0\xfe\xff\0\0\0t", 8), "is UTF-32 text: save it as UTF-8"},
       {"PK\x03\x04 ...", "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
       {"\xd0\xcf\x11\xe0 ...", "is an Excel workbook: export the sheet as CSV"},
-      {"\x1f\x8b ...", "is compressed: `zcat FILE | brdf fit /dev/stdin`"},
+      {"\x1f\x8b ...", "is compressed: `zcat FILE | brdf fit -`"},
       {"%PDF-1.4", "is a PDF"},
       {"<html>", "is a web page or XML"},
       {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n30\t0\n0\t0\t0.1\n",

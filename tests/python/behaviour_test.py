@@ -252,7 +252,7 @@ class Programs(unittest.TestCase):
             self.assertTrue(brdf.fit_files([file], f"{folder}/out", "ward")[0]["kept"])
             found = brdf.program("validate", file, json=True)
             self.assertEqual(found["findings"], brdf.validate(file).to_dict()["findings"])
-            with self.assertRaisesRegex(brdf.InputError, "exactly one of --form, --material"):
+            with self.assertRaisesRegex(brdf.InputError, "exactly one of MATERIAL, --form"):
                 brdf.program("albedo", theta=[0, 30])
             same = brdf.program("albedo", material=WARD, theta=[0, 30], json=True)["results"]
             self.assertEqual([row["value"] for row in same], WARD.albedo([0, 30]).value.reshape(-1).tolist())

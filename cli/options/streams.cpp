@@ -1,0 +1,101 @@
+#include "cli/options/streams.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string_view>
+
+#include "cli/surface/values.h"
+#include "io/files/error.h"
+
+namespace brdf::cli {
+namespace {
+
+constexpr std::string_view kStandardInput = "/dev/stdin", kStandardOutput = "/dev/stdout";
+
+// Options that read one table, one material or one other file of text, which names no further files.
+constexpr std::array<std::string_view, 13> kInputs{
+    "SAMPLES",    "DIRECTIONS", "MATERIAL",  "MATERIALS",   "FILES",    "IN",     "--material",
+    "--measured", "--grid",     "--compare", "--reference", "--ledger", "--check"};
+constexpr std::array<std::string_view, 3> kOutputs{"OUT", "--output", "--report"};
+
+// Verbs with folders or pictures as results, and verbs with inputs that other processes read later.
+constexpr std::array<std::string_view, 7> kWithoutStreamedOutput{"study", "render",    "lobes",   "maps",
+                                                                 "plan",  "recommend", "describe"};
+constexpr std::array<std::string_view, 3> kWithoutStreamedInput{"plan", "work", "collect"};
+
+template <std::size_t N>
+bool holds(const std::array<std::string_view, N>& list, std::string_view name) {
+  return std::ranges::find(list, name) != list.end();
+}
+
+std::string long_name(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true);
+  return option.get_lnames().empty() ? "" : "--" + option.get_lnames()[0];
+}
+
+bool writes(std::string_view name) {
+  return holds(kOutputs, name) || name == "--save-as" || name == "--screenshot";
+}
+
+// Replaces `-` by the name of the stream. Returns the fault, or an empty string. `taken`: the option that
+// reads standard input; empty at first.
+std::string to_stream(const std::string& verb, const std::string& name, std::string& taken,
+                      std::string& text) {
+  if (text != "-") return {};
+  if (writes(name)) {
+    if (!holds(kOutputs, name) || holds(kWithoutStreamedOutput, verb))
+      return "'-' cannot be used: a folder or a picture cannot go to standard output; give a name";
+    text = kStandardOutput;
+    return {};
+  }
+  if (!holds(kInputs, name) || holds(kWithoutStreamedInput, verb))
+    return "'-' cannot be used: this file cannot come from standard input; give its name";
+  if (!taken.empty())
+    return "'-' is given twice: standard input can be read once, and " + taken + " reads it";
+  taken = name;
+  text = kStandardInput;
+  return {};
+}
+
+void use_streams_in(CLI::App& group, const std::string& verb, const std::shared_ptr<std::string>& taken) {
+  for (CLI::Option* option : group.get_options()) {
+    const std::string name = long_name(*option);
+    if (!is_file(value_of(*option)) && name != "--grid") continue;
+    option->transform(CLI::Validator(
+        [verb, name, taken](std::string& text) { return to_stream(verb, name, *taken, text); }, ""));
+  }
+  for (CLI::App* inner : group.get_subcommands([](const CLI::App* a) { return a->get_name().empty(); }))
+    use_streams_in(*inner, verb, taken);
+}
+
+}  // namespace
+
+void use_streams(CLI::App& app) {
+  const auto taken = std::make_shared<std::string>();
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App* a) { return !a->get_name().empty(); }))
+    use_streams_in(*verb, verb->get_name(), taken);
+}
+
+bool is_stream(const std::string& file) {
+  return file == kStandardInput || file == kStandardOutput;
+}
+
+void require_file(const io::Target& output, const std::string& content) {
+  if (is_stream(output.path))
+    throw InputError(output.option + " -: " + content + ", which cannot go to standard output: name a file");
+}
+
+TextStream text_stream(const std::vector<io::Target>& outputs, bool json) {
+  std::string taken = json ? "--json" : "";
+  for (const io::Target& output : outputs) {
+    if (!is_stream(output.path)) continue;
+    if (!taken.empty())
+      throw InputError(output.option + " -: " + taken + " writes to standard output too: name a file");
+    taken = output.option;
+  }
+  return taken.empty() || json ? TextStream::out : TextStream::error;
+}
+
+}  // namespace brdf::cli
