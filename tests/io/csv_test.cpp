@@ -99,7 +99,7 @@ TEST_F(Csv, NamesLineAndColumnOfAMalformedRow) {
   EXPECT_THAT(message(header + "0,0,0,0,1 2\n"), HasSubstr("'1 2' is not a number"));
   EXPECT_THAT(message(header + "0,0,0,0,1e999\n"), HasSubstr("is not a number"));
   EXPECT_THAT(message(header + "0,0,0,0,nan\n"), HasSubstr("'nan' is not finite"));
-  EXPECT_THAT(message(header + "0,0,0,0\n"), HasSubstr("line 2: 4 columns where the header has 5"));
+  EXPECT_THAT(message(header + "0,0,0,0\n"), HasSubstr("line 2: 4 columns, but the header has 5"));
   EXPECT_THAT(message(header + "0,0,91,0,1\n"), HasSubstr("'91' is below the horizon"));
 }
 
