@@ -102,7 +102,7 @@ TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
 
 TEST_F(Stacks, OfNearLightsKnowWhereATexelIs) {
   write_lights("# light_distance: 10\n");
-  EXPECT_THAT(refusal(), HasSubstr("need texel_size"));
+  EXPECT_THAT(refusal(), HasSubstr("needs texel_size"));
   write_lights("# light_distance: 10\n# texel_size: 2\n");
   const Stack stack = open_stack(path());
   // The texel is on the right in the upper of two rows of three: 2 to the right of the middle and 1 above
@@ -129,7 +129,7 @@ TEST_F(Stacks, AreRefusedWithTheFileThatIsWrong) {
   EXPECT_THAT(refusal(), HasSubstr("texel_size must be from 1e-09 to 1e+09"));
   write_lights("");
   write_image(1, 2, 2);
-  EXPECT_THAT(refusal(), HasSubstr("image_1.exr: size or channels are not those of image_0.exr"));
+  EXPECT_THAT(refusal(), HasSubstr("image_1.exr: size or channels differ from image_0.exr"));
   std::filesystem::resize_file(path() / "image_1.exr", 200);
   EXPECT_THAT(refusal(), HasSubstr("image_1.exr: "));
   write_image(1, 3, 2);
