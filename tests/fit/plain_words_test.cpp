@@ -64,22 +64,21 @@ TEST(PlainWords, LackOfFitWidensTheIntervalThatCounts) {
   EXPECT_TRUE(weakly_determined(f).empty());
   f.lack_of_fit.beyond_scatter = true;
   EXPECT_EQ(weakly_determined(f), std::vector<std::string>{"ks (r)"});
-  EXPECT_EQ(
-      verdict_sentence(f),
-      "cook_torrance follows the samples roughly: half of them within 2 %, in some directions by more than "
-      "they scatter.");
+  EXPECT_EQ(verdict_sentence(f),
+            "cook_torrance follows the samples roughly: half of them within 2 %, larger than the measurement "
+            "noise in some directions.");
 }
 
 TEST(PlainWords, EnergyTurnsTheMarkAndAnUnusableFitIsBad) {
   FormFit f = fitted();
-  f.findings = {"reflects more light than falls on it: 147 % at 85 degrees (g)"};
+  f.findings = {"violates energy conservation: directional albedo 147 % at 85 degrees (g)"};
   EXPECT_EQ(mark_of(f), io::Mark::warn);
   ASSERT_EQ(remarks_on(f).size(), 2u);
   EXPECT_EQ(remarks_on(f)[0].mark, io::Mark::warn);
   EXPECT_EQ(remarks_on(f)[0].text, "Reflects more light than falls on it: 147 % at 85 degrees (g).");
-  f.findings = {"f0 is at its upper bound 1 in r", "kd, ks and alpha are not identified: too few"};
+  f.findings = {"f0 is at its upper bound 1 in r", "kd, ks and alpha are not identifiable: too few"};
   EXPECT_EQ(remarks_on(f)[0].text, "f0 is at its upper bound 1 in r.");
-  EXPECT_EQ(remarks_on(f)[1].text, "kd, ks and alpha are not identified: too few.");
+  EXPECT_EQ(remarks_on(f)[1].text, "kd, ks and alpha are not identifiable: too few.");
   f.verdict = Verdict::misfit;
   EXPECT_EQ(mark_of(f), io::Mark::bad);
 }
