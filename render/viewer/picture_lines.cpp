@@ -85,7 +85,7 @@ void tags(Lines& lines, const Session& session, const Layout& layout) {
 std::string numbers(const PanelInfo& info) {
   std::string out;
   if (info.pictures->samples_drawn() > 0) {
-    out = std::to_string(info.pictures->samples_drawn()) + " samples";
+    out = io::plural(std::size_t(info.pictures->samples_drawn()), "sample");
     if (info.pictures->noise() >= 0)
       out += ", noise " + io::short_number(100 * info.pictures->noise(), 2) + " %";
     out += ", ";
