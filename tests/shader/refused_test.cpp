@@ -36,7 +36,7 @@ TEST(Refused, OtherLanguagesByName) {
 TEST(Refused, AParameterThatTheCodeDeclaresNowhere) {
   const std::string note = "//: param shine 0 1 0.5\n";
   EXPECT_THAT(refusal(note + "float brdf(vec3 L, vec3 V) { return shine; }"),
-              HasSubstr("line 1 says that it is a parameter: declare it, as in `uniform float shine;`"));
+              HasSubstr("line 1 makes it a parameter: declare it, as in `uniform float shine;`"));
   EXPECT_THAT(refusal("//: color tint 1 1 1\nvec3 brdf(vec3 L, vec3 V) { return tint; }"),
               HasSubstr("as in `uniform vec3 tint;`"));
   EXPECT_EQ(refusal(note + "uniform float shine;\nfloat brdf(vec3 L, vec3 V) { return shine; }"), "accepted");
@@ -60,7 +60,7 @@ TEST(Refused, WithTheSentenceThatHelps) {
   EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"rough=0:1"}}),
               HasSubstr("--param rough: is no argument, uniform or global variable of"));
   EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"roughness=1:0"}}),
-              HasSubstr("its least value is above its largest"));
+              HasSubstr("the minimum is above the maximum"));
   EXPECT_THAT(refusal(kGgx, {.file = "", .entry = "shade"}), HasSubstr("has no function shade (it has "));
   EXPECT_THAT(refusal(kGgx, {.file = "", .returns = "f*cos"}),
               HasSubstr("must be one of f, f*cos_i, f*cos_o"));
@@ -70,7 +70,7 @@ TEST(Refused, WithTheSentenceThatHelps) {
               HasSubstr("a.brdf:2: must be NAME MIN MAX DEFAULT"));
   EXPECT_THAT(refusal(std::string(300, '(')), HasSubstr("nested too deeply"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) { return dFdx(L.x); }"),
-              HasSubstr("derivatives across the screen"));
+              HasSubstr("screen-space derivatives"));
 }
 
 TEST(Refused, AFileOutsideTheShadersFolder) {
