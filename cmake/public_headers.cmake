@@ -11,10 +11,10 @@ while(ENTRIES)
     list(TRANSFORM includes REPLACE "#include \"(.*)\"" "\\1")
     list(APPEND ENTRIES ${includes})
     string(REGEX REPLACE "#include \"(${rooms})/" "#include \"brdf/\\1/" text "${text}")
-    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)  # one that has not changed keeps its time
+    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)  # an unchanged header keeps its time
   endif()
 endwhile()
 file(GLOB_RECURSE found RELATIVE ${OUT}/brdf ${OUT}/brdf/*.h)
 list(REMOVE_ITEM found ${done})
 list(TRANSFORM found PREPEND ${OUT}/brdf/)
-file(REMOVE ${OUT}/none ${found})  # what is public no more
+file(REMOVE ${OUT}/none ${found})  # headers that are no longer public

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md --quick
 # ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/tutorials.md
-"""Runs the commands of documents and compares what they print with what the document shows.
+"""Runs the commands of documents and compares their output with the documents.
 
     tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/tutorials.md
 
@@ -62,7 +62,7 @@ def same_line(expected, printed):
 
 
 def difference(expected, printed):
-    """The first line that differs, as text; None where the output is as shown."""
+    """Returns the first line that differs, as text; None if the output is the same."""
     if "..." in expected:
         cut = expected.index("...")
         head, tail = expected[:cut], expected[cut + 1 :]
@@ -78,7 +78,7 @@ def difference(expected, printed):
 
 
 def shortened(expected, printed):
-    """The printed lines, cut where the document cuts them."""
+    """Returns the printed lines, shortened like the lines of the document."""
     if "..." not in expected or len(printed) < len(expected):
         return printed
     cut = expected.index("...")
@@ -92,7 +92,7 @@ def forms_without_a_page(brdf):
 
 
 def verbs_of_help(brdf):
-    """Rows of the table of verbs: name and description, in the order of `brdf --help`."""
+    """Returns rows of the table of verbs: name and description, in the order of `brdf --help`."""
     rows = []
     for line in subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout.split("\n"):
         if found := re.match(r"  (\w+) +(\S.*)", line):
@@ -103,7 +103,7 @@ def verbs_of_help(brdf):
 
 
 def check_verbs(document, brdf, lines, update):
-    """Whether the document's table of verbs, if it has one, is that of the help; replaced by it in `lines` for an update."""
+    """Returns whether the document's table of verbs, if any, equals the table of the help. An update replaces it in `lines`."""
     if VERBS not in lines:
         return True
     begin = end = lines.index(VERBS) + 2
