@@ -77,7 +77,7 @@ TEST_F(MeasuredTables, StartFromATableOfRefractiveIndices) {
   EXPECT_EQ(run("fit s.csv --form cook_torrance --start f0=nk.csv").exit_code, 0);
   for (const auto& [option, said] :
        {std::pair{"--start f0=none.yml", "none.yml is neither a number nor a file"},
-        std::pair{"--start kd=nk.csv", "tells f0, n and k, and this is none of them"},
+        std::pair{"--start kd=nk.csv", "gives values of f0, n and k only"},
         std::pair{"--start f0=s.csv", "s.csv, line "}}) {
     const Outcome refused = run(std::string("fit s.csv --form cook_torrance ") + option);
     EXPECT_EQ(refused.exit_code, 2) << option;
@@ -177,7 +177,7 @@ TEST_F(MeasuredTables, ATableByWavelengthBecomesAMerlFileWithRedInRed) {
   write("w.csv", table);
   const Outcome converted = run("convert w.csv w.binary");
   ASSERT_EQ(converted.exit_code, 0);
-  EXPECT_THAT(converted.err, HasSubstr("channels 630nm, 525nm, 465nm are taken for red, green, blue"));
+  EXPECT_THAT(converted.err, HasSubstr("channels 630nm, 525nm, 465nm are used as red, green, blue"));
   EXPECT_NEAR(read("w.binary").values[0][0], 0.3 / kPi, 1e-6);
   table.channels = {"x", "y", "z"};
   write("x.csv", table);

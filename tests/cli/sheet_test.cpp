@@ -78,7 +78,7 @@ TEST_F(SheetCli, OneLightsGainIsNoCosineToAnyVerb) {
         [](io::SampleTable& t) { multiply(t, [&](std::size_t k) { return t.theta_i[k] == 70 ? 3 : 1; }); });
   for (const char* verb : {"validate gain.csv", "fit gain.csv --form cook_torrance"}) {
     const std::string said = run(verb).out;
-    EXPECT_THAT(said, HasSubstr("values under the light at 70 degrees are")) << verb;
+    EXPECT_THAT(said, HasSubstr("values at incidence 70 degrees are")) << verb;
     EXPECT_THAT(said, Not(HasSubstr("quantity: f_r*"))) << verb;
   }
 }

@@ -126,7 +126,7 @@ TEST_F(Terminal, SamplesAndMaterialsAreToldApart) {
   ASSERT_EQ(run("synth --form lambert -o copper.csv").exit_code, 0);
   ASSERT_EQ(run("fit copper.csv --form lambert -o copper.json").exit_code, 0);
   EXPECT_THAT(says("albedo --theta 0 --material copper.csv"),
-              HasSubstr("is no material, which is JSON; `brdf fit` makes"));
+              HasSubstr("is not a material, because a material is JSON; use `brdf fit` to make"));
   EXPECT_THAT(says("fit copper.json"),
               HasSubstr("is a material, not a table of samples; `brdf synth` measures"));
 }
