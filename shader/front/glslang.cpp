@@ -121,7 +121,7 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   out.spirv.assign(words.begin(), words.end());
   out.note = attempt.note;
   if (!out.missing.empty())
-    out.note += (out.note.empty() ? "" : "; ") + no_files(out.missing, source) + ", and were omitted";
+    out.note += (out.note.empty() ? "" : "; ") + no_files(out.missing, source) + "; omitted";
   out.whole = preprocessed(files, source, attempt);
   return out;
 }

@@ -74,7 +74,9 @@ TEST_F(Fitted, MaterialsThatBreakEnergySayTheNumber) {
   ASSERT_EQ(run("synth --form ward --set kd=0.8 --set ks=0.6 --set alpha=0.2 -o bright.csv").exit_code, 0);
   const Outcome fit = run("fit bright.csv --form ward");
   EXPECT_EQ(fit.exit_code, 1);
-  EXPECT_THAT(fit.out, HasSubstr("ward is no material here: it reflects 133.7 % of the light at 0 degrees."));
+  EXPECT_THAT(
+      fit.out,
+      HasSubstr("ward violates energy conservation: its directional albedo is 133.7 % at 0 degrees."));
   EXPECT_THAT(fit.out, HasSubstr("with --physical the median error is"));
   const io::Json largest =
       json_of(run("fit bright.csv --form ward --json"))["ranking"][0]["largest_measured_albedo"];

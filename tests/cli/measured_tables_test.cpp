@@ -59,7 +59,8 @@ TEST_F(MeasuredTables, PolarisedAndRepeatedRowsBecomeWhatIsAskedFor) {
   for (const char* verb : {"fit p.csv --form lambert", "convert p.csv o.csv"}) {
     const Outcome refused = run(std::string(verb) + " --polarisation pp");
     EXPECT_EQ(refused.exit_code, 2) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("p.csv: --polarisation pp: not told by what is there of 'fr': s, p"));
+    EXPECT_THAT(refused.err,
+                HasSubstr("p.csv: --polarisation pp: cannot be computed from the channels of 'fr': s, p"));
   }
 }
 
@@ -133,7 +134,7 @@ TEST_F(MeasuredTables, FitRepeatsACosineThatTheSheetFinds) {
     for (std::size_t k = 0; k < table.rows(); ++k) values[k] *= std::cos(degrees(table.theta_o[k]).radians());
   write("c.csv", table);
   EXPECT_THAT(run("fit c.csv --form oren_nayar").out,
-              HasSubstr("the samples: cosine_factor fails: " + found));
+              HasSubstr("the measurements: cosine_factor fails: " + found));
   const io::Json json = io::Json::parse(run("fit c.csv --form oren_nayar --json").out);
   EXPECT_THAT(json["samples"]["fault"].get<std::string>(), HasSubstr(found));
   EXPECT_THAT(run("validate c.csv").out, HasSubstr(found));

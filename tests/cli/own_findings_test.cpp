@@ -127,7 +127,7 @@ TEST(OwnFindings, EnergyOfCodeThatIsNotReciprocalIsToldForBothDirections) {
   io::TemporaryFolder folder;
   const Judged j = judged(folder, with_body("return p * 1.5 * V.z / 3.14159265;"));
   EXPECT_EQ(j.verdict.at("energy"), "fail");
-  EXPECT_THAT(j.statement.at("energy"), HasSubstr("with the light fixed reflects at most 1"));
+  EXPECT_THAT(j.statement.at("energy"), HasSubstr("at fixed incidence: directional albedo at most 1"));
   EXPECT_THAT(j.statement.at("energy"),
               HasSubstr("at fixed viewing direction: directional albedo up to 1.5"));
   EXPECT_THAT(judged(folder, with_body("return 0.002 * p;")).statement.at("energy"),

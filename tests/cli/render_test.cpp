@@ -145,8 +145,8 @@ TEST_F(RenderCli, OptionsWithoutEffectAreRefused) {
        {std::pair{"--balls 3", "--balls requires --over"},
         std::pair{"--fps 30", "--fps requires --turntable"},
         std::pair{"--quality 9", "--quality requires --turntable"},
-        std::pair{"--per-vertex", "--per-vertex: is of the articles' shadings"},
-        std::pair{"--as-coded", "--as-coded: is of the articles' shadings"},
+        std::pair{"--per-vertex", "--per-vertex: applies to the shadings of the articles"},
+        std::pair{"--as-coded", "--as-coded: applies to the shadings of the articles"},
         std::pair{"--set ks=0.1", "--set: has no effect without --shader"},
         std::pair{"--split-at 0.4",
                   "--split-at: has no effect on a picture without --compare, --measured and --state"}})

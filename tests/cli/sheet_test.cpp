@@ -86,7 +86,7 @@ TEST_F(SheetCli, OneLightsGainIsNoCosineToAnyVerb) {
 TEST_F(SheetCli, AFitRepeatsThatAPlaneLooksLikeABrf) {
   write("factor.csv", kMatt, [](io::SampleTable& t) { multiply(t, [](std::size_t) { return kPi; }); });
   EXPECT_THAT(run("fit factor.csv --form lambert").out,
-              HasSubstr("quantity is in doubt: the values look like the reflectance factor pi f_r (BRF)"));
+              HasSubstr("quantity is undecided: the values look like the reflectance factor pi f_r (BRF)"));
   EXPECT_THAT(run("fit clean.csv --form lambert").out, Not(HasSubstr("BRF")));
 }
 

@@ -91,7 +91,7 @@ TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {
   expect_refused("eval --form ward --set alpha=2 d.csv -o o.csv",
                  "--set alpha: 2 must be between 1e-04 and 1");
   expect_refused("eval --form ward --set rho=1 d.csv -o o.csv",
-                 "--set rho: no such parameter (known: kd, ks, alpha_x");
+                 "--set rho: unknown parameter (known: kd, ks, alpha_x");
   expect_refused("eval --form ward --set alpha d.csv -o o.csv", "'alpha': must be name=value");
   expect_refused("eval --form ward --set alpha=x d.csv -o o.csv", "'x' is not a finite number");
   expect_refused("eval --form ward --set ks=1 --set ks=1 d.csv -o o.csv", "is set twice");
@@ -308,7 +308,7 @@ TEST_F(Cli, AMisfitIsOneWhicheverOfLightAndViewerWasScanned) {
       }
     const Outcome right = run("fit s.csv --form cook_torrance");
     EXPECT_EQ(right.exit_code, 0) << right.out;
-    EXPECT_THAT(right.out, HasSubstr("(chosen:  (--metric auto): its noise is the most even"));
+    EXPECT_THAT(right.out, HasSubstr("(chosen: its noise is the most uniform"));
     EXPECT_THAT(run("fit s.csv --form lambert --metric log").out, Not(HasSubstr("(chosen: ")));
   }
 }

@@ -154,7 +154,7 @@ TEST(LackOfFit, NamesWhatElseIsOffAndItsSign) {
   EXPECT_NEAR(lack.others[0].ratio, 1 / 1.5, 0.06);
   EXPECT_LT(lack.others[0].share, lack.worst->share);
   EXPECT_THAT(others_in_words(lack),
-              testing::HasSubstr("also off at theta_h 30 to 45, theta_d 15 to 30 degrees ("));
+              testing::HasSubstr("other large residuals: at theta_h 30 to 45, theta_d 15 to 30 degrees ("));
 }
 
 TEST(LackOfFit, OtherMetricsAreTheThreeOthers) {

@@ -40,28 +40,27 @@ std::vector<Row> rows() {
   const auto verdict = [](Verdict v) { return [v](FormFit& f) { f.verdict = v; }; };
   return {
       {"describes", [](FormFit&) {}, Mark::good, true,
-       "lambert describes the samples: half of them within 2 %, consistent with the measurement noise (3.2 "
-       "%)."},
+       "lambert fits the measurements: median error 2 %, consistent with the measurement noise (3.2 %)."},
       {"exact", [](FormFit& f) { f.lack_of_fit.exact = true, f.median_relative_error = 1e-13; }, Mark::good,
        true, "fits the measurements to rounding: median error at most 1e-9 %"},
       {"roughly",
        [](FormFit& f) { f.lack_of_fit.beyond_scatter = true, f.lack_of_fit.residual_over_scatter = 4.3; },
        Mark::warn, true,
-       "lambert follows the samples roughly: half of them within 2 %, 4.3 times the measurement noise."},
+       "lambert fits the measurements only roughly: median error 2 %; the residuals are 4.3 times the "
+       "measurement noise."},
       {"scatter_unknown", [](FormFit& f) { f.lack_of_fit.residual_over_scatter.reset(); }, Mark::unknown,
        true,
-       "lambert is within 2 % of half of the samples; how much they scatter is not known, so that nothing "
-       "says "
-       "whether that is enough."},
+       "lambert has a median error of 2 %; lack of fit cannot be judged, because the measurement noise is "
+       "not known."},
       {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
        "was estimated on an interpolated grid"},
       {"misfit, scatter unknown",
        [](FormFit& f) { f.verdict = Verdict::misfit, f.lack_of_fit.residual_over_scatter.reset(); },
-       Mark::bad, false, "lambert does not describe the samples: half of them are off by more than 2 %."},
+       Mark::bad, false, "lambert does not fit the measurements: median error 2 %."},
       {"interpolates", [](FormFit& f) { f.about.held_out = HeldOut::interpolation; }, Mark::warn, true,
        "describes interpolation only, not the prediction of other incidences"},
       {"few_lights", [](FormFit& f) { f.about.held_out = HeldOut::few, f.about.lights = 3; }, Mark::warn,
-       true, "judged from 3 incidences"},
+       true, "rest on only 3 incidences"},
       {"breaks_energy",
        [](FormFit& f) {
          f.verdict = Verdict::breaks_energy;
@@ -177,7 +176,7 @@ TEST(States, ANarrowTerminalKeepsTheScatterAndSaysWhatIsMissing) {
     print(text, good(), table, {}, {columns, false});
     EXPECT_THAT(text.str(), HasSubstr("x scatter")) << columns;
     const bool whole = text.str().find("off by 2  ") != std::string::npos;
-    EXPECT_EQ(whole, text.str().find(" more at ") == std::string::npos) << columns;
+    EXPECT_EQ(whole, text.str().find(", shows ") == std::string::npos) << columns;
   }
 }
 

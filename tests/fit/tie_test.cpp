@@ -227,10 +227,10 @@ TEST(PhysicalWeights, ThatCannotBeAreRefused) {
   options.fix = {{"kd", {0.8}}, {"ks", {0.4}}};
   EXPECT_THAT(refusal({"ward"}, options), HasSubstr("add up to 1.2"));
   options.fix = {{"kd", {1}}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("leaves nothing for ks"));
+  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("leave no room for ks"));
   options.fix.clear();
   options.bounds = {{"ks", 0.1, 0.2}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--bounds ks: does not go with --physical"));
+  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--bounds ks: cannot be used with --physical"));
   options.fix = {{"kd", {0.5}}};
   EXPECT_EQ(refusal({"ward"}, options), "");
 }

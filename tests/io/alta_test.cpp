@@ -69,7 +69,7 @@ TEST(Alta, WhatIsNotUnderstoodIsRefused) {
   const std::string ok = header("3 1", "RUSIN_TH_TD_PD");
   const std::pair<std::string, const char*> cases[] = {
       {header("2 1", "RUSIN_TH_TD") + "0 0 1\n", "line 3: #PARAM_IN 'RUSIN_TH_TD' does not give both"},
-      {header("2 1", "RUSIN_TH_TD_PD") + "0 0 1\n", "#DIM has 2 angles where RUSIN_TH_TD_PD has 3"},
+      {header("2 1", "RUSIN_TH_TD_PD") + "0 0 1\n", "#DIM has 2 angles, but RUSIN_TH_TD_PD has 3"},
       {header("many", "CARTESIAN"), "line 2: '#DIM <angles> <channels>' expected"},
       {ok + "0 0 0\n", "line 5: 3 columns, but #DIM requires 4"},
       {ok + "0 0 x 1\n", "line 5: column 3: 'x' is not a finite number"},

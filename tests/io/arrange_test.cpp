@@ -76,7 +76,7 @@ TEST(Polarisation, ThatIsNotThereIsRefusedWithWhatIs) {
   EXPECT_THAT(refusal(kAngleColumns + "a,b" + row, Polarisation::s),
               HasSubstr("file: --polarisation s: no channel name contains a polarisation; found a, b"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_ss,fr_pp" + row, Polarisation::average),
-              HasSubstr("--polarisation average: not told by what is there of 'fr': ss, pp"));
+              HasSubstr("--polarisation average: cannot be computed from the channels of 'fr': ss, pp"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_p" + row, Polarisation::sp), HasSubstr("of 'fr': s, p"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_te" + row, Polarisation::s),
               HasSubstr("'fr_s' and 'fr_te' are both s"));

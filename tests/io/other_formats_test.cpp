@@ -52,11 +52,11 @@ TEST(OtherFormats, InJsonAreToldByTheirKeys) {
       {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",
        "is JSON, but not a material: the content looks like a look-up table of ASAM OpenMATERIAL"},
       {R"({"data": {"theta_i": {"values": [1]}, "theta_r": {"values": [2]}, "BRDF": {"values": [3]}}})",
-       "it looks like a universal BRDF file (BiRD), which is not read: export columns"},
+       "the content looks like a universal BRDF file (BiRD), which is not read: export columns"},
       {R"({"head": {}, "data": {"theta_i": [1], "phi_i": [0], "theta_v": [2], "phi_v": [0], "data": [[1]]}})",
-       "it looks like a BRDF file of BiRD before version 1.0"},
+       "the content looks like a BRDF file of BiRD before version 1.0"},
       {R"({"rows": [{"theta_in": 1, "theta_out": 2, "value": 3}]})",
-       "it looks like a table of samples of another program"}};
+       "the content looks like a table of samples of another program"}};
   for (const auto& [text, expected] : cases) {
     EXPECT_THAT(message(text), HasSubstr(expected)) << text;
     EXPECT_THAT(message_of([&] { read_material(Content{"file", text}); }), HasSubstr(expected)) << text;

@@ -256,7 +256,7 @@ TEST(Output, AnInputIsNoTargetAndNoTargetIsNamedTwice) {
   for (const fs::path& same : {in, alias, folder.path() / "hard", folder.path() / "." / "in"})
     EXPECT_THAT(message_of([&] { check_targets({{"-o", same}}, {in}); }), testing::HasSubstr("is the input"));
   const std::vector<Target> twice{{"-o", out}, {"--report", folder.path() / "." / "out"}};
-  EXPECT_THAT(message_of([&] { check_targets(twice); }), testing::HasSubstr("is written by -o too"));
+  EXPECT_THAT(message_of([&] { check_targets(twice); }), testing::HasSubstr("is also the output of -o"));
   EXPECT_THAT(message_of([&] {
                 check_folder_target({"-o", folder.path()}, {"in"}, {in});
               }),

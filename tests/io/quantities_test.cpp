@@ -304,23 +304,23 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
     EXPECT_NEAR(t.sigma[0][0], d.expected, 1e-12) << d.name;
   }
   // A standard deviation under another name belongs to the only channel. With several channels its channel
-  // is unknown, and the column is set aside.
+  // is unknown, and the column is ignored.
   EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
-              HasSubstr("'std dev' is set aside"));
+              HasSubstr("'std dev' is ignored"));
   EXPECT_TRUE(read("Incidence,View angle,fr,uncertainty (k=1)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,fr,uncertainty (k=2)\n60,45,1,2\n")),
-              HasSubstr("'uncertainty (k=2)' is set aside"));
+              HasSubstr("'uncertainty (k=2)' is ignored"));
   EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
               HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
   EXPECT_THAT(
       message("Incidence,View angle,uncertainty\n60,45,1\n"),
       HasSubstr(
           "no value column in addition to the four angles; the other columns are not values: 'uncertainty'"));
-  // A relative standard deviation is set aside, too.
+  // A relative standard deviation is ignored, too.
   const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
   EXPECT_FALSE(relative.has_sigma(0));
-  EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is set aside"));
+  EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is ignored"));
 }
 
 TEST(StatedQuantity, CountsInAnySpelling) {
@@ -384,10 +384,10 @@ TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
   EXPECT_EQ(refusal("# quantity: f_r\n" + neutral, "BRF"),
             "file, line 1: quantity 'f_r' contradicts --quantity 'BRF'");
   EXPECT_EQ(refusal(replaced(neutral, "550nm", "BRF"), "f_r"),
-            "file, line 1: column 'BRF' is a reflectance factor, but --quantity says 'f_r': if the name is "
+            "file, line 1: column 'BRF' is a reflectance factor, but --quantity gives 'f_r': if the name is "
             "wrong, write "
             "'# quantity: f_r' above the header row");
-  EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity says 'f_r'"));
+  EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity gives 'f_r'"));
   EXPECT_EQ(refusal(kLens, "BRF"), "file: --quantity BRF: values of this format are f_r");
   EXPECT_EQ(refusal(neutral, "BTDF"),
             "--quantity 'BTDF' is of transmitted light, not f_r: only reflected light is read: export the "
@@ -404,7 +404,8 @@ TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
       "(°C),x,sigma_BRF\n1,2,3,4,5,6,7,8,9\n");
   EXPECT_THAT(table.channels, ElementsAre("BRF", "reflectance (%)", "temperature (°C)", "x"));
   EXPECT_EQ(table.values[0][0], 5);
-  EXPECT_THAT(all_notes(table), HasSubstr("outranks the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
+  EXPECT_THAT(all_notes(table),
+              HasSubstr("takes precedence over the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
   expect_same(read(written(table)), table);
   // A standard deviation belongs to the channel with exactly that name.
   const SampleTable alike =

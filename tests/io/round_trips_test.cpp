@@ -151,7 +151,7 @@ TEST_F(RoundTrips, LensDesignTextSaysWhatItCannotHold) {
   EXPECT_THAT(refusal(read(kAngles + "r,g,b\n1,2,3,4,5,6,7\n"), ".zemax"),
               HasSubstr("lens-design text stores one channel, or X, Y and Z; the table has r, g, b"));
   EXPECT_THAT(refusal(read(kAngles + "fr\n30,180,40,0,1\n30,180,40,0,2\n"), ".zemax"),
-              HasSubstr("holds a direction once: file, line 2 and file, line 3 have the same"));
+              HasSubstr("stores each direction once: file, line 2 and file, line 3 have the same"));
   EXPECT_THAT(refusal(read(kAngles + "fr\n30,180,40,0,0\n"), ".zemax"),
               HasSubstr("needs a value that is not 0"));
   std::string hemisphere = kAngles + "fr\n";

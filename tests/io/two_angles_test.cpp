@@ -117,7 +117,7 @@ TEST(TwoAngles, TakeTheQuantityOfTheirNamesOrAComment) {
   EXPECT_THAT(brf.values[0][0], DoubleEq(1));
   const SampleTable unsaid = read("Incident_angle,Measure_angle, 500nm , 600nm\n30,30,3,1\n30,0,1,1\n");
   EXPECT_EQ(unsaid.values[0][0], 3);
-  EXPECT_THAT(unsaid.warnings, Contains(HasSubstr("'500nm', '600nm' is taken for f_r in 1/sr")));
+  EXPECT_THAT(unsaid.warnings, Contains(HasSubstr("'500nm', '600nm' is interpreted as f_r in 1/sr")));
 }
 
 TEST(Matrix, OfIncidencesAlongOrDownIsTheSameTable) {
@@ -174,8 +174,8 @@ TEST(OtherAngles, AreRefusedByName) {
        "column 'phase' is the phase angle between the incident and the viewing direction"},
       {"tan gamma \\ beta,0,30\n0,600,600\n", "r-tables of road lighting are not read"},
       {"src_z RF\n30 0.9\n", "column 'theta_o' is missing"},
-      {"src_z RF\n30 0.9\n", "no column holds the polar angle of the viewer"},
-      {"theta_i,fr\n30,.9\n", "no column holds the polar angle of the viewer"}};
+      {"src_z RF\n30 0.9\n", "no column has the viewing angle"},
+      {"theta_i,fr\n30,.9\n", "no column has the viewing angle"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 

@@ -77,7 +77,7 @@ with tempfile.TemporaryDirectory() as name:
     refused("fit stack --form all -o maps", "--form all: a stack is fitted with one form")
     refused("fit stack --form ward", "a stack needs -o FOLDER")
     refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")
-    refused("fit one --form ward -o maps", "one: no stack")
+    refused("fit one --form ward -o maps", "one: is not a stack")
     refused("fit stack/lights.csv --normals fit", "--normals: has no effect on one table of samples")
     refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: no channel normal.x")
     refused("synth --form ward --lights 3 -o x.csv", "--texels")

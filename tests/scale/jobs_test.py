@@ -26,8 +26,8 @@ with tempfile.TemporaryDirectory() as name:
     assert (place.folder / "job/plan.json").read_bytes() == first
     run(plan.replace("-o job", "-o another"))
     assert (place.folder / "another/plan.json").read_bytes() == first, "a plan is decided by what is asked for"
-    refused(plan.replace("16x8", "8x8"), "job: holds another plan")
-    refused(plan + " --max-theta 70", "job: holds another plan")
+    refused(plan.replace("16x8", "8x8"), "job: contains a plan")
+    refused(plan + " --max-theta 70", "job: contains a plan")
     refused(plan.replace("16x8", "12x8"), "--unit-size 12x8: must be WIDTHxHEIGHT for a stack, both multiples of 8")
     assert run("collect job --missing", 1).stdout == "0-31\n"
     order = list(range(32))
@@ -73,14 +73,14 @@ with tempfile.TemporaryDirectory() as name:
     assert run("collect job --missing", 1).stdout == "4\n"
     (place.folder / "job/plan.json").write_bytes(first.replace(b'"form"', b'"from"').replace(b"8,", b"16,", 1))
     refused("work job", "plan.json: the plan was changed after it was made")
-    refused("work stack", "stack: no job")
+    refused("work stack", "stack: is not a job")
     refused("work another --unit 32", "--unit 32: the units are 0 to 31")
     lights = place.folder / "stack/lights.csv"
     text = lights.read_text()
     lights.write_text(text + "# more\n")
     refused("work another --unit 0", "stack/lights.csv: has changed since the work was planned")
     lights.write_text(text.replace("theta_i", "theta_j"))
-    refused("work another --unit 0 --check-inputs", "lights.csv: is not what it was")
+    refused("work another --unit 0 --check-inputs", "lights.csv: has changed")
     lights.write_text(text)
 
     # Wide units, the metric chosen in the plan, normals fitted.
@@ -115,7 +115,7 @@ with tempfile.TemporaryDirectory() as name:
     refused("plan fit measurements --form ward --unit-size 8x8 -o one", "--unit-size 8x8: must be a number of files for tables")
     changed = place.folder / "measurements/paint_0002.csv"
     changed.write_text(changed.read_text().replace(",45,", ",46,", 1))
-    refused("collect fit_job -o fit_out", "paint_0002.csv: is not what it was")
+    refused("collect fit_job -o fit_out", "paint_0002.csv: has changed")
 
     # One table's folds and bootstrap replicates.
     one = "fit measurements/paint_0000.csv --form ward+lambert --bootstrap 20 --seed 5 "

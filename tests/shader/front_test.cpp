@@ -375,13 +375,10 @@ TEST(Lines, OfIncludedFilesAreNotTakenForTheShadersOwn) {
 }
 
 TEST(Directions, NeitherOfLightNorOfViewerIsRefused) {
-  EXPECT_THAT(
-      refusal("float brdf(vec3 p, vec3 q, float s) { return dot(p, q) * s; }"),
-      AllOf(
-          HasSubstr(
-              "no argument of float brdf(vec3 p, vec3 q, float s) is known as the direction to the light or "
-              "to the viewer"),
-          HasSubstr("--entry 'brdf(L, V, N, ...)'")));
+  EXPECT_THAT(refusal("float brdf(vec3 p, vec3 q, float s) { return dot(p, q) * s; }"),
+              AllOf(HasSubstr("no argument of float brdf(vec3 p, vec3 q, float s) is recognised as the "
+                              "direction to the light or to the viewer"),
+                    HasSubstr("--entry 'brdf(L, V, N, ...)'")));
   // One direction is known, and a vector may be the other direction.
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 q, float s) { return dot(L, q) * s; }"),
               AllOf(HasSubstr("the direction to the viewer, which q may be"), HasSubstr("`//: color q")));
@@ -409,7 +406,7 @@ TEST(Parts, ThatAreNotKnownStopIt) {
   EXPECT_THAT(notes_of(one), HasSubstr("the reflectance is color of what brdf gives, without direction_out"));
   const auto beside =
       shader_of("float brdf(vec3 L, vec3 V, float k, out float specular) { specular = 2.0; return k; }");
-  EXPECT_THAT(notes_of(beside), HasSubstr("the reflectance is what brdf returns, without specular"));
+  EXPECT_THAT(notes_of(beside), HasSubstr("the reflectance is the value returned by brdf, without specular"));
   // A parameter of a lobe is not a lobe.
   EXPECT_EQ(value_at(shader_of("struct Lit { vec3 diffuse; vec3 specular; float specularRoughness; };\n"
                                "Lit brdf(vec3 L, vec3 V) { return Lit(vec3(0.25), vec3(0.5), 9.0); }"),
@@ -458,7 +455,7 @@ TEST(Whole, IntegersAreAskedForTheirRangeAndStayWhole) {
   EXPECT_THAT(refusal(code, {.file = "", .parameters = {"kind=0:3:1.5"}}),
               HasSubstr("--param kind: 1.5 is not a whole number"));
   EXPECT_THAT(refusal("//: param kind 0 3 1\n//: param on 0 2 1\n" + code),
-              HasSubstr("test.glsl:2: param on: 2 is neither 0 nor 1"));
+              HasSubstr("test.glsl:2: param on: 2 must be 0 or 1"));
   const auto block = shader_of(
       "cbuffer Own { bool fast; float k; };\nfloat brdf(float3 L, float3 V) { return fast ? k : 0.125; }", {},
       "a.hlsl");
@@ -488,7 +485,7 @@ TEST(Linear, PlacesWithoutAValueAreLeftOut) {
   EXPECT_TRUE(shader->info().fittable());
   EXPECT_EQ(shader->info().weights.size(), 2u);
   EXPECT_THAT(notes_of(shader),
-              testing::ContainsRegex("it has no finite value at [0-9]+ of 24 places.*eta="));
+              testing::ContainsRegex("the value is not finite at [0-9]+ of 24 directions.*eta="));
   const auto without = shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * sqrt(-1.0 - L.z); }");
   EXPECT_FALSE(without->info().fittable());
   EXPECT_THAT(notes_of(without), HasSubstr("at 24 of 24 places"));
@@ -544,7 +541,7 @@ TEST(Defines, AreRefusedOrSaidWhereTheyDoNothing) {
   EXPECT_THAT(refusal(code, {.file = "", .include_folders = {"/no/such/folder"}}),
               HasSubstr("-I '/no/such/folder': is not a folder"));
   EXPECT_THAT(notes_of(shader_of(code, {.file = "", .defines = {"KINDS=4"}})),
-              HasSubstr("--define KINDS: no file mentions it"));
+              HasSubstr("--define KINDS: no file uses this macro"));
   EXPECT_THAT(
       refusal(
           "#if !defined(TARGET)\n#error choose a target\n#endif\nfloat brdf(vec3 L, vec3 V) { return 1.0; }"),

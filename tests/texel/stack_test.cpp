@@ -76,7 +76,7 @@ TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
   const std::vector<unsigned char> pixels{0, 51, 255, 102, 10, 200};
   for (const char* name : {"a.png", "b.png"})
     std::ofstream(path() / name, std::ios::binary) << io::png_of_pixels(2, 1, pixels);
-  EXPECT_THAT(refusal(), HasSubstr("a.png: what do its numbers mean?"));
+  EXPECT_THAT(refusal(), HasSubstr("a.png: the transfer function of the image is not known"));
   write_lights("# transfer: bright\n");
   EXPECT_THAT(refusal(), HasSubstr("transfer 'bright': must be linear, srgb or a power"));
   const auto first_image = [&](const std::string& comments) {
@@ -97,7 +97,7 @@ TEST_F(Stacks, MayBePngWhoseTransferIsStated) {
   EXPECT_NEAR(srgb[4], 10 / 255.0 / 12.92, 1e-8);
   EXPECT_NEAR(first_image("# transfer: 2.2\n")[1], 0.0289912, 1e-7);
   std::filesystem::resize_file(path() / "b.png", 60);
-  EXPECT_THAT(refusal(), HasSubstr("b.png: no PNG image that can be read"));
+  EXPECT_THAT(refusal(), HasSubstr("b.png: is not a readable PNG image"));
 }
 
 TEST_F(Stacks, OfNearLightsKnowWhereATexelIs) {

@@ -73,9 +73,9 @@ TEST(ValidatePage, OfManyLightsEightAreShownFromTheFirstToTheLast) {
   sheet::add_to_report(report, table, sheet::data_sheet(table));
   const std::string html = report.document({});
   EXPECT_NE(html.find("8 of 16 angles of incidence are shown."), std::string::npos);
-  for (const char* light : {"light at 5 degrees", "light at 80 degrees"})
+  for (const char* light : {"incidence at 5 degrees", "incidence at 80 degrees"})
     EXPECT_NE(html.find(light), std::string::npos) << light;
-  EXPECT_EQ(html.find("light at 10 degrees"), std::string::npos);
+  EXPECT_EQ(html.find("incidence at 10 degrees"), std::string::npos);
 }
 
 }  // namespace
