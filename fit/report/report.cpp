@@ -202,9 +202,9 @@ std::string scatter_text(const FitResult& result) {
   const sheet::Agreement* const largest = scatter.largest(scatter.is_isotropic);
   std::string text =
       largest && *result.noise_floor == largest->value
-          ? "measurement noise: " + io::percent(*result.noise_floor) + " (estimated from " +
-                std::string(largest->rows) + " rows)"
-          : "measurement noise: " + io::percent(*result.noise_floor) + " (scatter about a smooth surface)";
+          ? "measurement noise: " + io::percent(*result.noise_floor) + ", estimated from " +
+                std::string(largest->rows) + " rows"
+          : "measurement noise: " + io::percent(*result.noise_floor) + ", scatter about a smooth surface";
   if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
   std::string channels;
   for (std::size_t c = 0; c < result.channels.size(); ++c)
