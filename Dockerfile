@@ -1,4 +1,4 @@
-# What continuous integration has: Debian 12 with all that ./test needs. docker build -t brdf . && docker run -v "$PWD":/brdf brdf ./test
+# The environment of continuous integration: Debian 12 with all packages that ./test needs. docker build -t brdf . && docker run -v "$PWD":/brdf brdf ./test
 FROM debian:12
 COPY tools/setup /setup/
 COPY tools/packages /setup/packages

@@ -1,11 +1,11 @@
-# What is installed, and under which names others link it: brdf::core, brdf::io, brdf::sheet, brdf::measured, brdf::fit,
-# brdf::validate, each a component of find_package(brdf) with a set of targets and a .pc file of its own.
+# The installed libraries and the names under which projects link them: brdf::core, brdf::io, brdf::sheet, brdf::measured, brdf::fit,
+# brdf::validate. Each is a component of find_package(brdf) with its own set of targets and .pc file.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(BRDF_SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})  # until 1.0 a minor version may change the interface
 set(BRDF_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/brdf)
-set(BRDF_MODULE_DIR lib/python3/dist-packages/brdf)  # in the prefix: where Debian's interpreter looks in /usr
-# A program finds shared libraries of ours beside itself, wherever the prefix is moved to.
+set(BRDF_MODULE_DIR lib/python3/dist-packages/brdf)  # in the prefix: the path that Debian's interpreter searches in /usr
+# A program finds the project's shared libraries relative to itself, so that the prefix can be moved.
 if(BUILD_SHARED_LIBS)
   file(RELATIVE_PATH to_libraries ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
   set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${to_libraries})
@@ -24,7 +24,7 @@ add_custom_command(OUTPUT ${BRDF_PUBLIC_HEADERS}.stamp
 add_custom_target(brdf_public_headers ALL DEPENDS ${BRDF_PUBLIC_HEADERS}.stamp)
 
 # brdf_component(TARGET NAME [REQUIRES names] [PC requirements] [PC_LIBS flags]): exports the target as brdf::NAME.
-# REQUIRES: components of ours. PC: pkg-config modules; PC_LIBS: linker flags of a static library's own needs.
+# REQUIRES: components of this project. PC: pkg-config modules; PC_LIBS: linker flags that a static library needs.
 function(brdf_component target name)
   cmake_parse_arguments(C "" "" "REQUIRES;PC;PC_LIBS" ${ARGN})
   set_property(GLOBAL APPEND PROPERTY BRDF_COMPONENTS ${name})
@@ -34,11 +34,11 @@ function(brdf_component target name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} OUTPUT_NAME ${PC_FILE} VERSION ${PROJECT_VERSION} SOVERSION ${BRDF_SOVERSION})
   target_compile_features(${target} PUBLIC cxx_std_20)
   if(BUILD_SHARED_LIBS)
-    # What is not of namespace brdf stays inside.
+    # Symbols outside namespace brdf are local.
     configure_file(${PROJECT_SOURCE_DIR}/cmake/brdf.map.in ${PROJECT_BINARY_DIR}/brdf.map @ONLY)
     target_link_options(${target} PRIVATE -Wl,--version-script=${PROJECT_BINARY_DIR}/brdf.map -Wl,--no-undefined)
     set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${PROJECT_BINARY_DIR}/brdf.map)
-    list(FILTER C_PC INCLUDE REGEX "^nlohmann_json$")  # the others are no business of a shared library's user
+    list(FILTER C_PC INCLUDE REGEX "^nlohmann_json$")  # users of a shared library do not need the others
     set(C_PC_LIBS "")
   endif()
   if(NOT name STREQUAL core)
@@ -55,7 +55,7 @@ function(brdf_component target name)
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(EXPORT brdf_${name} NAMESPACE brdf:: DESTINATION ${BRDF_CMAKE_DIR} FILE brdf-${name}.cmake COMPONENT development)
-  # prefix is where the .pc file is found: nothing in it is an absolute path.
+  # The prefix is relative to the .pc file, which contains no absolute path.
   string(REGEX REPLACE "[^/]+" ".." up ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
   set(PC_PREFIX "\${pcfiledir}/${up}")
   string(REPLACE "_" "-" PC_NAME ${PC_FILE})
@@ -69,7 +69,7 @@ function(brdf_component target name)
   install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/${PC_NAME}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()
 
-# What find_package(brdf) reads, and the headers.
+# The files that find_package(brdf) reads, and the headers.
 function(brdf_install_development)
   get_property(BRDF_COMPONENTS GLOBAL PROPERTY BRDF_COMPONENTS)
   get_property(BRDF_NEEDED GLOBAL PROPERTY BRDF_NEEDED)
@@ -83,8 +83,8 @@ function(brdf_install_development)
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development FILES_MATCHING PATTERN *.h)
 endfunction()
 
-# The program with its data: scenes, materials and samples to try, schemas, and Chart.js for a machine without it (apart,
-# for a package names the one of its distribution); man pages and completions, of the program's own words.
+# The program with its data: scenes, materials and example samples, schemas, and Chart.js for machines without it (separately,
+# because a package depends on the Chart.js of its distribution); man pages and completions, written by the program.
 function(brdf_install_program target)
   set(from ${PROJECT_SOURCE_DIR})
   set(made ${PROJECT_BINARY_DIR})

@@ -1,11 +1,11 @@
 # Debian packages by `cpack` in the build folder: brdf, libbrdf-dev (static libraries: no interface is promised before 1.0)
-# and, where the module is built, python3-brdf; what is of all and of each stands in packaging/*.control. Include after all rooms.
+# and, if the module is built, python3-brdf. packaging/*.control has the common and the separate fields. Include after all rooms.
 set(BRDF_MAINTAINER "brdf contributors <contributors@brdf.invalid>" CACHE STRING "Of the Debian packages")
 set(from ${PROJECT_SOURCE_DIR}/packaging)
 set(CPACK_COMPONENTS_ALL program development)
 if(TARGET brdf_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
-  # The extension, which is for one version of the interpreter, beside the package's own files.
+  # The extension, built for one version of the interpreter, next to the Python files of the package.
   get_target_property(BRDF_PYTHON_VERSION brdf_python BRDF_PYTHON_VERSION)
   string(REGEX MATCH "[0-9]+$" next ${BRDF_PYTHON_VERSION})
   math(EXPR next "${next} + 1")
@@ -14,7 +14,7 @@ if(TARGET brdf_python)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/brdf/ DESTINATION ${BRDF_MODULE_DIR} COMPONENT python FILES_MATCHING
           PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json PATTERN __pycache__ EXCLUDE)
 endif()
-# A copyright and a changelog are what Debian asks of every package; no part of `cmake --install`.
+# Debian requires a copyright and a changelog of every package; they are not part of `cmake --install`.
 configure_file(${from}/changelog.in ${PROJECT_BINARY_DIR}/packaging/changelog @ONLY)
 execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/packaging/changelog)
 foreach(component all ${CPACK_COMPONENTS_ALL})

@@ -1,4 +1,4 @@
-# The rooms that cmake/rooms.txt lists, in its order: all, those whose library is installed, those linked into the Python module.
+# The rooms of cmake/rooms.txt, in its order: all rooms, rooms with an installed library, rooms linked into the Python module.
 set(kinds_program BRDF_ROOMS)
 set(kinds_module BRDF_ROOMS BRDF_MODULE_ROOMS)
 set(kinds_installed BRDF_ROOMS BRDF_MODULE_ROOMS BRDF_INSTALLED_ROOMS)
@@ -11,8 +11,8 @@ foreach(row IN LISTS rows)
   endforeach()
 endforeach()
 
-# brdf_flags(TARGET LEVEL): optimised to this level. Precompiled is what nearly every file includes, once for all targets that are
-# compiled quickly.
+# brdf_flags(TARGET LEVEL): sets the optimisation level. Headers that nearly every file includes are precompiled once for all
+# targets that are compiled at the low level.
 function(brdf_flags target level)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
   if(level GREATER 1 OR BUILD_SHARED_LIBS)
@@ -28,9 +28,9 @@ function(brdf_flags target level)
   target_precompile_headers(${target} REUSE_FROM brdf_headers)
 endfunction()
 # brdf_room(NAME [OF patterns] [WITHOUT patterns] [HOT patterns] [SOURCES generated files] [PUBLIC libraries] [PRIVATE libraries]
-#           [FOLDERS to include from] [DEFINE macros]): the sources of this folder, or those of OF, as the library brdf_NAME. Its
-# work is done elsewhere, so it is compiled quickly, but for the HOT ones: a target beside it, so that they make batches of their
-# own, with what loops over samples need to vectorise (none of the flags changes a value).
+# [FOLDERS to include from] [DEFINE macros]): the sources of this folder, or the sources OF, as the library brdf_NAME. Its
+# sources are compiled at a low level, except the HOT sources: they form a separate target, so that they make their own unity
+# batches, with the flags that loops over samples need to vectorise (none of the flags changes a value).
 function(brdf_room name)
   cmake_parse_arguments(R "" "" "OF;WITHOUT;HOT;SOURCES;PUBLIC;PRIVATE;FOLDERS;DEFINE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)

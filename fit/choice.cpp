@@ -43,7 +43,7 @@ void parse_shape(const std::string& text, FitOptions& f) {
   const std::string smooth = "smooth", given = "--shape " + text;
   double degree = kUsualDegree;
   if (f.per_channel && text != "free")
-    throw InputError(given + ": --per-channel is --shape free; give one of the two");
+    throw InputError(given + ": --per-channel means --shape free; give one of the two options");
   if (text == "shared") return;
   if (text == "free") {
     f.per_channel = true;
@@ -90,7 +90,7 @@ void add_values(const std::vector<std::string>& texts, const char* option, std::
 template <class Number>
 void check_range(const char* option, Number value, Number low, Number high) {
   if (!(value >= low && value <= high))
-    throw InputError(std::string(option) + ": Value " + io::to_text(double(value)) + " not in range " +
+    throw InputError(std::string(option) + " " + io::to_text(double(value)) + ": must be from " +
                      std::to_string(low) + " to " + std::to_string(high));
 }
 

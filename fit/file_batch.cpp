@@ -203,7 +203,7 @@ std::vector<std::string> batch_names(const std::vector<std::string>& files) {
     if (!is_free(name)) name = fs::path(file).filename().string();
     for (const std::string& output : outputs_of(name))
       if (const auto [it, added] = taken.emplace(output, file); !added)
-        throw InputError(file + " and " + it->second + ": results of both would be called " + output);
+        throw InputError(file + " and " + it->second + ": the results of both would have the name " + output);
     names.push_back(std::move(name));
   }
   return names;
@@ -285,7 +285,7 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   }
   if (!pictures.empty()) html.pictures(pictures);
   html.explain("median (held out)",
-               "Half of the values on incidences that were not fitted are off by less than this.");
+               "Median of the relative errors at incidences that were held out of the fit.");
   html.table({"file", "form", "verdict", "median (fitted)", "median (held out)", "recommended", "finding"},
              cells, true);
   if (!in_sample.x.empty()) {

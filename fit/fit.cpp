@@ -79,8 +79,7 @@ void refit_all(const FitData& data, const FitOptions& options, const RefitSoluti
   io::parallel_for(all.size(), refit_model, options.threads);
 }
 
-constexpr const char* kChooses =
-    "--form auto: chooses by fits one after another: with --bootstrap name a form";
+constexpr const char* kChooses = "--form auto: cannot be used with --bootstrap; name a form";
 
 }  // namespace
 
@@ -92,7 +91,8 @@ FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
   if (models.empty() && p.options.bootstrap > 0) throw InputError(kChooses);
   if (models.empty()) return fit_stepwise(p, progress);
   if (known && known->size() != models.size() * count_refits(p.data.groups, p.options))
-    throw InputError(table.source + ": has not as many refits as were solved of it");
+    throw InputError(table.source +
+                     ": the number of solved refits differs from the number that its models need");
   return fit(p, models, p.options, progress, known);
 }
 

@@ -8,7 +8,8 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   Samples samples{std::move(read), {}};
   samples.sheet = sheet::data_sheet(samples.table, {.keep_fill = options.keep_fill});
   if (options.free_scale)
-    sheet::set_apart(samples.sheet, {"quantity", "energy"}, "the scale of the values is free (--free-scale)");
+    sheet::set_apart(samples.sheet, {"quantity", "energy"},
+                     "the scale of the values is fitted (--free-scale)");
   sheet::leave_out(samples.sheet.not_measured, samples.table);
   io::arrange(samples.table, options.arrangement);
   if (options.free_scale) io::make_relative(samples.table);

@@ -25,9 +25,9 @@ constexpr double kStrongEvidence = 6;  // a difference of BIC (Kass and Raftery 
 
 std::string energy_text(const LargestAlbedo& a, const Extent& interval, const FitOptions& options) {
   const bool beyond = interval.low > LargestAlbedo::kMost;
-  return "reflects more light than falls on it: " + io::percent_to_tenths(a.value) + " at " +
+  return "violates energy conservation: directional albedo " + io::percent_to_tenths(a.value) + " at " +
          io::short_number(a.theta) + " degrees (" + a.channel + ")" +
-         (beyond ? "" : ", which its interval does not rule out to be 100 %") +
+         (beyond ? "" : "; its confidence interval includes 100 %") +
          (options.physical == Physical::off ? "; --physical bounds the weights" : "");
 }
 
@@ -72,7 +72,7 @@ void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
   FormFit& out = s.fit;
   if (out.verdict != Verdict::interrupted) out.verdict = verdict_of(s.minimum, u, s.misfit);
   out.findings = s.before;
-  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver gave up: " + s.minimum.message);
+  if (out.verdict == Verdict::diverged) out.findings.push_back("the solver failed: " + s.minimum.message);
   if (s.misfit.misfit) out.findings.push_back(s.misfit.finding);
   out.findings.insert(out.findings.end(), u.findings.begin(), u.findings.end());
   out.findings.insert(out.findings.end(), s.after.begin(), s.after.end());
@@ -109,7 +109,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   if (search.minima.empty()) {
     out.material = model.material(model.initial());
     out.verdict = search.interrupted ? Verdict::interrupted : Verdict::diverged;
-    out.findings.push_back("no start gave a finite cost");
+    out.findings.push_back("the cost was not finite at any starting point");
     return solved;
   }
   residual.loss.scale = out.loss_scale = search.loss_scale;
@@ -128,10 +128,10 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   out.solver_message = best.message;
   if (search.interrupted) {
     out.verdict = Verdict::interrupted;
-    solved.before.push_back("interrupted: the best parameters so far");
+    solved.before.push_back("interrupted: these are the best parameters so far");
   }
   if (search.minima.size() > 1 && search.minima[1].cost <= (1 + kSameCost) * search.minima[0].cost)
-    solved.after.push_back("another minimum has the same cost: " +
+    solved.after.push_back("another local minimum has the same cost: " +
                            shape_text(model.material(search.minima[1].p)));
   out.material = model.material(best.p);
   const LargestAlbedos albedos = largest_albedos(out.material, measured_lights(data));
@@ -177,11 +177,12 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
   const bool keeps = dielectric.fit.solved() && !(bounded.fit.bic < dielectric.fit.bic - kStrongEvidence);
   const std::string of_others = io::short_number(bounded.fit.bic), own = io::short_number(dielectric.fit.bic);
   Solved chosen = std::move(keeps ? dielectric : bounded);
-  chosen.after.push_back(keeps
-                             ? "--physical: taken for a dielectric, whose specular weight is 1 (BIC " + own +
-                                   "); with weights that add up to at most 1 instead BIC is " + of_others
-                             : "--physical: no dielectric, whose specular weight would be 1: BIC would be " +
-                                   own + " in place of " + of_others);
+  chosen.after.push_back(
+      keeps ? "--physical: the material is assumed to be a dielectric with a specular weight of 1 (BIC " +
+                  own + "); with weights that add up to at most 1 BIC is " + of_others
+            : "--physical: the material is not assumed to be a dielectric with a specular weight of 1: BIC "
+              "would be " +
+                  own + " instead of " + of_others);
   chosen.fit.findings.push_back(chosen.after.back());
   return chosen;
 }
@@ -195,12 +196,11 @@ std::string physical_in_words(const FitData& data, const FitOptions& options, co
   bounded.physical = Physical::either;
   try {
     const Solved physical = fit_physical(data, forms, bounded, s.fit.about.scatter);
-    if (!physical.fit.solved()) return "with --physical it could not be fitted";
-    return "with --physical half of the samples are off by " +
-           io::percent(physical.fit.median_relative_error, 2) + " or more, and " +
-           io::percent(physical.fit.largest_albedo->value, 3) + " of the light at most is reflected";
+    if (!physical.fit.solved()) return "with --physical the fit fails";
+    return "with --physical the median error is " + io::percent(physical.fit.median_relative_error, 2) +
+           " and the largest directional albedo " + io::percent(physical.fit.largest_albedo->value, 3);
   } catch (const InputError&) {
-    return "--physical does not go with these options";
+    return "--physical cannot be used with these options";
   }
 }
 

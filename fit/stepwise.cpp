@@ -138,7 +138,8 @@ class Stepwise {
 
   FitResult run() {
     const Forms diffuse = diffuse_forms();
-    if (diffuse.empty()) throw InputError("--form auto needs a canonical form without a lobe to start from");
+    if (diffuse.empty())
+      throw InputError("--form auto: no canonical form without a lobe is available to start from");
     // The lobes and the simplest diffuse form are fitted together. A robust loss is then judged with one
     // scale, which the sums use too.
     Stage first = one_lobe();
@@ -150,7 +151,8 @@ class Stepwise {
     first.candidates.pop_back();
     tried.pop_back();
     if (!comparable(chosen()))
-      throw InputError("--form auto decides by rows left out: it needs samples of several directions");
+      throw InputError(
+          "--form auto: compares forms by held-out error and needs measurements at several directions");
     result_.steps.push_back({"a diffuse term", chosen().form, chosen().left_out->value, 0, 0, 1, 1, true});
     decide(first, std::move(tried));
     step(better_diffuse_term(model_));

@@ -162,12 +162,14 @@ struct Attempt {
     std::vector<std::string> header{
         "Written by brdf " BRDF_VERSION ": " + io::provenance().command,
         "for " + std::string(program.title) + ", as " + made.target + ": " + in_words(made)};
-    for (const std::string& sentence : made.not_held) header.push_back("not held: " + sentence);
+    for (const std::string& sentence : made.not_held) header.push_back("not carried: " + sentence);
     const std::string count = std::to_string(made.words.size());
     for (std::size_t k = 0; k < made.words.size(); ++k)
       header.push_back(
-          std::string(made.by_channel ? "by channel here, without the program's spectra" : "the same here") +
-          (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of " + count + " that add up" : "") +
+          std::string(made.by_channel
+                          ? "the same values in brdf, by channel, without the spectra of the program"
+                          : "the same values in brdf") +
+          (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of a sum of " + count : "") +
           ": brdf eval " + made.words[k]);
     if (!made.exact()) header.push_back(worst_place(made));
     header.insert(header.end(), program.conventions.begin(), program.conventions.end());
@@ -181,7 +183,7 @@ struct Attempt {
     for (const double angle : {l.theta_i, l.phi_i, l.theta_o, l.phi_o})
       pair += (pair.empty() ? "" : ",") + io::to_text(angle);
     const std::string said = "the largest difference: " + l.channel + " is " +
-                             io::short_number(l.carried, 6) + " for " + io::short_number(l.wanted, 6) +
+                             io::short_number(l.carried, 6) + " instead of " + io::short_number(l.wanted, 6) +
                              " /sr at theta_i,phi_i,theta_o,phi_o " + pair;
     if (made.words.size() > 1 || made.by_channel) return said;
     return said + ": printf 'theta_i,phi_i,theta_o,phi_o\\n" + pair + "\\n' | brdf eval " + made.words[0] +
@@ -229,9 +231,8 @@ std::span<const Program> programs() {
        .most_lobe = 1,
        .adds = true,
        .run_here = false,
-       .conventions =
-           {"roughconductor: alpha as it stands; principled: roughness is the square root of alpha",
-            "colours are linear; the tangent is the mesh's dp/du"},
+       .conventions = {"roughconductor: alpha unchanged; principled: roughness is the square root of alpha",
+                       "colours are linear; the tangent is the mesh's dp/du"},
        .targets = {{mitsuba_roughconductor{}, {.coloured = {Role::index, Role::extinction}}, true, true},
                    {mitsuba_principled{}}},
        .write = write_mitsuba},
@@ -251,7 +252,7 @@ std::span<const Program> programs() {
                     shown_by_pbrt}},
        .write = write_pbrt},
       {.name = "gltf",
-       .title = "glTF 2.0, as its specification has it",
+       .title = "glTF 2.0, according to the specification",
        .most = 1,
        .most_lobe = 1,
        .adds = false,
@@ -268,7 +269,7 @@ std::span<const Program> programs() {
        .adds = false,
        .run_here = true,
        .conventions = {"roughness is the square root of alpha (of the narrower axis); colours are linear",
-                       "lit by lights, not by an environment map"},
+                       "for lights, not for an environment map"},
        .targets = {{three_physical{}, {.coloured = {Role::diffuse}}}},
        .write = write_gltf},
       {.name = "materialx",
@@ -280,7 +281,7 @@ std::span<const Program> programs() {
        .conventions =
            {"roughness of the lobe is alpha, of the diffuse part the slopes' standard deviation; colours are "
             "linear (lin_rec709)",
-            "the tangent is Tworld, turned about Nworld"},
+            "the tangent is Tworld, rotated about Nworld"},
        .targets = {{materialx_schlick{}, {.grey_lobe = true, .coloured = {Role::f0}}}},
        .write = write_materialx},
       {.name = "osl",
@@ -289,7 +290,7 @@ std::span<const Program> programs() {
        .most_lobe = kAnyWeight,
        .adds = true,
        .run_here = false,
-       .conventions = {"widths are alphas; colours are linear; the tangent is dPdu, turned about N"},
+       .conventions = {"widths are alphas; colours are linear; the tangent is dPdu, rotated about N"},
        .targets = {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
        .write = write_osl}};
   return all;

@@ -45,7 +45,7 @@ bool Reading::crosswise() const {
 }
 
 void Reading::refuse_turn() const {
-  throw InputError("its tangent is the mesh's dp/du: lay dp/du at " + number(given_turn()) +
+  throw InputError("the tangent is the mesh's dp/du: orient dp/du at " + number(given_turn()) +
                    " degrees from the surface's x axis, counter-clockwise seen from outside, and export with "
                    "tangent_phi 0");
 }
@@ -53,10 +53,10 @@ void Reading::refuse_turn() const {
 void Reading::check_widths(double least, double most_ratio, const std::string& control) const {
   if (std::min(alpha_x(), alpha_y()) < least)
     throw InputError("alpha " + number(std::min(alpha_x(), alpha_y())) + " is below " + number(least) +
-                     ", where the program shows a mirror");
+                     ", below which the program shows a mirror");
   if (alpha_x() > most_ratio * alpha_y() * (1 + 1e-9))
     throw InputError("alpha_x/alpha_y " + io::short_number(alpha_x() / alpha_y()) + " is above " +
-                     number(most_ratio) + ", where " + control + " ends");
+                     number(most_ratio) + ", the limit of " + control);
 }
 
 Shares shares_of(const Written& w, const std::string& mix) {
@@ -73,7 +73,7 @@ Shares shares_of(const Written& w, const std::string& mix) {
   }
   const double most = *std::ranges::max_element(out.diffuse);
   if (lobes + most > 1 + 1e-9)
-    throw InputError(mix + " reaches weights of 1 together, not " + number(lobes + most));
+    throw InputError(mix + " permits a sum of weights of 1, not " + number(lobes + most));
   out.diffuse_share = lobes < 1 - 1e-12 ? 1 - lobes : 0;
   for (double& colour : out.diffuse)
     colour = out.diffuse_share > 0 ? std::min(colour / out.diffuse_share, 1.0) : 0;

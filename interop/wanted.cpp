@@ -35,12 +35,12 @@ bool has_one_shape(const Term& term) {
 // Returns the material with channels in the order red, green, blue, or with its single channel.
 Material in_order(const Material& given, const Asked& asked) {
   const std::string count =
-      std::to_string(given.channels.size()) + " channels: it takes one or three colours";
+      std::to_string(given.channels.size()) + " channels, but the program takes one colour or three";
   if (given.channels.size() != 1 && given.channels.size() != 3)
-    asked.refuse(count + "; --to glsl adds a spectrum up, tables carry every channel");
+    asked.refuse(count + "; --to glsl converts a spectrum, tables carry every channel");
   if (given.channels.size() == 1 && io::channel_colours(given.channels)) return given;
   std::optional<Material> out = in_colours(given);
-  if (!out) asked.refuse(count + ", and no names say which they are");
+  if (!out) asked.refuse(count + ", and the names do not identify colours");
   return std::move(*out);
 }
 
@@ -52,7 +52,7 @@ void check_properties(const Term& term, const Asked& asked) {
       if (v.check == property)
         asked.refuse(std::string(info(term.form).name) + " violates " + property + " (" +
                      std::string(v.statement) +
-                     "): no formula of the program comes near it at grazing directions");
+                     "): no formula of the program approximates this behaviour at grazing angles");
 }
 
 void check_term(Term& term, const Asked& asked) {
@@ -60,7 +60,7 @@ void check_term(Term& term, const Asked& asked) {
   check_properties(term, asked);
   if (!has_one_shape(term))
     asked.refuse(std::string(form.name) +
-                 " has widths per channel: no file of the program says more than one width for all colours");
+                 " has widths per channel, but files of the program hold a single width for all colours");
   if (std::adjacent_find(term.shape.begin(), term.shape.end(), std::not_equal_to<>()) == term.shape.end())
     term.shape.resize(1);
   for (std::size_t c = 0; c < term.weights.size(); ++c)
@@ -69,7 +69,7 @@ void check_term(Term& term, const Asked& asked) {
           most = form.weights[k].role == Role::specular ? asked.limits.most_lobe : asked.limits.most;
           w > most)
         asked.refuse(std::string(form.weights[k].name) + " " + io::to_text(w) + " is above " +
-                     io::to_text(most) + ", which the program clamps at");
+                     io::to_text(most) + ", the limit at which the program clamps");
 }
 
 }  // namespace
@@ -146,7 +146,8 @@ std::vector<Wanted> wanted(const Material& given, const Limits& limits) {
     }
     if (!limits.adds)
       asked.refuse(
-          "the program's files have one lobe beside the diffuse part, the material has more: those of " +
+          "files of the program have one lobe in addition to the diffuse part, but the material has the "
+          "lobes of " +
           std::string(info(parts[0].material.terms[std::size_t(parts[0].lobe)].form).name) + " and " +
           std::string(info(term.form).name));
     parts.push_back({{all.channels, {std::move(term)}}, {}, {}, 0});
@@ -176,11 +177,11 @@ std::vector<std::string> not_held(const Wanted& part, const Holds& target) {
   if (const int ks = form.weight_index(Role::specular);
       !target.coloured_lobe && ks >= 0 && differ(term.weights, std::size_t(ks)))
     out.push_back(std::string(form.weights[std::size_t(ks)].name) +
-                  " has a colour, and the lobe there has one weight for all colours");
+                  " has a colour, but the lobe of the program has one weight for all colours");
   for (std::size_t k = 0; k < form.shape.size() && !target.coloured_fresnel; ++k)
     if (is_fresnel(form.shape[k].role) && differ(term.shape, k))
       out.push_back(std::string(form.shape[k].name) +
-                    " has a value for each colour, and the lobe there has one for all");
+                    " has a value for each colour, but the lobe of the program has one value for all");
   return out;
 }
 

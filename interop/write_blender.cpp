@@ -39,7 +39,7 @@ class Script {
 
 constexpr const char* kTangent = R"(
 def tangent_of(tree, tangent):
-    """A socket with the surface's tangent: a vector in world space, or that of the UV map where none is given."""
+    """Returns a socket with the tangent: the given vector in world space, or the tangent of the UV map."""
     if tangent is None:
         node = tree.nodes.new("ShaderNodeTangent")
         node.direction_type = "UV_MAP"
@@ -166,7 +166,7 @@ Lobe metallic(const Reading& r, Script& s, const std::string& suffix) {
 
 std::string principled(const Written& w) {
   const Reading r(w.parts.front());
-  if (w.parts.size() > 1) throw InputError("Principled BSDF has one lobe of this kind");
+  if (w.parts.size() > 1) throw InputError("Principled BSDF has a single lobe of this kind");
   r.check_widths(kLeastAlpha, 10, "Anisotropic");
   const double eta = r.shape(Role::index), root = (eta - 1) / (eta + 1);
   Script s;

@@ -12,7 +12,7 @@ std::string write_gltf(const Written& w) {
   const Reading r(w.parts.front());
   r.check_widths(0, 1e4, "nothing");
   if (r.alpha_x() < r.alpha_y())
-    throw InputError("its wider axis lies across the tangent, and glTF widens along it");
+    throw InputError("the wider axis is across the tangent, but glTF widens along the tangent");
   const Colour base = r.colour(Role::diffuse);
   // alpha_x = alpha_y + (1 - alpha_y) strength^2
   const double strength = std::sqrt((r.alpha_x() - r.alpha_y()) / std::max(1 - r.alpha_y(), 1e-12));

@@ -88,7 +88,7 @@ std::string write_mitsuba(const Written& w) {
   const std::string id = "id=\"" + identifier(w.name) + "\"";
   const Reading first(w.parts.front());
   const bool sum = first.has_weight(Role::specular);
-  if (!sum && w.parts.size() > 1) throw InputError("principled has one lobe of this kind");
+  if (!sum && w.parts.size() > 1) throw InputError("principled has a single lobe of this kind");
   for (const WrittenPart& part : w.parts)
     if (const Reading r(part); !r.along_tangent() && !(sum && r.crosswise())) r.refuse_turn();
   return xml_header(w.header) + "<scene version=\"3.0.0\">\n" + (sum ? mixed(w, id) : principled(first, id)) +

@@ -131,11 +131,17 @@ std::string picture_of(const texel::Planes& maps, const std::vector<float>& valu
 io::Figure figure_of(const texel::Planes& maps, std::size_t plane, std::size_t fitted) {
   const std::vector<float> values = told(maps, plane);
   const Range range = range_of(values);
-  std::string text = "identified in no texel";
-  if (range.count > 0)
-    text =
-        "dark " + io::short_number(range.low) + ", bright " + io::short_number(range.high) +
-        (range.count < fitted ? "; identified in " + io::percent(double(range.count) / double(fitted)) : "");
+  std::string text = "not identifiable in any texel";
+  if (maps.names[plane] == "verdict") {
+    text.clear();
+    for (std::size_t k = 0; k < kNames<fit::Verdict>.size(); ++k)
+      if (std::ranges::find(values, float(k)) != values.end())
+        text += (text.empty() ? "" : ", ") + std::to_string(k) + " " + std::string(kNames<fit::Verdict>[k]);
+    text += "; dark to bright";
+  } else if (range.count > 0)
+    text = "dark " + io::short_number(range.low) + ", bright " + io::short_number(range.high) +
+           (range.count < fitted ? "; identifiable in " + io::percent(double(range.count) / double(fitted))
+                                 : "");
   return {picture_of(maps, values, range), maps.names[plane], text};
 }
 
@@ -157,8 +163,8 @@ std::vector<std::pair<std::string, std::string>> fields_of(const Making& making)
 
 // Returns the region in which a shared shape has one value, as text.
 std::string in_words_of_regions(const Making& making) {
-  return making.regions.empty() ? ", one value for the stack"
-                                : ", one value in each region of " + making.regions;
+  return making.regions.empty() ? ", with one value for the stack"
+                                : ", with one value in each region of " + making.regions;
 }
 
 }  // namespace
@@ -229,8 +235,8 @@ void print(std::ostream& out, const texel::Stack& stack, const Making& making, c
     out << "shared: " << io::joined(making.shared, ", ") << in_words_of_regions(making) << '\n';
   out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
       << " from the grid of starts\n"
-      << "residual, in the middle: " << io::short_number(summary.median_error)
-      << "; standard errors are approximate: of the curvature at each minimum\n";
+      << "median residual: " << io::short_number(summary.median_error)
+      << "; standard errors are approximate: they follow from the curvature at each minimum\n";
   if (seconds)
     out << io::short_number(*seconds) << " s, "
         << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))
@@ -249,17 +255,20 @@ std::string html_page(const texel::Stack& stack, const Making& making, const Sum
                : share > 0.5 ? io::Mark::warn
                              : io::Mark::bad,
                std::to_string(summary.usable()) + " of " + std::to_string(summary.fitted) +
-                   " texels have a usable fit.");
-  html.paragraph(std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels under " +
-                 std::to_string(stack.images.size()) + " pairs of light and viewer, each fitted with " +
-                 fit::name_of_sum(settings.forms) + " (metric " +
-                 std::string(name_of(settings.options.metric)) + "): " + counted(summary) + "." +
-                 (making.shared.empty()
-                      ? ""
-                      : " Shared: " + io::joined(making.shared, ", ") + in_words_of_regions(making) + ".") +
-                 " Standard errors and verdicts are approximate: of the curvature at each minimum, and "
-                 "without the check of "
-                 "energy.");
+                   " texels have a usable fit, " +
+                   std::to_string(summary.verdicts[std::size_t(fit::Verdict::converged)]) +
+                   " of them converged.");
+  html.paragraph(
+      std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels under " +
+      std::to_string(stack.images.size()) + " pairs of directions, each texel fitted with " +
+      fit::name_of_sum(settings.forms) + " (metric " + std::string(name_of(settings.options.metric)) +
+      "): " + counted(summary) + "." +
+      (making.shared.empty()
+           ? ""
+           : " Shared: " + io::joined(making.shared, ", ") + in_words_of_regions(making) + ".") +
+      " Standard errors and verdicts are approximate: they follow from the curvature at each minimum, "
+      "without the check of "
+      "energy.");
   html.heading("Maps");
   std::vector<io::Figure> pictures;
   std::vector<std::size_t> planes = parameter_planes(maps);
@@ -268,10 +277,9 @@ std::string html_page(const texel::Stack& stack, const Making& making, const Sum
   for (const std::size_t k : planes) pictures.push_back(figure_of(maps, k, summary.fitted));
   html.pictures(pictures);
   html.paragraph(
-      "Below each map: how often its values occur, from dark to bright. The colours reach from the first to "
-      "the "
-      "last percentile.");
-  html.heading("The worst texels");
+      "Below each map is the histogram of its values, from dark to bright. The colours extend from the first "
+      "to the last percentile.");
+  html.heading("Worst texels");
   std::vector<io::Row> rows;
   for (const Texel& t : worst_texels(maps))
     rows.push_back(

@@ -36,7 +36,7 @@ Slots slots_of(const fit::Model& model, const std::vector<std::string>& names) {
     }
     if (out.size() == before)
       throw InputError("--share " + name + ": must be a shape that is fitted: " +
-                       (known.empty() ? "this fit has none" : io::joined(known)));
+                       (known.empty() ? "this fit has no fitted shape" : io::joined(known)));
   }
   std::ranges::sort(out);
   return out;

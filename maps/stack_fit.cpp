@@ -101,7 +101,7 @@ Normals read_normals(const std::filesystem::path& path, const texel::Stack& stac
                      std::to_string(normals.height) + " normals for a stack of " +
                      std::to_string(stack.width) + " x " + std::to_string(stack.height) + " texels");
   for (const char* name : kNormalNames)
-    if (!normals.find(name)) throw InputError(path.string() + ": no channel " + name);
+    if (!normals.find(name)) throw InputError(path.string() + ": has no channel " + name);
   for (std::size_t k = 0; k < stack.width * stack.height; ++k) {
     const Vec3<double> n = normal_at(&normals, k);
     if (stack.holds(k % stack.width, k / stack.width) && !(n.z > 0))

@@ -36,23 +36,23 @@ void check(const Settings& s) {
   if (s.forms.empty())
     throw InputError("--form auto: a stack is fitted with one form, or a sum, for all texels");
   if (s.options.loss != fit::Loss::none && s.options.loss_scale == 0)
-    throw InputError("--robust: a stack needs the loss's scale, as in huber:0.1, one for all texels");
+    throw InputError("--robust: a stack needs the loss's scale, such as huber:0.1, for all texels");
   if (s.options.physical == fit::Physical::either)
     throw InputError(
-        "--physical: not for stacks, whose texels would each be taken for another kind of material");
+        "--physical: not for stacks, because each texel could be judged to be a different kind of material");
   if (s.options.free_scale)
-    throw InputError("--free-scale: not for stacks: divide the images by one scale before");
+    throw InputError("--free-scale: not for stacks; divide all images by the same scale first");
   if (s.options.arrangement != io::Arrangement())
-    throw InputError("--polarisation, --repeats: not for stacks, whose images are what they are");
+    throw InputError("--polarisation, --repeats: not for stacks, because images are used unchanged");
   if (s.options.supplied != io::Supplied())
-    throw InputError("--quantity, --mirror-side: not for stacks, whose lights.csv states the directions");
+    throw InputError("--quantity, --mirror-side: not for stacks, because lights.csv gives the directions");
   if (s.options.smooth > 0)
-    throw InputError("--shape smooth: not for stacks, whose maps hold one shape or one for every channel");
+    throw InputError("--shape smooth: not for stacks, because maps have one shape or one shape per channel");
   if (s.options.random_starts > 0 || !s.options.start.empty())
     throw InputError(
-        "--start, --starts: not for stacks, whose texels start from the grid or their neighbours");
+        "--start, --starts: not for stacks, because texels start from the grid or from their neighbours");
   if (s.options.bootstrap > 0)
-    throw InputError("--bootstrap: not for stacks, whose maps hold one standard error of each parameter");
+    throw InputError("--bootstrap: not for stacks, because maps have one standard error per parameter");
   if (s.options.weighting == fit::Weighting::sigma)
     throw InputError("--weights sigma: a stack has no standard deviations");
 }

@@ -12,7 +12,7 @@ namespace brdf::measured {
 
 io::SampleTable at_merl_cells(const std::shared_ptr<const MeasuredReflectance>& measured) {
   if (measured->turning() == Turning::turned)
-    throw InputError("the reflectance changes as the sample is turned, which MERL's cells cannot hold");
+    throw InputError("the reflectance changes when the sample is rotated, which MERL files cannot represent");
   const Tabulated kept(measured);
   io::SampleTable all;
   io::merl::add_cell_directions(all);

@@ -17,7 +17,7 @@ std::shared_ptr<const MeasuredReflectance> seen_in_colour(const io::SampleTable&
 
 io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured) {
   const auto colours = io::channel_colours(measured->channels());
-  if (!colours) throw InputError("the channels of the samples are no colours");
+  if (!colours) throw InputError("the channels of the samples are not colours");
   return [measured = std::move(measured), of = colours->of](
              const Vec3<double>& wi, const Vec3<double>& wo) -> std::optional<io::sphere::Colour> {
     const std::optional<Seen> seen = measured->measured_at(wi, wo);

@@ -205,8 +205,8 @@ void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vect
   }
   if (lost > 1e-5) {
     writer.table.warnings.push_back("rays with " + io::to_text(lost) +
-                                    " of the power were lost (not out after " + std::to_string(s.bounces) +
-                                    " reflections, or slipped through the mesh)");
+                                    " of the power were lost (still inside after " +
+                                    std::to_string(s.bounces) + " reflections, or passed through the mesh)");
   }
 }
 
@@ -286,7 +286,7 @@ io::SampleTable trace_samples(const SampleSettings& s, const Progress& progress)
     add_lambert(sim, lights, cells, progress, writer);
   else
     add_mirrors(s, sim, lights, cells, progress, writer);
-  if (writer.table.rows() == 0) throw InputError("no cell holds --min-power of the light");
+  if (writer.table.rows() == 0) throw InputError("no cell receives --min-power of the light");
   record(s, sim, width, writer.table);
   return std::move(writer.table);
 }

@@ -70,16 +70,15 @@ std::vector<TheoryRow> compare_masking(const TheoryOptions& options) {
                         at = "theta " + io::short_number(m.theta.degrees()) + ": ";
       rows.push_back(theory_row(name, at + "projected area seen", m.projected_area, cosine, true));
       rows.push_back(theory_row(name, at + "projected area facing", m.facing_area, cosine / g1, true));
-      rows.push_back(
-          theory_row(name, at + "facing points that see, against Smith's G1", m.visible_points, g1, false));
+      rows.push_back(theory_row(name, at + "visible share of facing points, against Smith's G1",
+                                m.visible_points, g1, false));
       rows.push_back(theory_row(name, at + "the same, facets tilted towards", m.visible_towards, g1, false));
       rows.push_back(theory_row(name, at + "the same, facets tilted away", m.visible_away, g1, false));
     }
   }
   explain(rows,
-          "Smith takes a facet's slope and the heights in front of it as independent; on a continuous "
-          "surface a facet "
-          "tilted away stands behind its own slope and is masked more often");
+          "Smith assumes that the slope of a microfacet and the heights in front of it are independent; on a "
+          "continuous surface a microfacet tilted away is behind its own slope and is masked more often");
   return rows;
 }
 
@@ -97,7 +96,7 @@ std::vector<TheoryRow> compare_reciprocity(const TheoryOptions& options) {
       const Exchange e = measure_exchange(s, a, b);
       const Estimate forward{e.forward.mean, std::hypot(e.forward.standard_error, e.backward.standard_error)};
       const std::string quantity =
-          "f_r theta 22 to theta 67, phi " + io::short_number(phi.degrees()) + ", against the way back";
+          "f_r theta 22 to theta 67, phi " + io::short_number(phi.degrees()) + ", against the reversed path";
       rows.push_back(theory_row(name, quantity, forward, e.backward.mean, true));
     }
   };

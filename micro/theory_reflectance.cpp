@@ -128,11 +128,10 @@ std::vector<TheoryRow> compare_single_bounce(const TheoryOptions& options, doubl
   if (a.retro_cells > 0) add("greatest relative excess among them", a.worst_retro);
   add_in_plane(rows, name, scatter, cells, form, false, kLeastPower);
   explain(rows,
-          "the form masks and shadows facets as if their slope said nothing about the heights around them: "
-          "facets "
-          "tilted towards a grazing viewer are masked less (the form is too dark at grazing), and about the "
-          "retro "
-          "direction masking and shadowing are one event (the form is too dark there)");
+          "the form masks and shadows microfacets as if their slopes were independent of the heights around "
+          "them: microfacets tilted towards a grazing viewing direction are masked less (the form is too "
+          "dark at grazing angles), and near retroreflection masking and shadowing are the same event (the "
+          "form is too dark there)");
   return rows;
 }
 
@@ -217,10 +216,10 @@ std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, Ang
   };
   add("mean relative difference to " + full_name + " over 30 pairs", full_difference);
   add("mean relative difference to " + qualitative_name + " over 30 pairs", qualitative_difference);
-  explain(
-      rows,
-      "both forms are fits to the cavity integral (Oren and Nayar 1994): the direct term was fitted, the "
-      "interreflection stands for two reflections, and the qualitative form drops it and one coefficient");
+  explain(rows,
+          "both forms are fits to the cavity integral (Oren and Nayar 1994): the direct term was fitted, the "
+          "interreflection term represents two reflections, and the qualitative form omits this term and one "
+          "coefficient");
   return rows;
 }
 

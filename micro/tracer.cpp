@@ -77,7 +77,7 @@ struct Tracer::Embree {
   std::unique_ptr<RTCSceneTy, Release> scene;
 
   explicit Embree(const Surface& surface) : device(rtcNewDevice("threads=1")) {
-    if (!device) throw EnvironmentError("Embree finds no processor that it can run on");
+    if (!device) throw EnvironmentError("Embree does not support this processor");
     scene.reset(rtcNewScene(device.get()));
     rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);  // watertight along shared edges
     const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);

@@ -26,7 +26,9 @@ void at_parameters(Proof& p, const Channel& c, const Options& options) {
   p.high = p.cover.range.hi;
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
   p.statement = statement_of(p.claim.property);
-  if (p.cover.open > 0) p.statement = std::to_string(p.cover.open) + " boxes are open: not known there";
+  if (p.cover.open > 0)
+    p.statement =
+        std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is undecided" : " boxes are undecided");
 }
 
 // Returns a direction for which the integrals of `brdf albedo` exceed 1 by more than their error bounds.
@@ -61,7 +63,9 @@ void state_largest(Proof& p, const SumOfAlbedos& albedo, const Options& options)
   p.low_at = found.low_at;
   p.statement = "the largest albedo is in [" + io::short_number(p.low, 6) + ", " +
                 io::short_number(p.high, 6) + "], all directions";
-  if (p.cover.open > 0) p.statement += "; search stopped: " + std::to_string(p.cover.open) + " boxes open";
+  if (p.cover.open > 0)
+    p.statement += "; the search stopped with " + std::to_string(p.cover.open) +
+                   (p.cover.open == 1 ? " undecided box" : " undecided boxes");
   p.verdict = p.high <= 1 + kRoundedConstants ? Verdict::proved
               : p.low > 1 + kRoundedConstants ? Verdict::refuted
                                               : Verdict::bounded;
@@ -73,7 +77,7 @@ void largest_albedo(Proof& p, const Channels& terms, const std::string& file, co
   if (albedo.known())
     state_largest(p, albedo, options);
   else
-    p.statement = "no closed or regular integral at these parameters is known to the prover";
+    p.statement = "the prover has no closed form or regular integral at these parameters";
   if (albedo.known() && p.low <= 1) return;
   if (auto witness = gain_of(terms, file)) {
     p.verdict = Verdict::refuted;
@@ -91,7 +95,7 @@ Proof of_term(const Channel& c, const Claim& claim, const Options& options) {
   p.claim = claim;
   p.form = c.term.form.info().name;
   if (!is_of_catalogue(c)) {
-    p.statement = "nothing is known to the prover of another program's model";
+    p.statement = "the prover has no method for a model of another program";
     return p;
   }
   if (claim.property == Property::reciprocity) {
@@ -131,7 +135,7 @@ Proof of_sum(std::vector<Proof> parts) {
   sum.lobes.clear();
   if (sum.claim.property == Property::rounding) {
     sum.verdict = Verdict::no_method;
-    sum.statement = "nothing is known to the prover of the rounding of a sum of terms";
+    sum.statement = "the prover has no method for the rounding of a sum of terms";
   } else if (sum.claim.property == Property::finite && may_overflow(sum.high, sum.claim.precision)) {
     sum.verdict = Verdict::bounded;
     sum.statement = "an overflow of the sum is not excluded";

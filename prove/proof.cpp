@@ -13,7 +13,7 @@ namespace brdf::prove {
 namespace {
 
 std::string open_boxes(const Cover& cover) {
-  return std::to_string(cover.open) + (cover.open == 1 ? " box is" : " boxes are") + " open";
+  return std::to_string(cover.open) + (cover.open == 1 ? " box is" : " boxes are") + " undecided";
 }
 
 Proof about(const Reflectance& form, const Claim& claim) {
@@ -75,7 +75,8 @@ Proof reciprocity(const Reflectance& form, const Claim& claim) {
 }
 
 std::string in_words(const Growth& g) {
-  return "for light beyond " + io::short_number(g.from, 3) + " degrees its largest is K/" +
+  return "beyond an angle of incidence of " + io::short_number(g.from, 3) +
+         " degrees the largest albedo is K/" +
          (g.power == 1 ? "cos" : "cos^" + io::short_number(g.power, 2)) + ", K in [" +
          io::short_number(g.low, 3) + ", " + io::short_number(g.high, 3) + "]";
 }
@@ -105,7 +106,7 @@ Proof energy(const Reflectance& form, const Claim& claim, const Options& options
     if (p.growth) p.statement += "; " + in_words(*p.growth);
     p.witness = std::move(witness);
   } else if (method == nullptr) {
-    p.statement = "no reason is known to the prover";
+    p.statement = "the prover has no method for this form";
   }
   return p;
 }

@@ -44,13 +44,12 @@ std::string frame_name(const Job& job, int frame) {
 
 void check_frames(const Job& job) {
   const std::string name = job.output.filename().string();
-  if (job.show && *job.show == "gbuffer") throw InputError("--turntable does not show the seven targets");
-  if (job.gbuffer) throw InputError("--turntable does not show the seven targets");
+  if (job.show && *job.show == "gbuffer") throw InputError("--turntable cannot show the seven targets");
+  if (job.gbuffer) throw InputError("--turntable cannot show the seven targets");
   if (is_animation(job)) return;
   if (job.output.extension() != ".png" || number_place(name).begin == name.npos)
-    throw InputError(
-        "-o " + job.output.string() +
-        ": the name must end in .webp, or be that of a .png with the frame's number as %d or %04d");
+    throw InputError("-o " + job.output.string() +
+                     ": the name must end in .webp, or in .png with %d or %04d for the number of the frame");
 }
 
 void check_frame_targets(const Job& job, const std::vector<std::filesystem::path>& inputs) {

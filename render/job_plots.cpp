@@ -24,8 +24,8 @@ std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
   const double wanted = double(state.plot_theta), nearest = nearest_light(table, wanted);
   if (!job.plot_theta && job.state.empty() && std::isfinite(nearest)) state.plot_theta = float(nearest);
   if (!(std::abs(nearest - double(state.plot_theta)) <= kNearLight))
-    throw InputError(table.name() + ": has no row whose light stands within " + io::short_number(kNearLight) +
-                     " degree of --theta " + io::short_number(wanted) + "; the nearest stands at " +
+    throw InputError(table.name() + ": has no row with incidence within " + io::short_number(kNearLight) +
+                     " degree of --theta " + io::short_number(wanted) + "; the nearest is " +
                      io::short_number(nearest));
   return table;
 }
@@ -42,10 +42,10 @@ BytePicture bytes_of(const Texture& texture) {
 
 void write_lobes(const Job& given, LobeView view) {
   const Job job = with_samples_told(given);
-  if (samples_alone(job)) throw InputError("the lobe is a MATERIAL's: give one beside the samples");
+  if (samples_alone(job)) throw InputError("a lobe plot needs a MATERIAL in addition to the samples");
   ViewState state = state_of(job);
   if (!is_png(job.output))
-    throw InputError("-o " + job.output.string() + ": the plot's name must end in .png");
+    throw InputError("-o " + job.output.string() + ": the name of a plot must end in .png");
   check_output(job, state);
   const std::optional<io::SampleTable> table = measured_lobe(job, state);
   if (view == LobeView::body) {

@@ -23,9 +23,9 @@ Enum named(const std::string& text, const std::string& option) {
 void check_usage(const Job& job) {
   if (!job.compare.empty() && !job.measured.empty()) throw InputError("give one of --compare and --measured");
   if (!job.state.empty() && (!job.scene.empty() || !job.materials.empty() || compared(job)))
-    throw InputError("--state holds the scene and what it is compared with: give nothing beside it");
+    throw InputError("--state contains the scene and the comparison: give no other input with it");
   if (!job.shape.empty() && (!job.scene.empty() || !job.state.empty()))
-    throw InputError("--shape is what a MATERIAL is shown on: a scene has its own");
+    throw InputError("--shape selects the object of a MATERIAL; a scene has its own objects");
   if (job.output.empty()) return;
   if (job.turntable) return check_frames(job);
   if (!is_png(job.output) && job.output.extension() != ".exr") {
@@ -63,7 +63,8 @@ Scene scene_of(const Job& job) {
     return scene;
   }
   Scene scene = load_scene(job.scene);
-  if (materials.size() > 1) throw InputError("--scene takes one MATERIAL at most, to put on every object");
+  if (materials.size() > 1)
+    throw InputError("--scene accepts at most one MATERIAL, which is applied to every object");
   for (Object& object : scene.objects) {
     if (materials.empty()) break;
     object.material_name = materials[0].first;
@@ -83,8 +84,9 @@ void apply_overrides(const Job& job, Scene& scene) {
   apply_environment(job, scene);
   if (job.tone_map) scene.tone_map = named<ToneMap>(*job.tone_map, "--tone-map");
   if ((job.per_vertex || job.as_coded) && scene.shading == Shading::brdf)
-    throw InputError(std::string(job.per_vertex ? "--per-vertex" : "--as-coded") +
-                     ": is of the articles' shadings: give --shading phong, phong_blinn or lookup");
+    throw InputError(
+        std::string(job.per_vertex ? "--per-vertex" : "--as-coded") +
+        ": applies to the shadings of the articles: give --shading phong, phong_blinn or lookup");
   scene.per_vertex |= job.per_vertex;
   scene.as_coded |= job.as_coded;
 }
@@ -121,7 +123,7 @@ void apply_environment(const Job& given, Scene& scene) {
   }
   if (!job.rotation) return;
   if (!scene.environment)
-    throw InputError("--rotate turns an environment: give --environment, or a scene that has one");
+    throw InputError("--rotate rotates an environment: give --environment, or a scene with an environment");
   scene.environment->rotation = *job.rotation;
 }
 
@@ -134,7 +136,8 @@ Job with_samples_told(Job job) {
     } else if (job.measured.empty()) {
       job.measured = file;
     } else {
-      throw InputError(file.string() + ": a second table of samples beside " + job.measured.string());
+      throw InputError(file.string() + ": is a second table of samples in addition to " +
+                       job.measured.string());
     }
   }
   job.materials = std::move(materials);
@@ -172,7 +175,7 @@ ViewState state_of(const Job& given) {
   if (job.state.empty() && needs_other(state.display) && !compared(job))
     throw InputError("--show " + *job.show + " needs --compare or --measured");
   if (job.split && state.display != Display::split)
-    throw InputError("--split-at says where a split picture is divided: give --show split");
+    throw InputError("--split-at sets the position of the split: give --show split");
   if (job.split)
     state.split = *job.split;
   else if (job.state.empty())

@@ -51,7 +51,7 @@ class Binder {
       std::vector<std::string> known;
       for (const Parameter& p : f_.parameters) known.push_back(p.name);
       if (std::find(f_.source.globals.begin(), f_.source.globals.end(), d.name) == f_.source.globals.end())
-        throw InputError(said_by(d) + ": is no argument, uniform or global variable of " + f_.entry +
+        throw InputError(said_by(d) + ": is not an argument, uniform or global variable of " + f_.entry +
                          (known.empty() ? "" : " (its parameters: " + io::joined(known) + ")"));
     }
   }
@@ -136,7 +136,7 @@ class Binder {
       if (++count > kMost)
         throw InputError(f_.source.name + ": " + name + " of " + f_.entry + " is a " + input.type +
                          ", of which more than " + std::to_string(kMost) +
-                         " numbers are used: write its values into the file");
+                         " numbers are used: write the values into the file");
       const std::string element = name + "_" + std::to_string(k);
       const Declared* const own = declaration(element);
       add_parameter(
@@ -198,7 +198,7 @@ class Binder {
         throw InputError(f_.source.name + ": " + p.name + " of " + f_.entry +
                          " is a whole number without a range: give one with --param " + p.name +
                          "=MIN:MAX:DEFAULT or a line `//: param " + p.name + " MIN MAX DEFAULT`");
-      if (!p.boolean) p.doc += "; its range is not given";
+      if (!p.boolean) p.doc += "; the file gives no range";
       if (const auto value = initial_in_text(p.name))
         p.initial.fill(*value), p.min = std::min(0.0, *value), p.max = std::max(1.0, *value);
       return;
@@ -224,8 +224,8 @@ class Binder {
     for (const double value : {p.min, p.max, p.initial[0]})
       if (value != std::floor(value) || std::abs(value) > kMostWhole || (truth && value != 0 && value != 1))
         throw InputError(said_by(declared) + ": " + io::to_text(value) +
-                         (truth ? " is neither 0 nor 1, and it is a truth value"
-                                : " is no whole number below 2^31, and it is one"));
+                         (truth ? " must be 0 or 1, because the parameter is a truth value"
+                                : " must be a whole number below 2^31"));
   }
 
   // Whether the text declares the name as bool, and as no other integer, outside all functions: a block of

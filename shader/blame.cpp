@@ -83,7 +83,7 @@ const char* name_of(Op op) {
 }
 
 std::string operation_text(const Entry& e) {
-  const auto number = [](double x) { return std::isnan(x) ? "no number" : io::short_number(x, 6); };
+  const auto number = [](double x) { return std::isnan(x) ? "not a number" : io::short_number(x, 6); };
   const std::string equals = " = " + number(e.result);
   if (const char* sign = sign_of(e.step->op))
     return number(e.operand[0]) + sign + number(e.operand[1]) + equals;
@@ -143,7 +143,7 @@ Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<
   const Trace single = traced<float>(f, at, i, o, component), wide = traced<double>(f, at, i, o, component);
   if (!std::isfinite(single.result)) return made(f, follow(single, not_finite_operand));
   if (const Entry* other = first_other_way(single, wide))
-    return made(f, other, "float goes another way than double");
+    return made(f, other, "float takes a different branch than double");
   const int e = where_they_part(single, wide);
   if (e < 0) return {};
   const Entry& entry = single.entries[std::size_t(e)];
@@ -182,14 +182,14 @@ Blame blame_jump(const Function& f, std::span<const double> values, const Direct
     blame.expression = line_of_text(f.source.text, blame.line);
     const bool two = operation(x.step->op).count() > 1;
     blame.operation = two ? io::short_number(x.operand[0], 6) + " passes " + io::short_number(x.operand[1], 6)
-                          : io::short_number(x.operand[0], 6) + " becomes another integer";
+                          : io::short_number(x.operand[0], 6) + " becomes a different integer";
     return blame;
   }
   if (first_other_way(a, b)) return {};
   const int e = where_they_part(a, b);
   if (e < 0) return {};
   return made(f, &a.entries[std::size_t(e)],
-              operation_text(a.entries[std::size_t(e)]) + ", and beside it " +
+              operation_text(a.entries[std::size_t(e)]) + ", and at a neighbouring direction " +
                   io::short_number(b.entries[std::size_t(e)].result, 6));
 }
 

@@ -31,13 +31,13 @@ void choose(Source& source, const ShaderChoice& choice) {
     const std::string define = parse_define(text), name = define.substr(0, define.find('=') + 1);
     for (const std::string& before : source.defines)
       if (before.starts_with(name) && before != define)
-        throw InputError("--define " + io::shown(text) + ": another one says " + io::shown(before));
+        throw InputError("--define " + io::shown(text) + ": another --define gives " + io::shown(before));
     source.defines.push_back(define);
   }
   for (const std::string& folder : choice.include_folders) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-      throw InputError("-I " + io::shown(folder) + ": is no folder");
+      throw InputError("-I " + io::shown(folder) + ": is not a folder");
     source.include_folders.push_back(std::filesystem::absolute(folder).string());
   }
 }

@@ -138,9 +138,9 @@ const spirv::Function* meant_overload(const Module& module, const Source& source
   left = those(left, [&](const spirv::Function* f) { return takes_directions(module, *f, free); });
   if (left.size() > 1)
     throw InputError(source.name + ": has " + std::to_string(all.size()) + " functions " + all[0]->name +
-                     ": " + listed(module, all) + "; say which is the reflectance with --entry '" +
+                     ": " + listed(module, all) + "; select the reflectance with --entry '" +
                      entry_words(module, *left[0]) + "' or a line `//: entry " +
-                     entry_words(module, *left[0]) + "`, or give it another name");
+                     entry_words(module, *left[0]) + "`, or rename it");
   note = "of " + std::to_string(all.size()) + " functions " + all[0]->name + " the reflectance is " +
          signature(module, *left[0]);
   return left[0];
@@ -166,21 +166,20 @@ void require_whole(std::span<const LeftOut> left_out, const std::string& chosen)
     const std::vector<Token> tokens = tokens_of(out.text);
     for (std::size_t k = 0; k + 1 < tokens.size(); ++k)
       if (tokens[k].is(chosen) && tokens[k + 1].is("("))
-        throw InputError(out.why + "; or take a function that it calls, with --entry " + chosen);
+        throw InputError(out.why + "; or use --entry to select a function that is called there: " + chosen);
   }
 }
 
 // Lists the undefined macros that the text tests, because one of them may enable the missing function.
 std::string asked_for(const Compiled& compiled) {
   if (compiled.asked.empty()) return "";
-  return "; the text asks for macros that are not defined (" + io::joined(compiled.asked) +
-         "): --define NAME or NAME=VALUE defines one";
+  return "; the text tests macros that are not defined (" + io::joined(compiled.asked) +
+         "): define a macro with --define NAME or NAME=VALUE";
 }
 
 constexpr const char* kHelp =
-    ": put it into a function such as `vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness)`, or name one with "
-    "--entry NAME or a line "
-    "`//: entry NAME(L, V, N, roughness)` whose words say what each argument is";
+    ": write a function such as `vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness)`, or select a function "
+    "with --entry NAME or a line `//: entry NAME(L, V, N, roughness)`, which assigns the arguments";
 
 }  // namespace
 
@@ -223,15 +222,14 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
   const auto with_results = [&](const spirv::Function* f, const std::string& note = "") {
     Results results = results_of(module, *f, source);
     if (!results.several.empty())
-      throw InputError(
-          source.name + ": " + signature(module, *f) + " gives several values (" + results.several +
-          "): put one that calls it and returns the reflectance at the end of the file, and name that with "
-          "--entry NAME");
+      throw InputError(source.name + ": " + signature(module, *f) + " gives several values (" +
+                       results.several +
+                       "): append a function that calls it and returns the reflectance, and select the new "
+                       "function with --entry NAME");
     if (results.parts.empty())
       throw InputError(
           source.name + ": " + signature(module, *f) + " returns " + module.spelled(f->type) +
-          "; a reflectance is a float or a vec3, returned, a member of what is returned, or an argument that "
-          "is `out`");
+          "; a reflectance is a float or a vec3: the returned value, a member of it, or an `out` argument");
     return Chosen{f, std::move(results), note};
   };
   if (source.entry) {
@@ -240,10 +238,11 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
       require_compiled(left_out, [&](const std::string& name) { return name == source.entry->name; });
     if (same.empty() && is_main(source.entry->name))
       throw InputError(source.name + ": " + source.entry->name +
-                       "() takes no directions and returns no reflectance" + kHelp);
+                       "() has no directions as arguments and returns no reflectance" + kHelp);
     if (same.empty())
       throw InputError(source.name + ": has no function " + source.entry->name +
-                       (all.empty() ? "" : " (it has " + listed(module, all) + ")") + asked_for(compiled));
+                       (all.empty() ? "" : " (the file has " + listed(module, all) + ")") +
+                       asked_for(compiled));
     std::string note;
     const spirv::Function* const meant = meant_overload(module, source, same, called, free, note);
     return with_results(meant, note);
@@ -296,12 +295,13 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
   }
   if (likely.size() == 1) require_whole(left_out, likely[0]->name);
   if (likely.size() == 1)
-    return with_results(likely[0], "the reflectance is " + signature(module, *likely[0]) +
-                                       ", by its name and arguments; --entry NAME takes another");
+    return with_results(likely[0],
+                        "the reflectance is " + signature(module, *likely[0]) +
+                            ", according to its name and arguments; --entry NAME selects another function");
   if (likely.size() > 1)
     throw InputError(source.name +
-                     ": has several functions that could be the reflectance; say which with --entry NAME or "
-                     "a line `//: entry NAME`: " +
+                     ": has several functions that may be the reflectance; select one with --entry NAME or a "
+                     "line `//: entry NAME`: " +
                      listed(module, likely));
   require_compiled(left_out, [](const std::string&) { return true; });
   const std::vector<Token> tokens = tokens_of(source.whole);

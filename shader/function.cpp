@@ -27,8 +27,8 @@ std::string undeclared(const Function& f) {
   for (const Parameter& p : f.parameters)
     if (!p.declared && !p.boolean) names.push_back(p.name);
   if (names.empty()) return "";
-  return "range 0 to 1 taken for " + io::joined(names) +
-         "; give others with --param NAME=MIN:MAX or a line `//: param NAME MIN MAX DEFAULT`";
+  return "range 0 to 1 assumed for " + io::joined(names) +
+         "; give other ranges with --param NAME=MIN:MAX or a line `//: param NAME MIN MAX DEFAULT`";
 }
 
 // A width across the tangent requires a width along the tangent.
@@ -46,15 +46,15 @@ void check_roles(const Function& f) {
     throw InputError(f.source.name + (in_file ? ":" + std::to_string(line->line) : "") + ": param " +
                      alone->name + ": role " + std::string(name_of(across)) +
                      " needs another parameter of role " + std::string(name_of(along)) +
-                     "; if there is one width only, give it that role");
+                     "; if there is only one width, use that role for it");
   }
 }
 
 std::string without_functions(const std::vector<LeftOut>& left_out) {
   std::vector<std::string> names;
   for (const LeftOut& f : left_out) names.push_back(f.name + "()");
-  return "without " + io::joined(names) + ", which do" + (names.size() > 1 ? "" : "es") +
-         " not compile here (" + left_out.front().why + ")";
+  return "omitted " + io::joined(names) + ", which do" + (names.size() > 1 ? "" : "es") + " not compile (" +
+         left_out.front().why + ")";
 }
 
 // Parameters that the file or the command line declares, but on which no result depends.
@@ -94,7 +94,8 @@ std::optional<double> constant_value(const Function& f) {
 // Macros of the command line that are mentioned neither in the file nor in its included files.
 std::string unmentioned(const std::vector<std::string>& macros) {
   if (macros.empty()) return "";
-  return "--define " + io::joined(macros) + ": no file mentions " + (macros.size() > 1 ? "them" : "it");
+  return "--define " + io::joined(macros) + ": no file uses " +
+         (macros.size() > 1 ? "these macros" : "this macro");
 }
 
 Program lowered(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options,
@@ -163,7 +164,7 @@ std::string entry_advice(const Function& f) {
   const std::string name =
       f.source.entry ? f.source.entry->name
                      : f.entry.substr(f.entry.find(' ') + 1, f.entry.find('(') - f.entry.find(' ') - 1);
-  return "say what each one is with --entry '" + name + "(L, V, N, ...)' or a line `//: entry " + name +
+  return "assign the arguments with --entry '" + name + "(L, V, N, ...)' or a line `//: entry " + name +
          "(L, V, N, ...)`";
 }
 
@@ -172,14 +173,14 @@ std::string said_of_unread(const Function& f) {
   if (!zero && f.unread.empty()) return "";
   std::string out;
   if (f.constant)
-    out = "its value is " + io::to_text(*f.constant) + " whatever it is given";
+    out = "the value is always " + io::to_text(*f.constant);
   else if (zero)
-    out = "its value is 0 at every place at which it was asked";
+    out = "the value is 0 at all directions that were tried";
   if (!f.unread.empty())
-    out += std::string(out.empty() ? "" : "; ") + "its value does not depend on " + io::joined(f.unread);
+    out += std::string(out.empty() ? "" : "; ") + "the value does not depend on " + io::joined(f.unread);
   if (!f.asked_macros.empty())
-    out += "; the text asks for macros that are not defined (" + io::joined(f.asked_macros) +
-           "): --define NAME or NAME=VALUE defines one";
+    out += "; the text tests macros that are not defined (" + io::joined(f.asked_macros) +
+           "): define a macro with --define NAME or NAME=VALUE";
   return out;
 }
 
@@ -198,8 +199,8 @@ std::string said_of_half(const Source& source) {
     const bool is_half = hlsl ? word == "half" || token.text.starts_with("min16float")
                               : token.is("mediump") || token.is("lowp");
     if (is_half && bare.text.find("define " + word) == bare.text.npos)
-      return std::string(token.text) + " is computed in 32 bits here (line " + std::to_string(token.line) +
-             "): what 16 bits lose or overflow on a device is not looked at";
+      return std::string(token.text) + " is computed in 32 bits (line " + std::to_string(token.line) +
+             "): loss of precision and overflow in 16 bits on a device are not checked";
   }
   return "";
 }
@@ -231,7 +232,7 @@ Function function_of(Source source, const Compiled& compiled) {
   check_roles(f);
   if (!f.is_given(Axis::light) && !f.is_given(Axis::view))
     throw InputError(f.source.name + ": no argument of " + f.entry +
-                     " is known as the direction to the light or to the viewer: " + entry_advice(f));
+                     " is recognised as the direction to the light or to the viewer: " + entry_advice(f));
   f.number = ++count;
   const auto read = read_slots(f.as_written);
   for (const Binding& b : f.bindings)
@@ -256,7 +257,7 @@ Function function_of(Source source, const Compiled& compiled) {
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(
-        "float only: it operates on the bits of a float, which in other precisions are those of its float "
+        "float only: the shader operates on the bits of a float; other precisions use the bits of the float "
         "value");
   return f;
 }

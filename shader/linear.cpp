@@ -211,8 +211,8 @@ std::string said_of_holes(const Function& f) {
     if (++holes == 1) first = probe.place();
   }
   if (holes == 0) return "";
-  return "it has no finite value at " + std::to_string(holes) + " of " + std::to_string(kProbes) +
-         " places at which it was asked, as for " + first + "; whether it is linear is told from others";
+  return "the value is not finite at " + std::to_string(holes) + " of " + std::to_string(kProbes) +
+         " directions that were tried, such as " + first + "; linearity was judged from the others";
 }
 
 bool is_zero_where_asked(const Function& f) {

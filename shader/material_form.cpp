@@ -74,25 +74,25 @@ ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
 void check_text(const JsonPlace& place, const ShaderOrigin& origin) {
   if (!origin.text.empty()) {
     if (io::sha256(origin.text) != origin.sha256)
-      place.at("sha256").fail("is not that of the text beside it: one of them was changed");
+      place.at("sha256").fail("does not match the text: one of the two was changed");
     return;
   }
   const std::string& file = origin.choice.file;
   std::error_code error;
   if (!fs::exists(file, error))
-    place.at("file").fail("is not there (" + absolute_path(file) +
-                          "): put the shader where the material says, or keep its text in the material with "
-                          "brdf fit --embed");
+    place.at("file").fail(
+        "does not exist (" + absolute_path(file) +
+        "): move the shader to this place, or store its text in the material with brdf fit --embed");
   for (std::size_t k = 0; k < origin.choice.include_folders.size(); ++k)
     if (!fs::is_directory(origin.choice.include_folders[k], error))
       place.at("include_folders")
           .at(k)
-          .fail("is no folder (" + absolute_path(origin.choice.include_folders[k]) + ")");
+          .fail("is not a folder (" + absolute_path(origin.choice.include_folders[k]) + ")");
   if (io::sha256(whole_text(origin.choice)) != origin.sha256)
-    place.at("sha256").fail("is not that of " + file +
+    place.at("sha256").fail("does not match " + file +
                             ", which (or a file that it includes) has changed since this material was made: "
-                            "bring the old text back, or fit the samples again with --shader " +
-                            file + "; --shader and --set evaluate the new text");
+                            "restore the old text, or fit the samples again with --shader " +
+                            file + "; use --shader and --set to evaluate the new text");
 }
 
 class Forms final : public io::ShaderForms {

@@ -77,10 +77,11 @@ ShaderOrigin origin_of(const ShaderChoice& choice, bool embedded) {
   origin.sha256 = io::sha256(text);
   if (!embedded) return origin;
   if (text.size() > kLargestShader)
-    throw InputError("--embed: " + choice.file + " is longer with its includes than a material holds (" +
+    throw InputError("--embed: " + choice.file +
+                     " exceeds, with its includes, the largest text in a material (" +
                      std::to_string(kLargestShader) + " bytes)");
   if (!utf8::is_valid(text.begin(), text.end()))
-    throw InputError("--embed: " + choice.file + " is no UTF-8, in which materials are written");
+    throw InputError("--embed: " + choice.file + " is not UTF-8, the encoding of materials");
   origin.text = std::move(text);
   origin.choice.include_folders.clear();  // the text contains their content
   return origin;

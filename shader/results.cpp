@@ -153,7 +153,7 @@ void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Result
   std::vector<std::string> others;
   for (const std::string& name : all)
     if (std::find(names.begin(), names.end(), name) == names.end()) others.push_back(name);
-  out.note = "the reflectance is " + io::joined(names, " + ") + " of what " + function + " gives" +
+  out.note = "the reflectance is " + io::joined(names, " + ") + " of the results of " + function +
              (others.empty() ? "" : ", without " + io::joined(others));
 }
 
@@ -178,7 +178,8 @@ Results results_of(const Module& m, const spirv::Function& f, const Source& sour
       }
       std::erase_if(beside, [](const Leaf& l) { return !is_lobe(l) && !is_value(l); });
       if (!beside.empty())
-        out.note = "the reflectance is what " + f.name + " returns, without " + io::joined(names_of(beside));
+        out.note = "the reflectance is the value returned by " + f.name + ", without " +
+                   io::joined(names_of(beside));
       return out;
     }
   }

@@ -30,9 +30,9 @@ void require_directions(const Function& f) {
   if (!missing) return;
   for (const Parameter& p : f.parameters)
     if (p.colour && !p.declared)
-      throw InputError(f.source.name + ": no argument of " + f.entry + " is known as the direction to " +
-                       missing + ", which " + p.name + " may be: " + entry_advice(f) + "; or call " + p.name +
-                       " a colour with a line `//: color " + p.name + " 0.5 0.5 0.5`");
+      throw InputError(f.source.name + ": no argument of " + f.entry + " is recognised as the direction to " +
+                       missing + ", which " + p.name + " may be: " + entry_advice(f) + "; or declare " +
+                       p.name + " as a colour with a line `//: color " + p.name + " 0.5 0.5 0.5`");
 }
 
 // Replaces each colour by three numbers. A table of one channel cannot describe the effect of other
@@ -96,9 +96,8 @@ void ShaderReflectance::find_tables() {
   }
   if (function_.returns == Returns::f && !function_.source.returns && holds_cosine(function_))
     function_.notes.push_back(
-        "its value is reciprocal once it is divided by the cosine to the light: if it returns f times that "
-        "cosine, say "
-        "--returns 'f*cos_i' or `//: returns f*cos_i`");
+        "the value is reciprocal after division by the cosine of the incident direction: if the function "
+        "returns f times this cosine, use --returns 'f*cos_i' or `//: returns f*cos_i`");
   function_.zero_where_asked = is_zero_where_asked(function_);
   for (const std::string& note : {said_of_unread(function_), said_of_holes(function_)})
     if (!note.empty()) function_.notes.push_back(note);

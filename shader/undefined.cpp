@@ -138,12 +138,12 @@ constexpr Sentence kSentences[] = {
     {Undefined::division, 2, "integers are divided by 0 or beyond their range"},
     {Undefined::remainder, 2, "the remainder of an integer below 0"},
     {Undefined::shift, 2, "a shift by 32 bits or more"},
-    {Undefined::conversion, 1, "a number is outside the range of the integer that it becomes"},
+    {Undefined::conversion, 1, "a number is outside the range of the integer type"},
     {Undefined::pow, 2, "pow of a base below 0, or of 0 to an exponent that is not above 0"},
     {Undefined::atan, 2, "atan of two zeros"},
-    {Undefined::smoothstep, 2, "smoothstep whose lower edge is not below its upper one"},
-    {Undefined::clamp, 0, "clamp whose lower limit is above its upper one"},
-    {Undefined::min_max, 2, "min or max of a value that is no number"},
+    {Undefined::smoothstep, 2, "smoothstep with a lower edge that is not below the upper edge"},
+    {Undefined::clamp, 0, "clamp with a lower limit above the upper limit"},
+    {Undefined::min_max, 2, "min or max of NaN"},
 };
 
 const Sentence& row_of(Undefined why) {

@@ -280,15 +280,17 @@ Finding angle_unit(const Evidence& e) {
   f.bound = kPi / 2;
   if (!radian.empty()) {
     f.outcome = Outcome::fail;
-    f.statement = "angles look like radians: " + named(radian) +
-                  (radian.size() < columns.size() && !polar_fits ? ", beside others that are degrees" : "") +
-                  "; write them in degrees (times 180/pi)";
+    f.statement =
+        "angles look like radians: " + named(radian) +
+        (radian.size() < columns.size() && !polar_fits ? ", while other angles are in degrees" : "") +
+        "; convert them to degrees (multiply by 180/pi)";
   } else if (polar_fits && !open.empty()) {
     f.outcome = Outcome::undecided;
     f.is_suspicion = true;
-    f.statement = named(open) + ": either radians, or a scan within two degrees of the normal";
+    f.statement = named(open) +
+                  ": the unit is ambiguous: radians, or degrees in a scan within two degrees of the normal";
   } else {
-    f.statement = "angles are degrees: polar angles reach " + io::short_number(polar, 6);
+    f.statement = "angles are in degrees: polar angles reach " + io::short_number(polar, 6);
   }
   return f;
 }
@@ -301,30 +303,34 @@ Finding polar_angle(const Evidence& e) {
   Finding f = start(t, "polar_angle");
   const auto fail = [&](const std::string& what) {
     f.outcome = Outcome::fail;
-    f.statement =
-        what + ": angles look like elevations above the surface, not from the normal (90 less them)";
+    f.statement = what +
+                  ": the polar angles look like elevations above the surface; convert them to angles from "
+                  "the normal (90 - elevation)";
     return f;
   };
   const std::vector<Highlight> lights = highlights(view);
   // A cosine factor makes highlights fade too.
   const bool has_cosine = e.causes.found && e.causes.found->cause == Cause::cosine;
-  if (!has_cosine && fades_with_theta(lights)) return fail("the highlight fades as the light's angle grows");
+  if (!has_cosine && fades_with_theta(lights))
+    return fail("the highlight fades with increasing angle of incidence");
   if (widens_with_theta(view))
-    return fail("the highlight grows wider across the plane of incidence as the light's angle grows");
+    return fail(
+        "the highlight becomes wider across the plane of incidence with increasing angle of incidence");
   if (peaks_at_the_complement(lights))
-    return fail("highlights stand at theta_o = 90 - theta_i, so that one of the two is no polar angle");
-  if (high < 75) return not_applicable(t.source, "polar_angle", "no row lies near grazing");
+    return fail("highlights are at theta_o = 90 - theta_i, so one of the two is not a polar angle");
+  if (high < 75) return not_applicable(t.source, "polar_angle", "no row is at grazing angles");
   const auto at_low = variation(view, low, low < 1), at_high = variation(view, high, high > 89);
   if (!at_low || !at_high)
-    return not_applicable(t.source, "polar_angle", "too few azimuths to tell the normal from grazing");
+    return not_applicable(t.source, "polar_angle",
+                          "too few azimuths to distinguish the normal from grazing angles");
   f.value = *at_low;
   f.bound = std::max(3 * *at_high, 0.3);
   const auto factor = [](double log) { return io::short_number(std::exp(log), 3); };
-  const std::string spread = "values vary with the azimuth by a factor " + factor(*at_low) +
+  const std::string spread = "values vary with the azimuth by a factor of " + factor(*at_low) +
                              " at theta_o = " + io::short_number(low, 3) + " and by " + factor(*at_high) +
                              " at " + io::short_number(high, 3);
   if (low < 20 && f.value > f.bound) return fail(spread);
-  f.statement = "polar angles are from the normal: " + spread;
+  f.statement = "polar angles are measured from the normal: " + spread;
   return f;
 }
 
@@ -346,7 +352,7 @@ Finding azimuth(const Evidence& e) {
     back.push_back({h.theta_i, light, ratios.back(), light / h.middle, h.shoulder});
   }
   if (ratios.size() < 2)
-    return not_applicable(t.source, "azimuth", "too few lights with rows in the plane of incidence");
+    return not_applicable(t.source, "azimuth", "too few angles of incidence with in-plane rows");
   Finding f = start(t, "azimuth");
   f.value = io::median(ratios);
   f.bound = kHighlight;
@@ -358,15 +364,14 @@ Finding azimuth(const Evidence& e) {
   if (f.value > 1.2 && narrow && steepest.ratio > kHighlight && steepest.contrast > kHighlight)
     f.value = steepest.ratio;
   if ((io::median(contrasts) < 1.5 && f.value <= f.bound) || (f.value > 1 / 1.5 && f.value <= f.bound))
-    return not_applicable(t.source, "azimuth", "no highlight stands out on either side of the normal");
+    return not_applicable(t.source, "azimuth", "no distinct highlight on either side of the normal");
   if (f.value <= f.bound) {
-    f.statement = "the highlight stands on the mirror side, phi_o = phi_i + 180";
+    f.statement = "the highlight is on the mirror side, phi_o = phi_i + 180";
     return f;
   }
   const std::string where =
       "values are " + io::short_number(f.value, 3) +
-      " times as large at phi_o = phi_i, towards the light, as at phi_o = phi_i + 180, the "
-      "mirror direction";
+      " times as large on the side of incidence (phi_o = phi_i) as on the mirror side (phi_o = phi_i + 180)";
   // The highlight of a mirror grows or stays towards grazing incidence. That of a retroreflector fades, and
   // that of a rough surface is broad.
   const bool fades = steepest.value < 0.5 * back.front().value;
@@ -374,8 +379,8 @@ Finding azimuth(const Evidence& e) {
   f.outcome = stands_out && narrow && !fades ? Outcome::fail : Outcome::undecided;
   f.statement =
       where + (f.outcome == Outcome::fail
-                   ? ": the azimuths look like those of the other convention (add 180 degrees to phi_o)"
-                   : ": a surface that sends light back, or the other azimuth convention");
+                   ? ": the azimuths seem to follow the other convention (add 180 degrees to phi_o)"
+                   : ": the surface is retroreflective, or the azimuths follow the other convention");
   return f;
 }
 

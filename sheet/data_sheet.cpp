@@ -21,12 +21,12 @@ std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable&
   facts.emplace_back("channels", io::joined(t.channels));
   if (!is_of_cells(t)) {  // cells have no common lights
     const std::vector<double> lights = each_once(t.theta_i);
-    facts.emplace_back("angles of the light", std::to_string(lights.size()) + " from " +
+    facts.emplace_back("angles of incidence", std::to_string(lights.size()) + " from " +
                                                   io::to_text(lights.front()) + " to " +
                                                   io::to_text(lights.back()) + " degrees");
-    facts.emplace_back("turns of the sample", std::to_string(each_once(t.phi_i).size()));
+    facts.emplace_back("rotations of the sample", std::to_string(each_once(t.phi_i).size()));
   }
-  facts.emplace_back("largest angle of the viewer",
+  facts.emplace_back("largest viewing angle",
                      io::to_text(*std::max_element(t.theta_o.begin(), t.theta_o.end())) + " degrees");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const auto [low, high] = std::minmax_element(t.values[c].begin(), t.values[c].end());
@@ -51,21 +51,23 @@ const std::vector<Misleading>& misleading() {
       "cosine_factor", "light_gain", "drift",    "dark_level", "invented",
       "noise_floor",   "quantity",   "isotropy", "coverage",   "energy"};
   static const std::vector<Misleading> all{
-      {"angle_unit", {"polar_angle"}, "the angles are no degrees"},
-      {"angle_unit", of_directions, "the angles are no degrees"},
-      {"polar_angle", of_directions, "the angles are not from the normal"},
+      {"angle_unit", {"polar_angle"}, "the angles are not in degrees"},
+      {"angle_unit", of_directions, "the angles are not in degrees"},
+      {"polar_angle", of_directions, "the polar angles are not measured from the normal"},
       {"azimuth",
        {"outliers", "cosine_factor", "mirror", "light_gain", "drift", "dark_level"},
-       "the azimuths are not those of the format"},
+       "the azimuths do not follow the convention of the format"},
       {"cosine_factor",
        {"reciprocity", "quantity", "energy", "dark_level", "light_gain", "drift", "mirror"},
-       "a cosine is left in the values"},
-      {"saturation", {"mirror"}, "the highlights are cut off"},
-      {"mirror", {"outliers", "light_gain", "drift", "reciprocity", "dark_level"}, "the angles are off"},
-      {"light_gain", {"reciprocity", "energy"}, "the lights are not on one scale"},
+       "the values include a cosine"},
+      {"saturation", {"mirror"}, "the highlights are saturated"},
+      {"mirror",
+       {"outliers", "light_gain", "drift", "reciprocity", "dark_level"},
+       "the angles have a systematic error"},
+      {"light_gain", {"reciprocity", "energy"}, "the incidences are not on the same scale"},
       {"drift", {"reciprocity", "energy"}, "the scale drifts through the file"},
-      {"dark_level", {"reciprocity"}, "a dark level is left in the values"},
-      {"quantity", {"energy"}, "the values are no f_r"},
+      {"dark_level", {"reciprocity"}, "the values include a dark level"},
+      {"quantity", {"energy"}, "the values are not f_r"},
   };
   return all;
 }
@@ -204,7 +206,8 @@ void leave_out(const std::vector<bool>& rows, io::SampleTable& t) {
     for (auto& column : *columns) thin(column);
   thin(t.lines);
   t.skipped += count;
-  t.warnings.push_back(plural(count, "row") + " of fill values left out: directions that were not measured");
+  t.warnings.push_back(plural(count, "row") +
+                       " with fill values left out: these directions were not measured");
 }
 
 DataSheet exchanged_columns(const io::SampleTable& t, const std::string& why) {

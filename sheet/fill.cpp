@@ -137,7 +137,7 @@ Finding fill(const Evidence& e) {
   const io::SampleTable& t = view.table();
   if (view.scans().empty())
     return not_applicable(t.source, "fill",
-                          "the directions are scattered: no row has neighbours under its light");
+                          "the directions are irregular: no row has neighbours at its incidence");
   std::map<Row, double> rows;
   for (const FillValue& f : found)
     for (const Row k : f.rows) rows.emplace(k, f.value);
@@ -147,13 +147,12 @@ Finding fill(const Evidence& e) {
     for (const Row k : fill.rows) f.rows.push_back(named_row(view, k, fill.channel));
   std::vector<Row> all;
   for (const auto& [k, value] : rows) all.push_back(k);
-  f.conclude(found.empty(), "no value stands for directions that were not measured",
+  f.conclude(found.empty(), "no fill values",
              found.empty() ? ""
-                           : plural(rows.size(), "row") + " hold the fill value " +
-                                 io::short_number(found.front().value, 6) +
-                                 " although the rows beside them do not: these directions were not measured, "
-                                 "and fits leave the "
-                                 "rows out (--keep-fill keeps them): " +
+                           : "fill value " + io::short_number(found.front().value, 6) + " in " +
+                                 plural(rows.size(), "row") +
+                                 ", although neighbouring rows differ: these directions were not measured, "
+                                 "and fits leave the rows out (--keep-fill keeps them): " +
                                  places(view, all));
   return f;
 }

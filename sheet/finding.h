@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,9 +73,17 @@ inline bool shows_witness(const Finding& f) {
   return f.witness && (f.outcome == Outcome::fail || f.outcome == Outcome::known_violation);
 }
 
-// Returns the statement, followed by "proved" or "sampled" if that is known.
+// The end of a statement about sampled pairs of directions.
+inline constexpr std::string_view kAtPairsTried = ", at the pairs tried";
+
+// Returns the statement, followed by "proved" or "sampled" if that is known. The statement of a proved
+// property loses kAtPairsTried, which would contradict "proved".
 inline std::string said(const Finding& f) {
-  return f.proof.empty() ? f.statement : f.statement + (f.proof == "proved" ? "; proved" : "; sampled");
+  if (f.proof.empty()) return f.statement;
+  std::string text = f.statement;
+  if (const std::size_t at = text.find(kAtPairsTried); f.proof == "proved" && at != text.npos)
+    text.erase(at, kAtPairsTried.size());
+  return text + (f.proof == "proved" ? "; proved" : "; sampled");
 }
 
 // Returns whether this value is worse than the worst so far. NaN is the worst of all and is never replaced.

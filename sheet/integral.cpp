@@ -228,7 +228,7 @@ std::vector<MeasuredAlbedo> albedos(const View& view, std::optional<double> scat
 Finding coverage(const Evidence& e) {
   const io::SampleTable& t = e.view.table();
   if (e.albedo.empty())
-    return undecided(t, "coverage", "the directions are scattered: no light has a hemisphere of its own");
+    return undecided(t, "coverage", "the directions are irregular: no incidence covers a hemisphere");
   double least = 1, sum = 0;
   for (const MeasuredAlbedo& a : e.albedo) {
     least = std::min(least, a.coverage);
@@ -238,9 +238,10 @@ Finding coverage(const Evidence& e) {
   f.value = sum / double(e.albedo.size());
   f.bound = 1;
   f.outcome = f.value < kEnoughCoverage ? Outcome::undecided : Outcome::pass;
-  f.statement = io::percent_to_tenths(f.value) +
-                " of the projected hemisphere lies between samples (at the worst angle of the light " +
-                io::percent_to_tenths(least) + ")";
+  f.statement =
+      io::percent_to_tenths(f.value) +
+      " of the projected hemisphere lies between measured directions (at the worst angle of incidence " +
+      io::percent_to_tenths(least) + ")";
   return f;
 }
 
@@ -269,7 +270,7 @@ Plane plane_of(const std::vector<MeasuredAlbedo>& albedo) {
 // all azimuths were like it.
 Finding energy_in_plane(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kMargin = 1.03;
-  Finding f = undecided(t, "energy", "too little of the hemisphere is covered for an integral");
+  Finding f = undecided(t, "energy", "the angular coverage is too small for an integral");
   f.bound = 1;
   double least = 0;
   for (const MeasuredAlbedo& a : albedo)
@@ -279,9 +280,10 @@ Finding energy_in_plane(const io::SampleTable& t, const std::vector<MeasuredAlbe
   if (most == 0) return f;
   f.value = most;
   f.is_suspicion = most > kMargin;
-  f.statement += ": if the plane of incidence stood for all azimuths, the sample would reflect " +
-                 io::short_number(most, 3) + " of the light beside its highlight" +
-                 (f.is_suspicion ? ", more than falls on it" : "");
+  f.statement +=
+      ": if the plane of incidence represented all azimuths, the directional albedo without the highlight "
+      "would be " +
+      io::short_number(most, 3) + (f.is_suspicion ? ", which violates energy conservation" : "");
   return f;
 }
 
@@ -301,21 +303,20 @@ Finding energy_of(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& a
   f.value = w.albedo->value[w.channel];
   const double bound = w.albedo->bound[w.channel];
   const std::string size = io::short_number(f.value, 3) + " +- " + io::short_number(bound, 3) +
-                           " (light at " + io::short_number(w.albedo->theta_i, 3) + " degrees, channel " +
+                           " (incidence " + io::short_number(w.albedo->theta_i, 3) + " degrees, channel " +
                            t.channels[w.channel] + ")";
   if (fails) {
     const double least = proven.albedo->least[proven.channel];
     f.outcome = Outcome::fail;
-    f.statement = "the sample reflects at least " + io::short_number(least, 3) +
-                  " of the light, more than falls on it: " + size;
+    f.statement = "energy conservation is violated: the directional albedo is at least " +
+                  io::short_number(least, 3) + "; estimate " + size;
   } else if (w.most() <= 1) {
-    f.statement = "the sample reflects at most " + size;
+    f.statement = "the directional albedo is at most " + size;
   } else {
     f.outcome = Outcome::undecided;
     f.is_suspicion = f.value - 0.5 * bound > 1;
-    f.statement =
-        "the sample reflects " + size +
-        (f.is_suspicion ? ", probably more than falls on it" : ", which does not say that it stays below 1");
+    f.statement = "the directional albedo is " + size +
+                  (f.is_suspicion ? ", which probably violates energy conservation" : ", which may exceed 1");
   }
   return f;
 }

@@ -239,22 +239,21 @@ Finding mirror(const Evidence& e) {
   const io::SampleTable& t = e.view.table();
   if (e.view.scans().empty())
     return not_applicable(t.source, "mirror",
-                          "the directions are scattered: no curve has a highlight of its own");
+                          "the directions are irregular: no curve has a distinct highlight");
   const std::vector<Peak> peaks = peaks_of(e.view, e.scatter.value().value_or(0.05));
   if (peaks.size() < kFewest)
-    return not_applicable(
-        t.source, "mirror",
-        "fewer than three lights have a highlight that stands out in the plane of incidence");
+    return not_applicable(t.source, "mirror",
+                          "fewer than three incidences have a distinct highlight in the plane of incidence");
   Finding f = start(t, "mirror");
   f.bound = kWorthSeeing;
   if (const auto one = one_misplaced(e.view, peaks)) {
     const Peak& p = peaks[one->peak];
     f.outcome = Outcome::fail;
     f.value = one->apart;
-    f.statement = "the highlight of the light at " + io::short_number(p.theta_i, 4) +
-                  " degrees stands where a light at " + io::short_number(p.theta_i + one->apart, 3) +
-                  " (+- " + io::short_number(one->spread, 2) +
-                  ") degrees would have it, as the other lights tell: its label looks wrong";
+    f.statement = "the highlight at incidence " + io::short_number(p.theta_i, 4) +
+                  " degrees is at the position that the other incidences predict for " +
+                  io::short_number(p.theta_i + one->apart, 3) + " (+- " + io::short_number(one->spread, 2) +
+                  ") degrees: its label seems wrong";
     return f;
   }
   std::vector<Peak> near = peaks;
@@ -262,7 +261,7 @@ Finding mirror(const Evidence& e) {
   const auto trend = trend_of(near, Lever::tangent);
   if (!trend)
     return not_applicable(t.source, "mirror",
-                          "fewer than two lights within 55 degrees of the normal have a highlight");
+                          "fewer than two incidences within 55 degrees of the normal have a highlight");
   f.value = trend->zero;
   const std::string size =
       io::short_number(std::abs(trend->zero), 2) + " +- " + io::short_number(trend->error, 1) + " degrees";
@@ -270,17 +269,17 @@ Finding mirror(const Evidence& e) {
     const bool sure = std::abs(trend->zero) > kSure * trend->error && near.size() >= kFewest;
     f.outcome = sure ? Outcome::fail : Outcome::undecided;
     f.is_suspicion = !sure;
-    f.statement = "highlights stand " + size + (trend->zero > 0 ? " beyond" : " short of") +
-                  " the mirror direction under " + plural(near.size(), "light") +
-                  ", carried on to the normal: a zero error of theta_o or of theta_i";
+    f.statement = "highlights are " + size + (trend->zero > 0 ? " beyond" : " short of") +
+                  " the mirror direction (" + plural(near.size(), "incidence") +
+                  ", extrapolated to normal incidence): a zero error of theta_o or of theta_i";
   } else if (kSure * trend->error > 2 * kWorthSeeing) {
     f.outcome = Outcome::undecided;
-    f.statement = "the highlights of " + plural(peaks.size(), "light") +
-                  " place the mirror direction only within " + io::short_number(kSure * trend->error, 2) +
+    f.statement = "the highlights of " + plural(peaks.size(), "incidence") +
+                  " locate the mirror direction only within " + io::short_number(kSure * trend->error, 2) +
                   " degrees";
   } else {
-    f.statement = "the highlights of " + plural(peaks.size(), "light") +
-                  " stand at the mirror direction, within " + size;
+    f.statement = "the highlights of " + plural(peaks.size(), "incidence") +
+                  " are at the mirror direction, within " + size;
   }
   return f;
 }

@@ -322,18 +322,18 @@ Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_the
   if (inside.size() > 5) where += "; ...";
   const std::string count = plural(inside.size(), "row");
   if (inside.empty()) {
-    f.statement = "no value stands apart from its neighbours";
+    f.statement = "every value agrees with its neighbours";
   } else if (are_many(inside.size(), t.rows())) {
     f.outcome = Outcome::undecided;
     f.statement = count +
-                  " depart from all neighbours by more than a factor of two: a texture of the sample, or "
-                  "noise of dark rows: " +
+                  " differ from all neighbours by more than a factor of two: a texture of the sample, or "
+                  "noise of dark measurements: " +
                   where;
   } else if (are_shaded) {
     f.outcome = Outcome::undecided;
     f.statement = count + (inside.size() == 1 ? " is" : " are") +
-                  " darker than all neighbours by more than a factor of two, near grazing, where the edges "
-                  "of a sample and its holder shade: " +
+                  " darker than all neighbours by more than a factor of two at grazing angles, possibly "
+                  "shaded by an edge of the sample or its holder: " +
                   where;
   } else {
     f.outcome = Outcome::fail;
@@ -348,7 +348,7 @@ Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_the
   }
   if (beyond > 0)
     f.statement +=
-        "; apart from " + plural(beyond, "row") + " beyond " + io::short_number(max_theta) + " degrees";
+        "; not counting " + plural(beyond, "row") + " beyond " + io::short_number(max_theta) + " degrees";
   return f;
 }
 
@@ -357,7 +357,7 @@ Finding outliers(const Evidence& e) {
   const io::SampleTable& t = view.table();
   if (t.rows() > kMostRows)
     return not_applicable(t.source, "outliers",
-                          "not sought in tables of more than " + std::to_string(kMostRows) + " rows");
+                          "not checked in tables of more than " + std::to_string(kMostRows) + " rows");
   const HalfNeighbours of_half = near_half_vector(t);
   std::vector<NamedRow> found;
   std::vector<Witnesses> witnesses;

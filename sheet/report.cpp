@@ -20,21 +20,21 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   report.table({}, rows);
   io::Plot plane;
   plane.title = "In the plane of incidence: " + io::file_name(t.source);
-  plane.x_label = "theta_o, degrees: the viewer's angle, positive on the mirror side";
+  plane.x_label = "theta_o, degrees: viewing angle, positive on the mirror side";
   plane.y_label = "f_r of channel " + t.channels.front() + ", 1/sr";
   plane.log_y = true;
-  plane.caption = "The values as they were measured, one colour for each angle of the light.";
+  plane.caption = "Measured values, one colour for each angle of incidence.";
   plane.command = "grep -v '^#' " + io::shell_file(t.source);
   if (is_of_cells(t))
     for (const double theta_i : {15.0, 30.0, 45.0, 60.0, 75.0}) {
       plane.series.push_back(cells_in_plane(t, theta_i));
-      plane.series.back().label = "light at " + io::to_text(theta_i) + " degrees";
+      plane.series.back().label = "incidence at " + io::to_text(theta_i) + " degrees";
       plane.series.back().style = io::Series::Style::points;
     }
   std::vector<io::Series> lights;
   const View view(t);
   for (const Scan& scan : view.scans()) {
-    io::Series s{"light at " + io::to_text(scan.theta_i) + " degrees", {}, {}, io::Series::Style::points};
+    io::Series s{"incidence at " + io::to_text(scan.theta_i) + " degrees", {}, {}, io::Series::Style::points};
     for (const InPlane& p : in_plane(view, scan)) {
       s.x.push_back(p.angle);
       s.y.push_back(t.values.front()[p.row]);
@@ -42,14 +42,14 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
     if (!s.x.empty()) lights.push_back(std::move(s));
   }
   if (lights.size() > kMostCurves)
-    plane.caption +=
-        " " + std::to_string(kMostCurves) + " of " + std::to_string(lights.size()) + " lights are shown.";
+    plane.caption += " " + std::to_string(kMostCurves) + " of " + std::to_string(lights.size()) +
+                     " angles of incidence are shown.";
   for (io::Series& s : io::evenly(std::move(lights), kMostCurves)) plane.series.push_back(std::move(s));
   if (!plane.series.empty()) report.plot(plane);
   io::Plot albedo;
-  albedo.title = "Reflected fraction by integrating the samples: " + io::file_name(t.source);
-  albedo.x_label = "polar angle of the light, degrees";
-  albedo.y_label = "reflected fraction";
+  albedo.title = "Directional albedo, integrated from the measurements: " + io::file_name(t.source);
+  albedo.x_label = "angle of incidence, degrees";
+  albedo.y_label = "directional albedo";
   const std::vector<int> palette = io::channel_palette(t.channels);
   std::vector<std::size_t> channels(t.channels.size());
   std::iota(channels.begin(), channels.end(), 0);
@@ -66,8 +66,8 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
     albedo.series.push_back(std::move(s));
   }
   albedo.caption =
-      "The band is the bound: it holds what no sample is near to, the coarseness of the sampling, and half "
-      "the noise floor.";
+      "The band is the error bound. It includes directions without measurements nearby, the coarseness of "
+      "the sampling, and half of the noise floor.";
   if (channels.size() > kMostCurves)
     albedo.caption +=
         " " + std::to_string(kMostCurves) + " of " + std::to_string(channels.size()) + " channels are shown.";

@@ -98,8 +98,8 @@ Finding negative_of(const View& view) {
   return counted(view, "negative", {beyond.begin(), beyond.end()},
                  below.empty() ? "no negative value"
                                : plural(below.size(), "row") + (below.size() == 1 ? " has" : " have") +
-                                     " a value below 0, by no more than dark rows scatter",
-                 "with a negative value beyond the scatter of dark rows");
+                                     " a value below 0, within the noise of dark measurements",
+                 "with a negative value beyond the noise of dark measurements");
 }
 
 Finding negative(const Evidence& e) {
@@ -110,7 +110,7 @@ Finding missing_of(const io::SampleTable& t) {
   Finding f = start(t, "missing");
   f.value = double(t.skipped);
   f.statement =
-      t.skipped == 0 ? "every row holds a number" : plural(t.skipped, "entry") + " without a value, left out";
+      t.skipped == 0 ? "every row holds a number" : plural(t.skipped, "entry") + " without a value left out";
   return f;
 }
 
@@ -141,9 +141,9 @@ Finding duplicates(const Evidence& e) {
   }
   std::sort(copies.begin(), copies.end());
   Finding f = counted(view, "duplicates", copies, "no row occurs twice",
-                      "duplicated: directions and values of an earlier row");
+                      "duplicated: the same directions and values as in an earlier row");
   if (copies.empty() && repeated > 0)
-    f.statement = plural(repeated, "direction") + " measured again, with other values";
+    f.statement = plural(repeated, "direction") + " measured again, with different values";
   return f;
 }
 
@@ -155,7 +155,9 @@ Finding directions(const Evidence& e) {
     if (t.theta_o[k] == 0)
       for (std::size_t c = 0; c < t.channels.size(); ++c)
         poles[{t.theta_i[k], t.phi_i[k], c}].emplace_back(t.phi_o[k], t.values[c][k]);
-  if (poles.empty()) return not_applicable(t.source, "directions", "no row along the normal (theta_o = 0)");
+  if (poles.empty())
+    return not_applicable(t.source, "directions",
+                          "no row with the viewing direction along the normal (theta_o = 0)");
   std::vector<double> spreads, jumps;
   std::size_t longest = 0;
   for (const auto& [place, values] : poles) {
@@ -166,15 +168,15 @@ Finding directions(const Evidence& e) {
   }
   if (longest < 2)
     return not_applicable(t.source, "directions",
-                          "one azimuth stands along the normal: nothing to compare it with");
+                          "only one azimuth is listed along the normal, so no comparison is possible");
   Finding f = start(t, "directions");
   f.value = io::median(spreads);
   f.bound = 0.15;
   const bool noise = !jumps.empty() && io::median(jumps) > 0.5;
   f.conclude(!(f.value > f.bound) || noise,
-             "along the normal values do not depend on the azimuth, as expected",
+             "along the normal (theta_o = 0) values do not depend on phi_o, as expected",
              "along the normal (theta_o = 0) values change with phi_o by " + io::percent_to_tenths(f.value) +
-                 ", though the direction is the same: are theta_o and phi_o exchanged?");
+                 ", although the direction is the same: theta_o and phi_o may be exchanged");
   return f;
 }
 

@@ -209,10 +209,11 @@ Finding stuck(const Evidence& e) {
   f.conclude(found.empty(), "the readings differ from row to row",
              found.empty()
                  ? ""
-                 : plural(found.begin()->second, "row") + " in succession hold the same value from " +
-                       view.where(found.begin()->first) + " on" +
+                 : plural(found.begin()->second, "row") +
+                       " in succession have the same value, beginning at " +
+                       view.where(found.begin()->first) +
                        (found.size() > 1 ? ", and " + plural(found.size() - 1, "other run") : std::string()) +
-                       ": the detector was stuck; leave these rows out");
+                       ": the detector seems stuck; remove these rows");
   return f;
 }
 
@@ -221,7 +222,7 @@ Finding invented(const Evidence& e) {
   const io::SampleTable& t = view.table();
   if (view.scans().empty())
     return not_applicable(t.source, "invented",
-                          "the directions are scattered: there are no curves to look at");
+                          "the directions are irregular: there are no curves to compare");
   std::size_t curves = 0;
   std::vector<double> ramps;
   Between between;
@@ -256,10 +257,10 @@ Finding invented(const Evidence& e) {
       if (!is_shifted && !is_copy(planes[a], planes[b], 0)) continue;
       f.outcome = Outcome::fail;
       f.value = 1;
-      f.statement = "the curves of the lights at " + io::short_number(first.theta_i, 4) + " and " +
-                    io::short_number(second.theta_i, 4) + " degrees are one curve" +
+      f.statement = "the curves at incidences " + io::short_number(first.theta_i, 4) + " and " +
+                    io::short_number(second.theta_i, 4) + " degrees are identical" +
                     (is_shifted ? ", shifted by " + io::short_number(shift, 4) + " degrees" : std::string()) +
-                    ": one of them was not measured; leave it out";
+                    ": one of the two curves was not measured; remove this curve";
       return f;
     }
   constexpr double kMostCurves = 0.5, kManyRows = 0.2;
@@ -270,22 +271,21 @@ Finding invented(const Evidence& e) {
     f.outcome = Outcome::fail;
     const double from = io::median(ramps);
     f.statement = "from theta_o = " + io::short_number(from, 3) +
-                  " on, values fall in a straight line to 0 at 90 degrees in " +
-                  std::to_string(ramps.size()) + " of " + plural(curves, "curve") +
-                  ": no measurement ends so; leave these rows out with --max-theta " +
+                  " values fall in a straight line to 0 at 90 degrees in " + std::to_string(ramps.size()) +
+                  " of " + plural(curves, "curve") +
+                  ", which no measurement does; exclude these rows with --max-theta " +
                   io::short_number(from, 3);
   } else if (between.straight.size() >= kFewestRows &&
              double(between.straight.size()) > kManyRows * double(between.looked) && between.are_apart()) {
     f.outcome = Outcome::fail;
     f.value = double(between.straight.size()) / double(between.looked);
     f.bound = kManyRows;
-    f.statement =
-        plural(between.straight.size(), "row") + " of " + std::to_string(between.looked) +
-        " lie on the straight line between their neighbours to the last digit: they were interpolated, not "
-        "measured; first " +
-        view.where(between.straight.front());
+    f.statement = plural(between.straight.size(), "row") + " of " + std::to_string(between.looked) +
+                  " are on the straight line between their neighbours to the last digit, so they were "
+                  "interpolated, not measured; first " +
+                  view.where(between.straight.front());
   } else {
-    f.statement = "no ramp to 0 at the horizon, no interpolated rows, no copied curves";
+    f.statement = "no linear decrease to 0 at the horizon, no interpolated rows, no copied curves";
   }
   return f;
 }

@@ -39,7 +39,7 @@ Finding judge(const Evidence& e, const char* check, const Explanation& x, const 
     f.statement = say.fault;
   } else if (e.causes.found) {
     f = not_applicable(f.subject, f.check,
-                       "another fault explains the differences of the reciprocal pairs better");
+                       "another fault explains the differences between reciprocal pairs better");
   } else if (std::abs(x.size) > std::max(least_seen, 0.4 * say.worth_seeing)) {
     f.outcome = Outcome::undecided;
     f.statement = say.unclear;
@@ -53,12 +53,12 @@ Finding judge(const Evidence& e, const char* check, const Explanation& x, const 
 }
 
 Finding too_few_pairs(const Evidence& e, const char* check) {
-  return not_applicable(e.view.table().source, check, "too few reciprocal pairs of different angles");
+  return not_applicable(e.view.table().source, check, "too few reciprocal pairs with different angles");
 }
 
 // Returns the quartiles for people: "-1 to -0.91 in the middle half of 698 pairs".
 std::string quartiles(const Explanation& x) {
-  return io::short_number(x.low, 2) + " to " + io::short_number(x.high, 2) + " in the middle half of " +
+  return "quartiles " + io::short_number(x.low, 2) + " and " + io::short_number(x.high, 2) + ", " +
          plural(x.pairs, "pair");
 }
 
@@ -125,12 +125,12 @@ Finding cosine_of_pairs(const Evidence& e, const Explanation& x) {
       "the power " + io::short_number(x.size, 2) + " of the cosines' ratio (" + quartiles(x) + ")";
   return judge(e, "cosine_factor", x,
                {0.5,
-                "values behave as f_r times " + name + ": exchanging light and viewer leaves " + power +
+                "values behave as f_r times " + name + ": exchanging the two directions leaves " + power +
                     "; `quantity: f_r*" + name + "` (or --quantity f_r*" + name + ") removes " +
                     io::percent(x.share, 2) + " of the differences",
-                "exchanging light and viewer leaves no cosine behind",
-                "exchanging light and viewer leaves " + power + ", which is no whole cosine",
-                "the pairs scatter: a cosine is seen only beyond "});
+                "exchanging the two directions leaves no cosine factor",
+                "exchanging the two directions leaves " + power + ", which is not a whole cosine",
+                "the noise of the pairs hides a cosine factor below "});
 }
 
 }  // namespace
@@ -148,11 +148,12 @@ Finding cosine_factor(const Evidence& e) {
   f.outcome = x ? Outcome::fail : Outcome::undecided;
   f.is_suspicion = !x;
   f.statement =
-      x ? "values behave as f_r times cos_i cos_o: towards grazing they fall as the power " +
+      x ? "values behave as f_r times cos_i cos_o: at grazing angles they fall as the power " +
               io::short_number(f.value, 2) +
-              " of both cosines, and exchanging light and viewer changes nothing (divide them by both)"
-        : "values fall towards grazing as the power " + io::short_number(f.value, 2) +
-              " of the cosines, as f_r times a cosine does; no reciprocal pairs tell whether it is one";
+              " of both cosines, and exchanging the two directions has no effect (divide the values by both "
+              "cosines)"
+        : "at grazing angles values fall as the power " + io::short_number(f.value, 2) +
+              " of the cosines, like f_r times a cosine; without reciprocal pairs this cannot be decided";
   return f;
 }
 
@@ -160,20 +161,20 @@ Finding light_gain(const Evidence& e) {
   const Explanation* const x = tried(e, Cause::gain);
   if (!x)
     return not_applicable(e.view.table().source, "light_gain",
-                          "too few reciprocal pairs, or fewer than three lights that they compare");
+                          "too few reciprocal pairs, or fewer than three incidences among them");
   const std::string angle = io::short_number(e.view.scans()[x->scan].theta_i, 4) + " degrees";
   const auto times = [](double log) { return io::short_number(std::exp(log), 3); };
   return judge(
       e, "light_gain", *x,
       {0.15,
-       "values under the light at " + angle + " are " + times(x->size) + " times (" + times(x->low) + " to " +
-           times(x->high) + " in the middle half) as large as the other lights say by reciprocity" +
-           by_pairs(*x) + ": its gain differs; divide its values by that factor",
-       "all lights are on one scale within " + percent_of(kSeen * x->standard_error) + by_pairs(*x),
-       "the light at " + angle + " differs from the others by " + percent_of(x->size) +
-           " in the median, and the pairs disagree about it (" + percent_of(x->low) + " and " +
-           percent_of(x->high) + " at the ends of the middle half)",
-       "the pairs scatter: a single light is judged only beyond "});
+       "values at incidence " + angle + " are " + times(x->size) + " times (" + times(x->low) + " and " +
+           times(x->high) + ", quartiles) as large as the other incidences predict by reciprocity" +
+           by_pairs(*x) + ": the gain differs; divide these values by that factor",
+       "all incidences are on the same scale within " + percent_of(kSeen * x->standard_error) + by_pairs(*x),
+       "incidence " + angle + " differs from the others by " + percent_of(x->size) +
+           " in the median, but the pairs disagree (quartiles " + percent_of(x->low) + " and " +
+           percent_of(x->high) + ")",
+       "the noise of the pairs hides a difference of a single incidence below "});
 }
 
 Finding drift(const Evidence& e) {
@@ -181,30 +182,31 @@ Finding drift(const Evidence& e) {
   if (!x) return too_few_pairs(e, "drift");
   const std::string change = std::string("values ") + (x->size > 0 ? "grow" : "fall") + " by " +
                              percent_of(x->size) + " from the first row of the file to the last";
-  return judge(
-      e, "drift", *x,
-      {0.2,
-       change + ", by reciprocity" + by_pairs(*x) +
-           ": the lamp or the detector drifts in the order of the rows",
-       "the scale stays within " + percent_of(kSeen * x->standard_error) + " through the file" + by_pairs(*x),
-       change + " in the median, and the pairs disagree about it (" + quartiles(*x) + ")",
-       "the pairs scatter: a change through the file is seen only beyond "});
+  return judge(e, "drift", *x,
+               {0.2,
+                change + ", according to reciprocity" + by_pairs(*x) +
+                    ": the lamp or the detector drifts in the order of the rows",
+                "the scale is constant within " + percent_of(kSeen * x->standard_error) +
+                    " through the file" + by_pairs(*x),
+                change + " in the median, but the pairs disagree (" + quartiles(*x) + ")",
+                "the noise of the pairs hides a change through the file below "});
 }
 
 Finding dark_level(const Evidence& e) {
   const Explanation* const x = tried(e, Cause::dark_level);
   if (!x) return too_few_pairs(e, "dark_level");
   const std::string size = percent_of(x->size) + " of the median value";
-  return judge(e, "dark_level", *x,
-               {0.2,
-                "a dark level of " + size +
-                    (x->size > 0 ? " is left in the values" : " too much was taken off the values") +
-                    ", divided by cos_o: reciprocal pairs differ as it makes them differ" + by_pairs(*x),
-                "a dark level divided by cos_o is below " + percent_of(kSeen * x->standard_error) +
-                    " of the median value" + by_pairs(*x),
-                "an additive level of " + size + " would explain part of the pairs' differences (" +
-                    quartiles(*x) + ")",
-                "the pairs scatter: an additive level is seen only beyond "});
+  return judge(
+      e, "dark_level", *x,
+      {0.2,
+       "a dark level of " + size + (x->size > 0 ? " was not subtracted" : " too much was subtracted") +
+           ", before division by cos_o: the differences between reciprocal pairs have this pattern" +
+           by_pairs(*x),
+       "a dark level divided by cos_o is below " + percent_of(kSeen * x->standard_error) +
+           " of the median value" + by_pairs(*x),
+       "an additive level of " + size + " would explain a part of the differences between the pairs (" +
+           quartiles(*x) + ")",
+       "the noise of the pairs hides an additive level below "});
 }
 
 }  // namespace brdf::sheet

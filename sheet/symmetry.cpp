@@ -19,7 +19,7 @@ std::string factor(double logarithm) {
 
 // Returns "the mirrored rows scatter by 3.8 % (212 pairs)".
 std::string in_words(const Agreement& a) {
-  return "the " + std::string(a.rows) + " rows scatter by " + io::percent_to_tenths(a.value) + " (" +
+  return "noise of the " + std::string(a.rows) + " rows: " + io::percent_to_tenths(a.value) + " (" +
          plural(a.count, "pair") + ")";
 }
 
@@ -75,25 +75,27 @@ Finding isotropy(const Evidence& e) {
   const io::SampleTable& t = e.view.table();
   const Turns& turns = e.turns;
   if (turns.differences < Turns::kFewest && turns.turns < 2)
-    return not_applicable(t.source, "isotropy", "the sample was not turned: all light has one azimuth");
+    return not_applicable(t.source, "isotropy",
+                          "the sample was not rotated: all incident directions have the same azimuth");
   if (turns.differences < Turns::kFewest)
-    return not_applicable(t.source, "isotropy", "no direction was measured at two turns of the sample");
+    return not_applicable(t.source, "isotropy",
+                          "no pair of directions was measured at two rotations of the sample");
   Finding f = start(t, "isotropy");
   f.value = turns.median;
   f.bound = 2 * turns.noise_of_median();
-  const std::string seen = "turns of the sample change values by a factor of " + factor(turns.median) +
-                           " in the median and of " + factor(turns.far) + " in one of fifty differences (" +
-                           std::to_string(turns.differences) + " of them)";
+  const std::string seen = "rotating the sample changes values by a factor of " + factor(turns.median) +
+                           " in the median and of " + factor(turns.far) + " in one of fifty comparisons (" +
+                           std::to_string(turns.differences) + " in all)";
   if (turns.is_anisotropic()) {
     f.outcome = Outcome::undecided;
-    f.statement = "the sample is anisotropic: " + seen + "; fit it with --anisotropic";
+    f.statement = "the sample is anisotropic: " + seen + "; fit with --anisotropic";
   } else if (turns.differences < kEnough || !turns.scatter) {
     f.outcome = Outcome::undecided;
     f.statement =
-        seen + (turns.scatter ? ": too few to tell isotropy from a small anisotropy"
-                              : ": whether that is noise cannot be told, since the scatter is not known");
+        seen + (turns.scatter ? ": too few comparisons to distinguish isotropy from a small anisotropy"
+                              : ": this may be noise, because the measurement noise is not known");
   } else {
-    f.statement = "isotropic within the scatter of " + io::percent_to_tenths(*turns.scatter) + ": " + seen;
+    f.statement = "isotropic within the noise of " + io::percent_to_tenths(*turns.scatter) + ": " + seen;
   }
   return f;
 }
@@ -130,22 +132,23 @@ Finding noise_floor(const Evidence& e) {
   if (!s.value())
     return not_applicable(
         t.source, "noise_floor",
-        "rows are too few, too far apart or too smooth to tell noise from the sample's shape" + beside);
+        "rows are too few, too far apart or too smooth to separate noise from the shape of the lobe" +
+            beside);
   Finding f = start(t, "noise_floor");
   f.value = *s.value();
   f.bound = 0.2;
   f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
   const Agreement* const largest = s.largest(s.is_isotropic);
-  f.statement = "values scatter by " + io::percent_to_tenths(f.value) +
-                ": no model can be judged more finely (" +
-                (s.neighbours.value ? "about their neighbours " + io::percent_to_tenths(*s.neighbours.value)
-                                    : std::string("about their neighbours not known")) +
-                beside + ")";
+  f.statement =
+      "measurement noise: " + io::percent_to_tenths(f.value) + "; no model can be tested below this (" +
+      (s.neighbours.value ? "scatter about a smooth surface: " + io::percent_to_tenths(*s.neighbours.value)
+                          : std::string("scatter about a smooth surface: not known")) +
+      beside + ")";
   constexpr double kTooSmooth = 4;
   if (largest && s.neighbours.value && largest->value > kTooSmooth * *s.neighbours.value) {
     if (f.outcome == Outcome::pass) f.outcome = Outcome::undecided;
     f.statement +=
-        "; neighbours agree too well for a measurement's noise: errors vary slowly, or the values were "
+        "; neighbours agree better than this noise permits: the errors vary slowly, or the values were "
         "smoothed";
   }
   for (std::size_t c = 0; c < t.channels.size(); ++c)

@@ -88,7 +88,7 @@ Range range_of(const io::SampleTable& t) {
   return r;
 }
 
-constexpr std::string_view kUncalibrated = " (no f_r in 1/sr; `brdf fit --free-scale` fits the shape alone)";
+constexpr std::string_view kUncalibrated = " (not f_r in 1/sr; `brdf fit --free-scale` fits the shape only)";
 // The largest fraction that a surface reflects, with a margin. As a reflectance factor the limit is pi
 // times this, and 100 pi times in percent.
 constexpr double kWhite = 1.1;
@@ -100,10 +100,10 @@ std::string scale_named(double fraction) {
   const auto over = [&](double by) { return io::short_number(fraction / by, 3); };
   if (fraction > kWhite * 100 * kPi) return "uncalibrated, like counts";
   if (fraction > kWhite * kPi)
-    return "reflectance in percent: over 100 they would reflect " + over(100) +
-           ", over 100 pi, as a reflectance factor in percent, " + over(100 * kPi);
+    return "reflectance in percent: divided by 100, the albedo would be " + over(100) +
+           "; divided by 100 pi, as a reflectance factor in percent, " + over(100 * kPi);
   if (fraction > 1)
-    return "the reflectance factor pi f_r (BRF): over pi they would reflect " + over(kPi) + " of the light";
+    return "the reflectance factor pi f_r (BRF): divided by pi, the albedo would be " + over(kPi);
   return "";
 }
 
@@ -112,12 +112,13 @@ std::string scale_named(double fraction) {
 Finding quantity_in_plane(const io::SampleTable& t, const Reflected& r) {
   constexpr double kSuspicious = 1.35;
   Finding f =
-      undecided(t, "quantity", "too little of the hemisphere is covered to tell the scale of the values");
+      undecided(t, "quantity", "the angular coverage is too small to determine the scale of the values");
   f.value = r.plane.reflected;
   f.bound = r.plane.is_half ? std::sqrt(kPi) : kSuspicious;
   if (r.plane.reflected == 0) return f;
-  const std::string seen = "if the plane of incidence stood for all azimuths, the sample would reflect " +
-                           io::short_number(r.plane.reflected, 3) + " of the light beside its highlight";
+  const std::string seen =
+      "if the plane of incidence represented all azimuths, the albedo without the highlight would be " +
+      io::short_number(r.plane.reflected, 3);
   const std::string covered = f.statement;
   f.statement += ": " + seen;
   if (r.plane.reflected <= f.bound) return f;
@@ -133,15 +134,14 @@ Finding saturation_of(const View& view, double scatter) {
   std::vector<Row> all(t.rows());
   for (Row k = 0; k < all.size(); ++k) all[k] = k;
   Finding f = start(t, "saturation");
-  f.statement = "no ceiling: the largest values differ";
+  f.statement = "no saturation: the largest values differ";
   constexpr std::size_t kFewestRows = 20;
   const auto is_constant = [](const std::vector<double>& v) {
     return std::all_of(v.begin(), v.end(), [&](double x) { return x == v.front(); });
   };
   if (t.rows() >= kFewestRows && std::all_of(t.values.begin(), t.values.end(), is_constant))
-    return undecided(
-        t, "saturation",
-        "all rows hold one value: either a computed table, or a ceiling below which nothing lies");
+    return undecided(t, "saturation",
+                     "all rows have the same value: a computed table, or complete saturation");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const std::vector<Row> top = at_ceiling(t, all, t.values[c], scatter);
     f.value += double(top.size());
@@ -149,7 +149,7 @@ Finding saturation_of(const View& view, double scatter) {
     if (f.outcome == Outcome::pass)
       f.statement = plural(top.size(), "row") + " share the largest value of channel " + t.channels[c] +
                     ", " + io::short_number(t.values[c][top.front()], 6) +
-                    ": the detector looks saturated; first " + view.where(top.front());
+                    ": the detector seems saturated; first " + view.where(top.front());
     f.outcome = Outcome::fail;
     for (const Row k : top) f.rows.push_back(named_row(view, k, c));
   }
@@ -173,7 +173,7 @@ Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo)
   f.value = r.is_covered ? r.likely : r.least;
   f.bound = std::sqrt(kPi);
   const std::string as_f_r =
-      "as f_r they would reflect at least " + io::short_number(r.least, 3) + " of the light";
+      "as f_r, their directional albedo would be at least " + io::short_number(r.least, 3);
   const auto fail = [&](const std::string& what) {
     f.outcome = Outcome::fail;
     f.statement = what;
@@ -183,8 +183,8 @@ Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo)
     return fail("uncalibrated: whole numbers up to " + io::short_number(range.largest, 8) + ", like counts" +
                 std::string(kUncalibrated));
   if (kPi * range.largest < kDarkest && range.largest > 0)
-    return fail("uncalibrated: as f_r the values would reflect at most " +
-                io::short_number(kPi * range.largest, 3) + " of the light, less than the blackest surface" +
+    return fail("uncalibrated: as f_r, their directional albedo would be at most " +
+                io::short_number(kPi * range.largest, 3) + ", less than that of the blackest surface" +
                 std::string(kUncalibrated));
   if (r.least > kWhite * 100 * kPi) return fail("uncalibrated: " + as_f_r + std::string(kUncalibrated));
   if (r.least > kWhite * kPi || (r.least > 1 && r.likely > f.bound))
@@ -194,18 +194,19 @@ Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo)
   if (r.likely > f.bound) {
     f.outcome = Outcome::undecided;
     f.is_suspicion = true;
-    f.statement = "the values look like " + scale_named(r.likely) + "; as f_r they would reflect " +
-                  io::short_number(r.likely, 3) + " of the light, of which samples that agree prove " +
-                  io::short_number(r.least, 3);
+    f.statement = "the values look like " + scale_named(r.likely) +
+                  "; as f_r, their directional albedo would be " + io::short_number(r.likely, 3) +
+                  ", of which consistent neighbours prove " + io::short_number(r.least, 3);
     return f;
   }
   const std::string reflected =
-      "as f_r the values reflect up to " + io::short_number(r.likely, 3) + " of the light";
+      "as f_r, the values have a directional albedo of up to " + io::short_number(r.likely, 3);
   f.statement =
       r.likely > 1
           ? reflected +
-                ", nearer to the scale of f_r than to any other; whether a surface can is a matter of energy"
-          : reflected + ", as a surface can; a smaller unit of a darker sample would look alike";
+                ", closer to the scale of f_r than to any other; the check of energy judges whether a "
+                "surface can have it"
+          : reflected + ", possible for a surface; smaller units of a darker sample would look the same";
   return f;
 }
 

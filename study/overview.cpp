@@ -127,17 +127,16 @@ std::string verdict_of(const std::vector<Row>& rows, std::size_t usable, std::si
   const std::size_t broken = count(rows, [](const Row& row) { return row.fault != Fault::none; });
   std::string text = std::to_string(usable) + " of " + io::plural(rows.size(), "sample") +
                      (usable == 1 ? " has" : " have") + " a usable fit";
-  if (warned > 0) text += ", " + std::to_string(warned) + " of these with warnings";
+  if (warned > 0) text += ", " + std::to_string(warned) + " of them with warnings";
   if (broken > 0) text += "; " + std::to_string(broken) + " could not be studied";
   return text + ".";
 }
 
 void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
   report.explain("energy",
-                 "The largest fraction of light that the fitted material reflects, over the angles of the "
-                 "light. Above 100 % it would give off more than it receives.");
-  report.explain("samples",
-                 "The checks of the samples themselves, before anything is fitted: the data sheet.");
+                 "The largest directional albedo of the fitted material over the angles of incidence. Above "
+                 "100 % it violates energy conservation.");
+  report.explain("samples", "The data check: checks of the measurements themselves, before any fit.");
   const bool pictures = count(rows, is_drawn) > 0;
   std::vector<std::string> header{"sample"};
   if (pictures) header.insert(header.end(), {"measured", "fitted"});
@@ -156,7 +155,7 @@ std::string page_of(const std::vector<Row>& rows) {
   report.verdict(usable == rows.size() && warned == 0 ? Mark::good : Mark::warn,
                  verdict_of(rows, usable, warned));
   for (const std::string& reason : missing_pictures(rows))
-    report.paragraph("Without pictures: " + reason + ".");
+    report.paragraph("Samples without pictures: " + reason + ".");
   add_table(report, rows);
   return report.document(io::provenance());
 }

@@ -27,20 +27,20 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
   report.pictures(
       {{.png = spheres.whole.measured,
         .title = "measured",
-        .text = "the samples and what lies between them; hatched: not measured"},
+        .text = "the measurements, interpolated; hatched: no measurements nearby"},
        {.png = spheres.whole.fitted, .title = "fitted", .text = best.form + ", under the same light"},
        {.png = spheres.whole.difference,
         .title = "difference",
-        .text = "fitted less measured: blue -50 %, white alike, red +50 %"}});
+        .text = "fitted minus measured: blue -50 %, white equal, red +50 %"}});
 }
 
 void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
   std::vector<io::Figure> pictures;
   for (const Lobe& lobe : spheres.lobes)
     pictures.push_back({.png = lobe.png,
-                        .title = "light at " + io::short_number(lobe.theta_i) + " degrees",
-                        .text = "the body's radius is the cube root of f_r; dots: measured with this light"});
-  if (!pictures.empty()) report.heading("The lobe, fitted (body) and measured (dots)");
+                        .title = "incidence at " + io::short_number(lobe.theta_i) + " degrees",
+                        .text = "the radius is the cube root of f_r; dots: measurements at this incidence"});
+  if (!pictures.empty()) report.heading("Lobes: fitted (surface) and measured (dots)");
   if (!pictures.empty()) report.pictures(pictures);
 }
 
@@ -55,9 +55,9 @@ void add_properties(io::HtmlReport& report, const Findings& found) {
 
 void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOptions& options) {
   fit::add_samples(report, found.fit, found.table, options.fit);
-  report.subheading("Data sheet");
+  report.subheading("Data check");
   validate::add_properties(report, found.sheet.findings);
-  report.begin_fold("Rows, angles, values and what they reflect");
+  report.begin_fold("Rows, angles, values and albedo");
   sheet::add_to_report(report, found.table, found.sheet);
   report.end_fold();
 }
@@ -65,12 +65,12 @@ void add_sheet(io::HtmlReport& report, const Findings& found, const SampleOption
 // Describes a file of the page's folder for readers.
 std::string meaning_of(const std::string& file) {
   const std::pair<const char*, const char*> meanings[] = {
-      {kMaterial, "the fitted material, for every verb that takes one"},
-      {kShader, "the same as a shader's source (GLSL)"},
-      {kFit, "the ranking of the forms with all numbers"},
+      {kMaterial, "the fitted material, accepted by every verb that takes a material"},
+      {kShader, "the fitted material as shader source (GLSL)"},
+      {kFit, "the ranking of the forms, with all numbers"},
       {kProperties, "the checks of the material"},
-      {kSheet, "the checks of the samples"},
-      {kResults, "what this page says first, for programs"},
+      {kSheet, "the data check of the measurements"},
+      {kResults, "the summary of this page, for programs"},
       {kMeasured, "the measured sphere"},
       {kFitted, "the fitted sphere"},
       {kDifference, "their difference"},
@@ -86,7 +86,7 @@ void add_files(io::HtmlReport& report, const Findings& found, const SampleOption
   std::vector<io::Row> rows;
   for (const std::string& file : found.files)
     rows.push_back({{.text = file, .link = io::address_of(file)}, {.text = meaning_of(file)}});
-  report.table({"file", "what it is"}, rows);
+  report.table({"file", "content"}, rows);
   if (!found.no_shader.empty()) report.paragraph("No shader: " + found.no_shader + ".");
   const std::string samples = io::shell_file(found.table.source), material = kMaterial;
   std::string commands = "brdf validate " + samples + "\n";

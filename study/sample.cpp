@@ -43,7 +43,8 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
 // Warnings that users should consider before they use the fit.
 Json warnings_of(const fit::FitResult& result) {
   Json texts = Json::array();
-  for (const std::string& fault : fit::sheet_in_words(result)) texts.push_back("The samples: " + fault + ".");
+  for (const std::string& fault : fit::sheet_in_words(result))
+    texts.push_back("The measurements: " + fault + ".");
   for (const io::Remark& remark : fit::remarks_on(result.ranking.front()))
     if (remark.mark >= io::Mark::unknown && remark.mark <= io::Mark::bad) texts.push_back(remark.text);
   return texts;
@@ -97,7 +98,7 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
   if (options.pictures)
     found.spheres = draw(found.table, best.material);
   else
-    found.spheres.missing = "left out by --no-pictures";
+    found.spheres.missing = "disabled by --no-pictures";
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
   files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});

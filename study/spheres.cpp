@@ -11,7 +11,7 @@ constexpr int kPicturePixels = 360, kSmallPixels = 120;  // per side
 }  // namespace
 
 Spheres draw(const io::SampleTable& samples, const Material& fitted) {
-  if (!io::channel_colours(fitted.channels)) return {.missing = "the channels are no colours"};
+  if (!io::channel_colours(fitted.channels)) return {.missing = "the channels are not colours"};
   Spheres spheres;
   spheres.seen = measured::seen_in_colour(samples, &fitted);
   const auto of_fitted = io::sphere::fitted_pairs(fitted);

@@ -40,7 +40,7 @@ class Study {
     const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
     if (std::all_of(rows_.begin(), rows_.end(), unreadable)) {
       const std::string first = rows_.front().json["error"];
-      throw InputError(alone() ? first : "none of the samples can be used: " + first);
+      throw InputError(alone() ? first : "no sample can be used: " + first);
     }
     if (!alone()) write_overview(rows_, options_.folder);
     return std::move(rows_);

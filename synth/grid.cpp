@@ -19,7 +19,8 @@ constexpr double kHemisphereLimit = 80;
 void check_rows(double rows) {
   if (rows > static_cast<double>(io::kMostRows))
     throw InputError("the grid has " + io::to_text(rows) + " directions, more than " +
-                     std::to_string(io::kMostRows) + " (a larger --step, fewer --theta-i or --azimuths)");
+                     std::to_string(io::kMostRows) +
+                     " (use a larger --step, or fewer --theta-i or --azimuths)");
 }
 
 void add_in_plane(io::SampleTable& grid, const GridOptions& options) {
@@ -119,7 +120,7 @@ io::SampleTable make_grid(const GridOptions& options) {
   }
   if (options.azimuths != std::vector<double>{0}) grid = turned(grid, options.azimuths);
   if (options.blind_zone > 0) grid = outside_blind_zone(grid, options.blind_zone);
-  if (grid.rows() == 0) throw InputError("the grid has no directions left");
+  if (grid.rows() == 0) throw InputError("the grid has no directions");
   return grid;
 }
 

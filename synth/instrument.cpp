@@ -42,7 +42,7 @@ void check(const Instrument& instrument) {
   between("--noise-floor", instrument.noise_floor, 1e6, " 1/sr");
   between("--saturation", instrument.saturation, 1e300, " 1/sr");
   if (instrument.sigma_columns && instrument.noise == 0 && instrument.noise_floor == 0)
-    throw InputError("--sigma-columns: needs --noise or --noise-floor, otherwise every sigma is 0");
+    throw InputError("--sigma-columns: needs --noise or --noise-floor, because otherwise every sigma is 0");
 }
 
 // Fills the table with noise-free readings.
@@ -79,9 +79,9 @@ void read_out(const Material& material, const Instrument& instrument, const io::
   if (progress) progress(static_cast<int>(table.rows()), static_cast<int>(table.rows()));
   // A Gaussian lobe as wide (full width at half maximum) as the aperture reads 0.72 of its peak.
   if (read_at_peak < 0.72 * peak)
-    table.warnings.push_back("the lobe is narrower than the aperture: its peak reads " +
+    table.warnings.push_back("the lobe is narrower than the aperture: the peak reads " +
                              std::to_string(std::lround(100 * read_at_peak / peak)) +
-                             " % of the truth (fit with --aperture)");
+                             " % of the ground truth (fit with --aperture)");
 }
 
 // Adds the effects of the instrument. Two random numbers are drawn per reading in any case, so that a
@@ -181,7 +181,7 @@ io::SampleTable table_of_file(const std::filesystem::path& path, const io::Suppl
   io::Content content = io::read_content(path);
   if (!io::is_json(content)) return io::read_samples(std::move(content), supplied);
   if (supplied != io::Supplied())
-    throw InputError(path.string() + ": --quantity and --mirror-side are for samples, not for a material");
+    throw InputError(path.string() + ": --quantity and --mirror-side apply to samples, not to a material");
   Instrument instrument;
   instrument.grid.parts = {"merl"};
   io::SampleTable table = measure(io::read_material(content), instrument);

@@ -199,7 +199,7 @@ void check_folder(const std::filesystem::path& folder, const TexelOptions& optio
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (texel::is_image(entry.path()) && !own.contains(entry.path().filename().string()))
       throw InputError("-o " + folder.string() + ": holds " + entry.path().filename().string() +
-                       ", which would be taken for an image of this stack");
+                       ", which would be read as an image of this stack");
 }
 
 // Returns one reading. Two random numbers are drawn in any case, so that a setting has no side effects on

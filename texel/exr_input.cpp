@@ -14,7 +14,7 @@ namespace {
 Imf::InputFile opened(io::ExrFile& bytes) try {
   return Imf::InputFile(bytes, 1);
 } catch (const Iex::BaseExc& error) {
-  throw InputError(std::string(bytes.fileName()) + ": no OpenEXR image that can be read: " + error.what());
+  throw InputError(std::string(bytes.fileName()) + ": is not a readable OpenEXR image: " + error.what());
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ ExrInput::ExrInput(const std::filesystem::path& path) : path_(path), bytes_(path
   const Imf::ChannelList& list = file_.header().channels();
   for (auto channel = list.begin(); channel != list.end(); ++channel) {
     if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1)
-      throw InputError(path.string() + ": channel " + channel.name() + " leaves out pixels");
+      throw InputError(path.string() + ": channel " + channel.name() + " is subsampled");
     channels_.emplace_back(channel.name());
   }
 }

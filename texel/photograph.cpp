@@ -31,17 +31,17 @@ void Photograph::decode(const std::filesystem::path& path, const std::optional<T
   int width = 0, height = 0, in_file = 0;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto refuse = [&](const char* reason) {
-    throw InputError(path.string() + ": no PNG image that can be read: " + reason);
+    throw InputError(path.string() + ": is not a readable PNG image: " + reason);
   };
   if (bytes.size() > std::size_t(std::numeric_limits<int>::max())) refuse("too long");
   if (!stbi_info_from_memory(data, int(bytes.size()), &width, &height, &in_file))
     refuse(stbi_failure_reason());
   if (std::size_t(height) > io::kMostPixels / std::size_t(width)) refuse("too many pixels");
-  if (!io::is_whole_png(bytes)) refuse("the file ends too soon");
+  if (!io::is_whole_png(bytes)) refuse("the file is truncated");
   if (!transfer)
-    throw InputError(
-        path.string() +
-        ": what do its numbers mean? lights.csv must say `# transfer: linear`, `srgb` or a power");
+    throw InputError(path.string() +
+                     ": the transfer function of the image is not known: give `# transfer: linear`, `srgb` "
+                     "or a power in lights.csv");
   const int channels = in_file >= 3 ? 3 : 1;
   const std::unique_ptr<stbi_us, void (*)(void*)> pixels(
       stbi_load_16_from_memory(data, int(bytes.size()), &width, &height, &in_file, channels),

@@ -72,7 +72,7 @@ Rig rig_in(const io::SampleTable& table) {
     throw InputError(table.name() + ": light_distance, viewer_distance and texel_size must be from " +
                      io::short_number(kShortest) + " to " + io::short_number(kLongest));
   if (rig.is_near() && rig.texel_size == 0)
-    throw InputError(table.name() + ": lights or viewers at a distance need texel_size, in its unit");
+    throw InputError(table.name() + ": a distance of lights or viewers needs texel_size, in the same unit");
   return rig;
 }
 
@@ -82,7 +82,7 @@ void read_mask(Stack& stack) {
   Planes mask = read_planes(path);
   if (mask.width != stack.width || mask.height != stack.height || mask.values.size() != 1)
     throw InputError(path.string() + ": must have one channel and " + std::to_string(stack.width) + " x " +
-                     std::to_string(stack.height) + " pixels, as the images have");
+                     std::to_string(stack.height) + " pixels, like the images");
   stack.mask = std::move(mask.values[0]);
 }
 
@@ -99,7 +99,8 @@ bool is_stack(const fs::path& path) {
 Stack open_stack(const fs::path& folder) {
   Stack stack;
   stack.folder = folder;
-  if (!is_stack(folder)) throw InputError(folder.string() + ": no stack: no folder with " + kLightsFile);
+  if (!is_stack(folder))
+    throw InputError(folder.string() + ": is not a stack, which is a folder with " + kLightsFile);
   stack.lights = io::read_directions(folder / kLightsFile);
   stack.images = images_in(folder);
   const std::size_t rows = stack.lights.rows();
@@ -109,8 +110,8 @@ Stack open_stack(const fs::path& folder) {
   for (std::size_t k = 0; k < rows; ++k)
     if (stack.lights.theta_i[k] >= 90 || stack.lights.theta_o[k] >= 90)
       throw InputError(stack.lights.where(k) +
-                       ": light and viewer must be above the sample's plane, both polar "
-                       "angles below 90 degrees");
+                       ": light and viewer must be above the plane of the sample, with both polar angles "
+                       "below 90 degrees");
   stack.transfer = transfer_in(stack.lights);
   const Photograph first(stack.images.at(0), stack.transfer);
   stack.width = first.width();
@@ -161,7 +162,7 @@ std::vector<float> read_columns(const Stack& stack, std::span<const std::size_t>
     };
     if (image.width() != stack.width || image.height() != stack.height ||
         !std::ranges::all_of(stack.layers, has))
-      throw InputError(stack.images[k].string() + ": size or channels are not those of " +
+      throw InputError(stack.images[k].string() + ": size or channels differ from " +
                        stack.images[0].filename().string());
     image.read_rows(stack.layers, row, height, band);
     for (std::size_t c = 0; c < channels; ++c)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: interop.clients label=interop after=clients needs=plain @tests@/interop @source@/docs/interop.md
-"""The table of docs/interop.md of programs that were run: how far what they show is from what their files say.
+"""The table of docs/interop.md of programs that were run: the difference between their pictures and their files.
 
     ctest --test-dir build/release -L interop
     tools/interop_clients.py [--update] build/release/tests/interop docs/interop.md

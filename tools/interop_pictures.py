@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes docs/img/interop_NAME.png: spheres under one distant light as the material is, as the program shows the refitted export,
+"""Makes docs/img/interop_NAME.png: spheres under one distant light of the material, of the refitted export in the program,
 and the copied one. Blender and three.js are run; of Mitsuba it is what the export says that its formula gives.
 Usage: tools/interop_pictures.py BRDF [blender] [mitsuba] [three] (tools/setup interop first)."""
 import array
@@ -31,7 +31,7 @@ def light():
 
 
 def as_it_is(brdf, words, folder):
-    """Radiance of every pixel, from the top row on, of the sphere seen along -z without perspective."""
+    """Returns the radiance of every pixel, top row first, of the sphere seen along -z without perspective."""
     l, pixels, rows = light(), [], []
     for y in range(SIZE):
         for x in range(SIZE):
@@ -42,7 +42,7 @@ def as_it_is(brdf, words, folder):
             if cos_i <= 0:
                 pixels.append(None)
                 continue
-            cos_d = l[2] - n[2] * cos_i  # of the parts along the surface
+            cos_d = l[2] - n[2] * cos_i  # cosine between the tangential parts
             sines = math.sqrt(max((1 - cos_i**2) * (1 - n[2]**2), 1e-30))
             phi = math.acos(max(-1, min(1, cos_d / sines)))
             rows.append((math.degrees(math.acos(min(cos_i, 1))), 0, math.degrees(math.acos(n[2])), math.degrees(phi)))
@@ -133,7 +133,7 @@ def in_three(gltf, folder):
 
 
 def write_png(path, pictures):
-    """Side by side, sRGB."""
+    """Returns the pictures side by side, in sRGB."""
     def byte(x):
         x = min(max(x * STRENGTH, 0), 1)
         return round(255 * (12.92 * x if x <= 0.0031308 else 1.055 * x ** (1 / 2.4) - 0.055))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: interop.losses label=interop timeout=900 needs=plain @brdf@ @source@/docs/interop.md
-"""The tables of docs/interop.md: what each program loses of twenty materials, and what becomes of every form at its defaults.
+"""The tables of docs/interop.md: losses of each program for twenty materials, and the export of every form at its defaults.
 
     tools/interop_table.py [--update] BRDF docs/interop.md
 
@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf", "three", "materialx", "osl"]
-TABLES = ("mitsuba", "pbrt")  # which import RGL files
+TABLES = ("mitsuba", "pbrt")  # programs that import RGL files
 WRITTEN = "written by tools/interop_table.py"
 FORMS = {
     "lambert": "--form lambert --set rho=0.6,0.5,0.4",
@@ -45,7 +45,7 @@ FORMS = {
 
 
 def cell(brdf, words, program, scratch):
-    """'exact', 'refitted (copied)' as rms, or '-'; and whether the refit is no worse."""
+    """Returns 'exact', 'refitted (copied)' as rms, or '-'; and whether the refit is not worse."""
     run = subprocess.run([brdf, "export", *words.split(), "--to", program, "-o", scratch], text=True, capture_output=True)
     said = run.stderr.strip()
     if run.returncode == 2:
@@ -56,7 +56,7 @@ def cell(brdf, words, program, scratch):
     assert rms, said
     if len(rms) == 2:
         return f"{rms[0]:.2g} ({rms[1]:.2g})", rms[0] <= rms[1]
-    # Weights of a copy may be more than the program's mix holds.
+    # Weights of a copy may exceed the limit of the program's mix.
     return f"{rms[0]:.2g} ({'the copy' if 'copied: ' in said else 'no copy'})", True
 
 
@@ -75,7 +75,7 @@ def losses(brdf, scratch):
 
 
 def forms(brdf, scratch):
-    """Every form at its defaults: exact, the rms that is lost, table (an RGL file takes it) or - (nothing does)."""
+    """Returns for every form at its defaults: exact, the rms of the loss, table (only as an RGL file) or - (no export)."""
     def run(*words):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 

@@ -10,7 +10,7 @@ mp.dps = 40
 
 
 def interpolate(f, lo, hi, degree):
-    """Coefficients of the polynomial through f at the Chebyshev nodes of [lo, hi]: within a factor of about two of minimax."""
+    """Returns coefficients of the polynomial through f at the Chebyshev nodes of [lo, hi], within a factor of about two of minimax."""
     n = degree + 1
     nodes = [(lo + hi) / 2 + (hi - lo) / 2 * cos(pi * (2 * k + 1) / (2 * n)) for k in range(n)]
     a = matrix(n, n)

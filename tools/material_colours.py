@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: data.material_colours label=cli --check @source@/data/materials
-"""Writes the materials of data/materials that come from published tables; the tables are below, with their sources.
+"""Writes the materials of data/materials that come from published tables. The tables are below, with their sources.
 
 A metal's f0 in a colour is what a white reflector's share becomes at normal incidence: R = ((n-1)^2 + k^2)/((n+1)^2 + k^2)
 with n and k linear between the table's rows, times illuminant D65 and the CIE 1931 observer every 10 nm from 380 to 780 nm,
@@ -14,7 +14,7 @@ import os
 import sys
 
 def rows_of(name):
-    """The rows of one of io/*.csv by wavelength in nm."""
+    """Returns the rows of a file io/*.csv by wavelength in nm."""
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "io", "colour", name)
     with open(path, encoding="utf-8") as lines:
         rows = [line.split(",") for line in lines if line[0].isdigit()]
@@ -54,7 +54,7 @@ BRASS = list(zip(
      2.765, 2.860, 2.958, 3.059, 3.159, 3.253, 3.345, 3.434, 3.522, 3.609, 3.695, 3.778, 3.860, 3.943, 4.025, 4.106, 4.186,
      4.266, 4.346, 4.424, 4.501, 4.579, 4.657, 4.737]))
 
-# f0 by the table above; the widths are Ward's where he measured such a surface, else chosen.
+# f0 is from the table above. The widths are Ward's if he measured such a surface, otherwise chosen.
 WARD = "widths of {} by Ward 1992 (doi 10.1145/142920.134078), table 1"
 CHOSEN = "the width is chosen, not measured"
 METALS = {  # file: name, table, its source, form, widths, source of the widths
@@ -100,7 +100,7 @@ def reflectance(table, wavelength):
 
 
 def colour(spectrum):
-    """Linear sRGB of 41 reflectances under D65."""
+    """Returns the linear sRGB colour of 41 reflectances under D65."""
     xyz = [sum(r * d * o[k] for r, d, o in zip(spectrum, D65, OBSERVER)) for k in range(3)]
     return [sum(m * v for m, v in zip(row, xyz)) for row in TO_SRGB]
 
@@ -122,7 +122,7 @@ def material(name, source, form, weights, shape):
 
 def materials():
     for file, (name, table, source, form, (along, across), widths) in METALS.items():
-        # In the gamut: a channel above 1 would be light that a metal under D65 does not give back.
+        # Clipped to the gamut: a channel above 1 would be more light than a metal reflects under D65.
         f0 = [min(1, max(0, c)) for c in colour_of_metal(table)]
         yield file, material(name, f"f0 from n and k of {source}, under D65; {widths}", form,
                              {"kd": [0, 0, 0], "ks": [1, 1, 1], "f0": f0}, {"alpha_x": along, "alpha_y": across})
@@ -136,7 +136,7 @@ def materials():
 
 
 def text_of(made):
-    """Arrays of numbers on one line."""
+    """Writes arrays of numbers on one line."""
     lines = []
     for key, value in made.items():
         if isinstance(value, dict):

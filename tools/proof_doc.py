@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: prove.document label=prove @brdf@ --check
-"""proof_doc.py BRDF [--check]: writes docs/proofs.md from docs/proofs.in.md and `BRDF prove --all`; --check fails where it is not
+"""proof_doc.py BRDF [--check]: writes docs/proofs.md from docs/proofs.in.md and `BRDF prove --all`; --check fails if the page is not
 current. A form that the page does not know yet is named, and is no failure."""
 import json
 import pathlib
@@ -43,7 +43,7 @@ def table(results):
 
 
 def upwards(bound):
-    """Two digits, not below the bound."""
+    """Returns two digits, rounded up so that the number is not below the bound."""
     said = f"{bound:.1e}"
     if float(said) < bound:
         mantissa, power = said.split("e")
@@ -58,7 +58,7 @@ def error(lobe):
 
 
 def rounding(results):
-    """What is proved of each lobe's error, forms of which nothing but constants is known left out."""
+    """Returns the proved errors of each lobe, without forms for which only constants are known."""
     lines = ["| form | double | float |", "|---|---|---|"]
     left_out = []
     for form in dict.fromkeys(r["form"] for r in results):
@@ -72,7 +72,7 @@ def rounding(results):
 
 
 def main():
-    # No search ends by the clock here: the page is the same on a busy machine.
+    # No search is limited by time here, so the page is the same on a busy machine.
     done = subprocess.run([sys.argv[1], "prove", "--all", "--seconds", "600", "--json"], capture_output=True, text=True)
     if not done.stdout:
         sys.exit(done.stderr)

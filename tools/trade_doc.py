@@ -14,7 +14,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = [("recommend_close_up", "glossy_grey_paper"), ("recommend_grazing", "rolled_brass"),
           ("recommend_distant", "article_glass")]
-# What a practitioner asks first; the other rows are in the ledger.
+# The most frequent questions of practitioners; the other rows are in the ledger.
 TABLES = ["cook_torrance: precision and kernels", "Fresnel of glass", "Fresnel of aluminium", "masking for GGX",
           "masking for Beckmann", "power of a cosine, n = 32", "mirror direction or half vector", "D of GGX in float",
           "cheaper inside cook_torrance", "families for a material of cook_torrance", "one by one or in batches",
@@ -96,7 +96,7 @@ def fronts(ledger):
 
 
 def some_textures(row):
-    """Of the lookup textures: the smallest, and the article's size in every depth."""
+    """Selects of the lookup textures the smallest, and the article's size in every depth."""
     choice = row["choice"]
     return "^2" not in choice or "8 bit" in choice and choice.startswith(("32^2", "128^2")) or choice.startswith("512^2")
 
@@ -146,7 +146,7 @@ def machine(ledger):
 
 
 def filled(text, ledger):
-    """{{question | choice | field}}, and {{one // another}} for their quotient: a number of the ledger."""
+    """Replaces {{question | choice | field}} by a number of the ledger, and {{one // another}} by a quotient."""
     def value(cell):
         return ledger.value(*(part.strip() for part in cell.split("|")))
 

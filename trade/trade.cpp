@@ -122,7 +122,7 @@ Ledger measure_ledger(const TradeOptions& options) {
   }
   if (!shared.no_device.empty()) {
     if (ledger.rows.empty()) throw EnvironmentError(shared.no_device);
-    ledger.left_out = "frames and shaders are left out: " + shared.no_device;
+    ledger.left_out = "frames and shaders are missing: " + shared.no_device;
   }
   ledger.claims = judge_claims(ledger);
   options.progress(1, "");

@@ -171,7 +171,7 @@ void write_plan(const fs::path& job, const Plan& plan) {
   if (fs::exists(job / kPlanFile)) {
     if (read_plan(job).key == plan.key) return;
     throw InputError(job.string() +
-                     ": holds another plan, of other inputs, options or units: take another folder");
+                     ": contains a plan with different inputs, options or units: use another folder");
   }
   io::make_folder(job);
   Json j = content_of(plan);
@@ -181,12 +181,13 @@ void write_plan(const fs::path& job, const Plan& plan) {
 
 Plan read_plan(const fs::path& job) {
   const fs::path file = job / kPlanFile;
-  if (!fs::exists(file)) throw InputError(job.string() + ": no job: no " + kPlanFile + " in it");
+  if (!fs::exists(file)) throw InputError(job.string() + ": is not a job: the folder has no " + kPlanFile);
   const Json json = io::read_json(file);
   Plan plan = plan_in({json, file.string()});
-  if (plan.key != key_of(plan)) throw InputError(file.string() + ": was changed since the work was planned");
+  if (plan.key != key_of(plan)) throw InputError(file.string() + ": the plan was changed after it was made");
   if (const std::string mine = io::provenance().version; plan.version != mine)
-    throw InputError(file.string() + ": planned by version " + plan.version + ", this is " + mine);
+    throw InputError(file.string() + ": was planned by version " + plan.version + ", but this is version " +
+                     mine);
   return plan;
 }
 
@@ -195,7 +196,7 @@ void check_input(const Input& input, bool content) {
   const std::uintmax_t bytes = fs::file_size(input.file, error);
   if (error) throw InputError(input.file + ": cannot be read: " + error.message());
   if (bytes != input.bytes || (content && io::sha256_of_file(input.file) != input.sha256))
-    throw InputError(input.file + ": is not what it was when the work was planned");
+    throw InputError(input.file + ": has changed since the work was planned");
 }
 
 UnitState state_of(const fs::path& job, const Plan& plan, std::size_t unit) {

@@ -16,10 +16,10 @@ std::vector<std::string> samples_in(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (!entry.is_regular_file() || entry.path().filename().string().starts_with('.')) continue;
     if (entry.path().extension() == ".exr")
-      throw InputError(folder.string() + ": no stack: no folder with lights.csv, but with images");
+      throw InputError(folder.string() + ": is not a stack: the folder has images, but no lights.csv");
     files.push_back(entry.path().string());
   }
-  if (files.empty()) throw InputError(folder.string() + ": no files in this folder");
+  if (files.empty()) throw InputError(folder.string() + ": the folder has no files");
   std::sort(files.begin(), files.end());
   return files;
 }

@@ -45,7 +45,7 @@ void divide_texels(const std::string& size, Plan& plan) {
   plan.unit_height = cross == std::string::npos ? 0 : count_in(size.substr(cross + 1));
   const auto whole = [](std::size_t side) { return side > 0 && side % maps::kTile == 0; };
   if (!whole(plan.unit_width) || !whole(plan.unit_height))
-    throw InputError("--unit-size " + size + ": of a stack it must be WIDTHxHEIGHT, both multiples of " +
+    throw InputError("--unit-size " + size + ": must be WIDTHxHEIGHT for a stack, both multiples of " +
                      std::to_string(maps::kTile));
 }
 
@@ -60,16 +60,17 @@ void divide(std::size_t all, const std::string& size, std::size_t usual, const c
 // Divides the refits of one table.
 void divide_fit(const std::string& file, const std::string& size, const TaskOptions& options, Plan& plan) {
   if (options.no_pictures)
-    throw InputError("--no-pictures is for several sample files: one file's fit draws none");
+    throw InputError("--no-pictures applies to several sample files; the fit of one file draws no pictures");
   const auto models = fit::models_of(options.choice.form);
   if (models.empty())
     throw InputError("--form " + options.choice.form +
-                     ": chooses by fits one after another, which cannot be divided: name a form");
+                     ": chooses by consecutive fits, which cannot be divided; name a form");
   const fit::FitOptions fit = fit_options(options.choice, 1, nullptr);
   const std::size_t refits =
       fit::count_refits(fit::arranged(io::read_samples(file, fit.supplied), fit).table, models.size(), fit);
-  if (refits == 0) throw InputError(file + ": one direction, no folds: no work to divide");
-  divide(refits, size, kRefitsInUnit, "of one table it must be a number of refits", plan);
+  if (refits == 0)
+    throw InputError(file + ": has one direction and therefore no folds: there is no work to divide");
+  divide(refits, size, kRefitsInUnit, "must be a number of refits for one table", plan);
 }
 
 std::vector<std::string> files_of(const texel::Stack& stack, const std::string& normals) {
@@ -97,7 +98,7 @@ Plan plan_of(const std::string& verb, const std::vector<std::string>& named, con
   Plan plan{.verb = verb, .command = command_at_once(), .directory = fs::current_path().string()};
   std::vector<std::string> files;
   if (is_fit && named.size() == 1 && texel::is_stack(named[0])) {
-    if (options.no_pictures) throw InputError("--no-pictures is for tables");
+    if (options.no_pictures) throw InputError("--no-pictures applies to tables, not to a stack");
     plan.stack = named[0];
     divide_texels(unit_size, plan);
     const StackTask task = stack_task(named[0], options);
@@ -108,21 +109,23 @@ Plan plan_of(const std::string& verb, const std::vector<std::string>& named, con
     files = files_of(task.stack, normals_file(options.stack));
   } else {
     if (options.stack.normals != StackOptions().normals)
-      throw InputError("--normals is for a stack of photographs");
+      throw InputError("--normals applies to a stack of photographs");
     fit_options(options.choice, 1, nullptr);
     fit::models_of(options.choice.form);
     files = sample_files(named);
-    if (!is_fit && options.choice.options.bootstrap > 0) throw InputError("--bootstrap is for fit");
+    if (!is_fit && options.choice.options.bootstrap > 0) throw InputError("--bootstrap applies to fit");
     if (is_fit && files.size() == 1 && !names_folder(named)) {
       divide_fit(files[0], unit_size, options, plan);
     } else {
-      if (files.size() < 2) throw InputError(files[0] + ": one table is no work to divide: use brdf " + verb);
+      if (files.size() < 2)
+        throw InputError(files[0] + ": a single table cannot be divided; use brdf " + verb);
       if (is_fit) fit::batch_names(files);
-      divide(files.size(), unit_size, kFilesInUnit, "of tables it must be a number of files", plan);
+      divide(files.size(), unit_size, kFilesInUnit, "must be a number of files for tables", plan);
     }
   }
   for (const std::string& file : files)
-    if (!utf8::is_valid(file)) throw InputError(io::shown(file) + ": names of planned inputs must be UTF-8");
+    if (!utf8::is_valid(file))
+      throw InputError(io::shown(file) + ": the names of planned inputs must be UTF-8");
   plan.options = arguments_of(options);
   return completed(std::move(plan), files);
 }

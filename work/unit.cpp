@@ -48,7 +48,7 @@ texel::Planes planes_of(const std::vector<UnitFile>& files, const texel::Region&
   texel::Planes planes{region.width, region.height, {}, {}};
   for (const UnitFile& file : files) {
     if (file.bytes.size() != region.size() * sizeof(float))
-      throw InputError(file.name + ": not of the unit's size");
+      throw InputError(file.name + ": the size differs from the size of the unit");
     planes.names.push_back(file.name);
     planes.values.push_back(values_in<float>(file));
   }

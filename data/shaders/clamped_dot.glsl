@@ -1,5 +1,5 @@
-// Fujii's Oren-Nayar with the energy of many reflections put back (EON, Portsmouth et al. 2024), whose product of the
-// directions is clamped where it must not be: towards grazing it reflects more than it receives.
+// Fujii's Oren-Nayar with compensation of multiple reflections (EON, Portsmouth et al. 2024). The dot product of the
+// directions is clamped by mistake, so the shader violates energy conservation at grazing angles.
 //: param roughness 0 1 1
 //: color color 1 1 1
 
@@ -15,7 +15,7 @@ float single_albedo(float c, float roughness) {
 
 vec3 brdf(vec3 L, vec3 V, vec3 N, float roughness, vec3 color) {
   float cos_i = clamp(dot(N, L), 1e-6, 1.0), cos_o = clamp(dot(N, V), 1e-6, 1.0);
-  float s = max(dot(L, V), 0.0) - cos_i * cos_o;  // the fault: dot(L, V) may be negative
+  float s = max(dot(L, V), 0.0) - cos_i * cos_o;  // the error: dot(L, V) may be negative
   float a = 1.0 / (1.0 + C1 * roughness), average = a * (1.0 + C2 * roughness);
   vec3 once = color * a * (1.0 + roughness * (s > 0.0 ? s / max(cos_i, cos_o) : s));
   vec3 often = color * color * average / (1.0 - color * max(0.0, 1.0 - average)) * max(1e-8, 1.0 - single_albedo(cos_i, roughness)) *

@@ -1,5 +1,5 @@
-// A diffuse term beside a GGX lobe with height-correlated masking: reciprocal, never negative, and no more light than it
-// receives where kd + ks <= 1.
+// A diffuse term and a GGX lobe with height-correlated masking: reciprocal, never negative, and energy-conserving if
+// kd + ks <= 1.
 //: param kd 0 1 0.5
 //: param ks 0 1 0.5
 //: param f0 0 1 0.04 role f0

@@ -68,7 +68,7 @@ AlbedoOptions options_of(const AlbedoChoice& o) {
   for (const double theta : o.theta)
     if (!(theta >= 0 && theta <= 90))
       throw InputError("--theta " + io::to_text(theta) + ": must be between 0 and 90 degrees");
-  if (o.fixed != "i" && o.fixed != "o") throw InputError("--fixed: " + o.fixed + " not in {i,o}");
+  if (o.fixed != "i" && o.fixed != "o") throw InputError("--fixed: " + o.fixed + ": must be i or o");
   options.tolerance = o.tolerance;
   options.fixed = o.fixed == "o" ? Fixed::viewer : Fixed::light;
   const std::optional<Rule> rule = find_named<Rule>(o.rule);

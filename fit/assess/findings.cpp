@@ -11,9 +11,8 @@ namespace brdf::fit {
 namespace {
 
 constexpr const char* kNeverTurned =
-    "the sample was never turned (no two azimuths of it were measured under the same angles), so that a "
-    "second width "
-    "may be the form's own error: turn the sample, or fit without --anisotropic";
+    "the sample was never rotated (no two of its azimuths were measured at the same angles), so a second "
+    "width may be an error of the form: rotate the sample, or fit without --anisotropic";
 
 // Returns "ks f0 = 0.038 (0.034 to 0.043); " for every channel, or for the first ones of a spectrum.
 std::string products_text(const std::vector<Estimate>& products) {
@@ -25,7 +24,8 @@ std::string products_text(const std::vector<Estimate>& products) {
                     extent_text(interval_of(e)) + ")");
   }
   if (texts.empty()) return "";
-  return "known together is " + listed(texts) + (products.size() > kMost ? " and so on" : "") + "; ";
+  return "identifiable in combination: " + listed(texts) + (products.size() > kMost ? " and so on" : "") +
+         "; ";
 }
 
 }  // namespace
@@ -34,10 +34,10 @@ std::string unidentified_finding(const std::vector<Reported>& all, const Grounds
   const auto names = names_with(all, Status::unidentified, on.model.channels().size());
   const std::string reason = on.unturned ? kNeverTurned : products_text(u.products) + advice(all, on.model);
   if (u.determined())
-    return "what the model gives at the samples is determined (standard error " +
-           io::percent(*u.prediction_error) + "), how it divides into " + listed(names) +
-           " is not: " + reason;
-  return listed(names) + (names.size() > 1 ? " are" : " is") + " not identified: " + reason;
+    return "the fitted values at the measured directions are well determined (standard error " +
+           io::percent(*u.prediction_error) + "), but their division into " + listed(names) +
+           " is not identifiable: " + reason;
+  return listed(names) + (names.size() > 1 ? " are" : " is") + " not identifiable: " + reason;
 }
 
 void add_bound_findings(const std::vector<Reported>& all, const Grounds& on, Uncertainty& out) {
@@ -109,10 +109,10 @@ std::string few_rows_finding(const std::vector<Reported>& all, const Grounds& on
   std::vector<std::string> rows;
   for (const std::size_t row : deciding_rows(*fewest, on, stream, count)) rows.push_back(std::to_string(row));
   const bool one = count == 1;
-  return std::to_string(count) + (one ? " row decides " : " rows decide ") + listed(names) + " (" +
+  return std::to_string(count) + (one ? " row determines " : " rows determine ") + listed(names) + " (" +
          (one ? "row " : "rows ") + listed(rows) +
-         " of the table): " + (names.size() > 1 ? "their intervals suppose" : "its interval supposes") +
-         " that " + (one ? "this row scatters" : "these rows scatter") + " as the others do";
+         " of the table): " + (names.size() > 1 ? "their intervals assume" : "its interval assumes") +
+         " that the noise of " + (one ? "this row" : "these rows") + " is like that of the others";
 }
 
 }  // namespace brdf::fit

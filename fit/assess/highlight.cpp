@@ -112,11 +112,14 @@ std::string finding_of(const FitData& data, const std::vector<Row>& rows, int si
     range.add(half_angles(data, r.row));
     excess.push_back(side * r.excess);
   }
-  return std::string(side > 0 ? "a highlight around the mirror direction that this form cannot make"
-                              : "this form cannot get dark away from the mirror direction") +
+  return std::string(
+             side > 0
+                 ? "the measurements have a highlight around the mirror direction that this form cannot "
+                   "produce"
+                 : "away from the mirror direction this form cannot become as dark as the measurements") +
          ": in " + io::plural(rows.size(), "row") + " (" + to_text(range) +
-         ") the values are in the middle " + io::short_number(std::exp(io::median(std::move(excess))), 2) +
-         " times the model's";
+         ") measured values are typically " + io::short_number(std::exp(io::median(std::move(excess))), 2) +
+         " times the fitted ones";
 }
 
 }  // namespace

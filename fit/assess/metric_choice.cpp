@@ -69,8 +69,9 @@ MetricChoice choose_metric(const io::SampleTable& table, const FitData& data, st
   const std::vector<io::NoiseAtLevel> levels =
       noise && *noise > kLeastNoise ? io::noise_by_level(table, data.row) : std::vector<io::NoiseAtLevel>();
   if (levels.empty()) {
-    choice.reason = noise && *noise <= kLeastNoise ? "the values scatter too little for it to matter"
-                                                   : "how much the values scatter is not known";
+    choice.reason = noise && *noise <= kLeastNoise
+                        ? "the measurement noise is too small for the choice to matter"
+                        : "the measurement noise is not known";
     return choice;
   }
   const NoiseOfSize of_size(levels);
@@ -79,14 +80,14 @@ MetricChoice choose_metric(const io::SampleTable& table, const FitData& data, st
   const auto best = std::min_element(choice.unevenness.begin(), choice.unevenness.end(),
                                      [](const auto& a, const auto& b) { return a.factor < b.factor; });
   choice.metric = best->metric;
-  choice.reason =
-      "its noise is the most even on these data, within a factor of " + io::short_number(best->factor, 3);
+  choice.reason = "its noise is the most uniform on these data, varying by a factor of " +
+                  io::short_number(best->factor, 3);
   std::string others;
   for (const Unevenness& u : choice.unevenness)
     if (u.metric != choice.metric)
       others +=
           (others.empty() ? "" : ", ") + std::string(name_of(u.metric)) + " " + io::short_number(u.factor, 3);
-  choice.reason += " (" + others + ")";
+  choice.reason += "; " + others;
   return choice;
 }
 

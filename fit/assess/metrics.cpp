@@ -99,13 +99,15 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   constexpr double kShare = 0.25, kMiddle = 0.182, kRetro = 0.405;  // ln 1.2, ln 1.5
   const double five_times = 5 * noise.value_or(0), factor = std::exp(std::max(std::log(2.0), five_times)),
                most = std::max(kMiddle, five_times), far = std::exp(most);
-  const std::string cannot = (noise ? " (the values scatter by " + io::percent_to_tenths(*noise) + ")" : "") +
-                             ": the surface does something this form cannot";
+  const std::string cannot =
+      (noise ? " (the measurement noise is " + io::percent_to_tenths(*noise) + ")" : "") +
+      ": the surface has a property that this form cannot reproduce";
   const std::optional<double> retro = retro_excess(data, model);
   const auto retro_reflects = [&]() -> Misfit {
     if (!retro || !(*retro > std::max(kRetro, five_times))) return {};
-    return {true, "retro-reflection: beside the light the values are " +
-                      io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the model's" + cannot};
+    return {true, "retroreflection: near the direction of incidence measured values are " +
+                      io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the fitted ones" +
+                      cannot};
   };
   if (all_near(data, model, factor, far)) return retro_reflects();
   double off = 0, all = 0;
@@ -135,8 +137,8 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   if (2 * far_off < count) return {};
   std::vector<double> ratios;
   for_each_value([&](double, double ratio) { ratios.push_back(ratio); });
-  return {true,
-          "the middle deviation is " + io::percent_to_tenths(io::median(std::move(ratios)) - 1) + cannot};
+  return {true, "measured and fitted values typically differ by a factor of " +
+                    io::short_number(io::median(std::move(ratios)), 3) + cannot};
 }
 
 }  // namespace brdf::fit

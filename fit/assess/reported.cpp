@@ -261,25 +261,25 @@ std::string advice(const std::vector<Reported>& all, const Model& model) {
   const Reported* width =
       unidentified({Role::width, Role::width_across, Role::exponent, Role::exponent_across});
   if (width && any_specular && all_zero)
-    return "the samples show no specular lobe: leave it out, or fix its width";
+    return "the measurements show no specular lobe: fit without the lobe, or fix its width";
   for (const Reported& r : all)
     if (r.info == &kTangentInfo && r.estimate.status == Status::unidentified)
       return "measure more azimuths with the sample rotated, or fit without --anisotropic";
   if (const Reported* slope = unidentified({Role::slope}))
-    return "measure more azimuths on the side of the light (phi_o - phi_i below 90 degrees), or fix " +
+    return "measure more azimuths on the side of incidence (phi_o - phi_i below 90 degrees), or fix " +
            std::string(slope->info->name);
   if (const Reported* f0 = unidentified_split(all); f0 && !width) {
     const std::string name(f0->info->name);
     const bool tie = model.channels().size() > 1 && !f0->estimate.channel.empty();
     return "only " + std::string(f0->divided->name) + " " + name +
-           " is seen where the light is nearly head-on: measure towards grazing (theta_d above 40 "
-           "degrees), " +
+           " can be determined from these small difference angles: measure at grazing angles (theta_d above "
+           "40 degrees), " +
            (tie ? "give all channels one " + name + " (--tie " + name + "), " : "") +
            (model.linear() ? "bound the weights (--physical), " : "") + "or fix " + name;
   }
   if (width) return "measure closer to the mirror direction, or fix the width";
-  if (model.terms().size() > 1) return "fit fewer terms, or fix some of them";
-  return "measure more directions, or fix one of them";
+  if (model.terms().size() > 1) return "fit fewer terms, or fix some parameters";
+  return "measure more directions, or fix one of these parameters";
 }
 
 }  // namespace brdf::fit

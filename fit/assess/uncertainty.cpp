@@ -95,7 +95,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     out.singular = true;
     out.findings.push_back(std::to_string(stream.data().rows()) + " rows are too few for " +
                            std::to_string(per_channel) + " parameters: measure at least " +
-                           std::to_string(3 * per_channel) + ", or fix some of them");
+                           std::to_string(3 * per_channel) + ", or fix some parameters");
   }
   const bool unturned =
       std::any_of(all.begin(), all.end(), [&](const Reported& r) { return asks_for_turn(r, model); }) &&

@@ -78,7 +78,7 @@ class Resolver {
     for (const ParameterInfo& p : info.weights) term.weights.push_back(constraint_of(p));
     if (info.anisotropic() && !options_.anisotropic)
       term.shape[std::size_t(info.axes().across)].idle =
-          "has an effect only with --anisotropic: without it, it equals " +
+          "has an effect only with --anisotropic; otherwise the value equals that of " +
           std::string(info.shape[std::size_t(info.axes().along)].name);
     out_.terms.push_back(std::move(term));
   }
@@ -91,8 +91,8 @@ class Resolver {
         Constraint& c = out_.terms[t].shape[k];
         if (!p.whole || c.is_fixed()) continue;
         c.fixed = {p.initial};
-        c.idle = "is a whole number, which a fit does not search: it is held at " + io::to_text(p.initial) +
-                 "; --fix holds it at another";
+        c.idle = "takes whole numbers only, so it is not fitted but held at " + io::to_text(p.initial) +
+                 "; use --fix for another value";
       }
   }
 
@@ -112,7 +112,7 @@ class Resolver {
       Constraint& c = out_.terms[t].weights[std::size_t(diffuse)];
       if (!elsewhere || c.is_fixed()) continue;
       c.fixed = {0};
-      c.idle = "is held at 0: another term of the sum has the diffuse part";
+      c.idle = "is held at 0, because another term of the sum has the diffuse part";
     }
   }
 
@@ -149,7 +149,8 @@ class Resolver {
       set(given, target, said);
       effective = true;
     }
-    if (!effective) given.refuse(reason.empty() ? name_of_sum(forms_) + " has no such parameter" : reason);
+    if (!effective)
+      given.refuse(reason.empty() ? name_of_sum(forms_) + " has no parameter of this name" : reason);
   }
 
   // Returns the values of a parameter from a table of refractive indices: one per channel, or the mean if
@@ -157,7 +158,7 @@ class Resolver {
   NamedValues from_constants(const Given& given, const Target& target, const NamedValues& said) const {
     const Role role = target.info->role;
     if (role != Role::f0 && role != Role::index && role != Role::extinction)
-      given.refuse("a table of refractive indices tells f0, n and k, and this is none of them");
+      given.refuse("a table of refractive indices gives values of f0, n and k only");
     NamedValues out{said.name, {}};
     if (role == Role::f0)
       out.values = said.constants->reflectances(names_);
@@ -178,23 +179,24 @@ class Resolver {
                        ? "takes one value"
                        : "a value for every channel has an effect only with --per-channel");
     Constraint& c = *target.constraint;
-    if (said.values.size() > 1 && c.tied) given.refuse("takes one value with --tie");
+    if (said.values.size() > 1 && c.tied) given.refuse("takes a single value with --tie");
     for (const double value : said.values) {
       given.check_range(value, c.low, c.high);
       if (nearest_value(*target.info, value) != value)
-        given.refuse(io::to_text(value) + " is no whole number");
+        given.refuse(io::to_text(value) + " is not a whole number");
     }
     if (given.option == "--start") {
       c.start = said.values;
     } else {
       c.fixed = said.values;
-      c.idle = "has no effect on what --fix holds";
+      c.idle = "has no effect, because --fix holds this parameter";
     }
   }
 
   void set(const Given& given, const Target& target, const NamedRange& said) {
     Constraint& c = *target.constraint;
-    if (&c == &out_.tangent) given.refuse("has no effect: hold it with --fix, or start there with --start");
+    if (&c == &out_.tangent)
+      given.refuse("has no effect: use --fix to hold it, or --start to begin at a value");
     given.check_range(said.low, c.low, c.high);
     given.check_range(said.high, said.low, c.high);
     c.low = said.low;
@@ -204,7 +206,7 @@ class Resolver {
   void set(const Given& given, const Target& target, Tied) {
     if (channels_ == 1) given.refuse("has no effect: the samples have one channel");
     if (!target.per_channel)
-      given.refuse(target.constraint == &out_.tangent ? "has one value for all channels anyway"
+      given.refuse(target.constraint == &out_.tangent ? "always has one value for all channels"
                                                       : "has an effect only with --per-channel");
     target.constraint->tied = true;
   }

@@ -149,7 +149,8 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
     return std::any_of(column.begin(), column.end(), [](double value) { return value > 0; });
   };
   if (std::none_of(data.values.begin(), data.values.end(), reflects))
-    throw InputError(table.source + ": no value to fit is above 0: nothing was measured");
+    throw InputError(table.source +
+                     ": all values to fit are 0 or below: the table has no usable measurement");
   sort_rows(data);
   number_incidences(table, data);
   return data;

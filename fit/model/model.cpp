@@ -52,10 +52,10 @@ void Model::add_term(const Reflectance& form) {
   TermModel term{form, &info(form)};
   const std::string name(term.info->name);
   if (!term.info->fittable())
-    throw InputError("form '" + name + "' cannot be fitted: it is not linear in its weights");
+    throw InputError("form '" + name + "' cannot be fitted, because the form is not linear in its weights");
   if (!weights_follow_from_lobes(term.info->lobes, term.info->weights))
     throw InputError("form '" + name +
-                     "' cannot be fitted: its weights do not follow from those of its lobes");
+                     "' cannot be fitted: its weights do not follow from the weights of its lobes");
   term.lobes = term.info->lobes.size();
   term.first_lobe = lobes_;
   lobes_ += term.lobes;

@@ -156,7 +156,7 @@ void NaturalWeights::add_f0s() {
       if (const Place place{t, std::size_t(f0)}; !constraint(place).is_fixed()) {
         for (const double limit : most)
           if (limit <= constraint(place).low)
-            throw InputError("--physical: what --fix holds leaves nothing for " +
+            throw InputError("--physical: the weights that --fix holds leave no room for " +
                              std::string(info_of(place).name));
         add_alone(place, most);
       }
@@ -186,7 +186,7 @@ std::vector<double> NaturalWeights::room(const std::vector<Place>& free) const {
     room.assign(room.size(), least);
   for (const Place& place : free)
     if (least <= std::max(constraint(place).low, kRounding))
-      throw InputError("--physical: what --fix and --bounds say leaves nothing for " +
+      throw InputError("--physical: --fix and --bounds leave no room for " +
                        std::string(info_of(place).name));
   return room;
 }
@@ -219,8 +219,8 @@ void NaturalWeights::add_bounded(std::vector<Place> free) {
     const ParameterInfo& table = info_of(place);
     if (constraint(place).low != table.min || constraint(place).high != table.max)
       throw InputError("--bounds " + std::string(table.name) +
-                       ": does not go with --physical, which bounds it together with others: hold those with "
-                       "--fix, or leave one of the two options out");
+                       ": cannot be used with --physical, which bounds the sum of this and other weights: "
+                       "hold the others with --fix, or remove one of the two options");
     for (const std::size_t group : groups(place)) {
       const std::size_t slot = add_slot(place, group, 0, 1);
       for (std::size_t c = 0; c < channels_.size(); ++c) {

@@ -107,7 +107,7 @@ class WeightMapBuilder {
       if (w.low != table.min || w.high != table.max)
         throw InputError("--bounds " + std::string(table.name) + ": needs --fix " +
                          std::string(info_.weights[f0].name) + " as well in " + std::string(info_.name) +
-                         ", where both share lobes");
+                         ", because the two share lobes");
       add_unknown(column(weight, 1, f.high), 0, table.max);
       if (f.low < f.high) add_unknown(column(weight, 1, f.low), 0, table.max);
     }

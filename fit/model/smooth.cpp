@@ -18,10 +18,9 @@ std::vector<double> wavenumbers(std::span<const std::string> channels) {
   for (const std::string& channel : channels) {
     const auto nm = io::wavelength_of(channel);
     if (!nm)
-      throw InputError(
-          "--shape smooth: channel " + io::shown(channel) +
-          " says no wavelength (as 465nm does), over which the shape could be smooth: use --shape "
-          "shared or free");
+      throw InputError("--shape smooth: channel " + io::shown(channel) +
+                       " has no wavelength in its name (such as 465nm), so the shape cannot vary smoothly "
+                       "with it: use --shape shared or free");
     out.push_back(1000 / *nm);
   }
   return out;
@@ -59,8 +58,8 @@ SmoothBasis smooth_basis(std::span<const std::string> channels, int degree) {
   const std::size_t wavelengths = std::set<double>(x.begin(), x.end()).size();
   if (wavelengths <= std::size_t(degree))
     throw InputError("--shape smooth:" + std::to_string(degree) + ": a polynomial of degree " +
-                     std::to_string(degree) + " needs " + std::to_string(degree + 1) +
-                     " wavelengths at least; the samples have " + std::to_string(wavelengths));
+                     std::to_string(degree) + " needs at least " + std::to_string(degree + 1) +
+                     " wavelengths; the table has " + std::to_string(wavelengths));
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   const double middle = 0.5 * (*low + *high), half = 0.5 * (*high - *low);
   SmoothBasis basis;

@@ -149,7 +149,7 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
                     const std::vector<Curve>& curves, std::size_t channel, std::size_t shown) {
   io::Plot plot;
   plot.title = "Channel " + table.channels[channel] + ": measured (points) and fitted (lines)";
-  plot.x_label = "theta_o, degrees: the viewer's angle, positive on the mirror side";
+  plot.x_label = "theta_o, degrees: viewing angle, positive on the mirror side";
   plot.y_label = "f_r, 1/sr";
   plot.log_y = true;
   for (std::size_t s = 0; s < slices.size(); ++s) {
@@ -159,7 +159,7 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
       points.x.push_back(angle);
       points.y.push_back(table.values[channel][row]);
     }
-    io::Series line{"light at " + io::short_number(slices[s].theta_i) + " degrees", curves[s].angles,
+    io::Series line{"incidence at " + io::short_number(slices[s].theta_i) + " degrees", curves[s].angles,
                     curves[s].values[shown], io::Series::Style::line};
     line.colour = int(s);
     if (!curves[s].bands.empty())
@@ -205,7 +205,7 @@ void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
     report.plot(slice_plot(table, slices, curves, channels[k], k));
   std::string about;
   if (!curves[0].bands.empty())
-    about = "Bands: where the fitted values lie with 95 %, if the form is right. ";
+    about = "Bands: 95 % confidence bands of the fit, assuming that the form is correct. ";
   if (table.channels.size() > channels.size())
     about += std::to_string(channels.size()) + " of " + std::to_string(table.channels.size()) +
              " channels are shown.";
@@ -220,20 +220,20 @@ void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleT
   for (const double v : cells)
     if (!std::isnan(v)) sizes.push_back(std::abs(v));
   if (sizes.empty()) return;
-  report.heading("Where the fit deviates");
+  report.heading("Residuals of the fit");
   const double largest = io::quantile(std::move(sizes), 0.95);
   constexpr double kExact = 1e-9;
-  if (largest < kExact) return report.paragraph("Nowhere: the fit gives every sample to rounding.");
+  if (largest < kExact) return report.paragraph("The fit reproduces every measurement to rounding.");
   constexpr std::size_t kPixels = 10, kWidth = kMapCells * kPixels;
   const std::vector<std::string> angles{"0", "30", "60", "90"};
   report.map({.png = io::png_of_pixels(kWidth, kWidth, pixels_of(cells, largest, kPixels)),
-              .x_label = "theta_h, degrees: the half vector from the normal",
-              .y_label = "theta_d, degrees: the light from the half vector",
+              .x_label = "theta_h, degrees: angle between the half vector and the normal",
+              .y_label = "theta_d, degrees: angle between the incident direction and the half vector",
               .x_ticks = angles,
               .y_ticks = angles,
               .low = io::percent(-std::expm1(-largest)) + " too dark",
               .high = io::percent(std::expm1(largest)) + " too bright",
-              .caption = "Fitted less measured, mean over cells of two degrees; hatched: nothing measured.",
+              .caption = "Fitted minus measured, mean over cells of two degrees. Hatched: no measurements.",
               .command = {},
               .colours = io::Colours::diverging});
 }

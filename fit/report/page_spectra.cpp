@@ -60,9 +60,10 @@ io::Plot plot_of(const Spectrum& spectrum, bool lacks_something) {
 
 void add_spectra(io::HtmlReport& report, const FormFit& fit) {
   if (!io::is_spectrum(fit.material.channels)) return;
-  report.heading("Over wavelength");
+  report.heading("Parameters over wavelength");
   report.paragraph(
-      "Each band with its 95 % interval. The sphere shows them as they are seen under D65 (CIE 1931).");
+      "Each band with its 95 % confidence interval. The sphere shows the bands as a colour under D65 (CIE "
+      "1931).");
   for (const Spectrum& spectrum : spectra_of(fit))
     report.plot(plot_of(spectrum, fit.lack_of_fit.beyond_scatter));
   for (const SmoothCurve& curve : fit.smooth) report.paragraph(in_words(curve));

@@ -11,7 +11,7 @@ void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
 
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
                 const std::shared_ptr<const measured::MeasuredReflectance>& seen) {
-  report.heading("Measured beside fitted");
+  report.heading("Measured and fitted on a sphere");
   io::sphere::add(report, {.title = title,
                            .fitted = fit.material,
                            .measured = measured::on_sphere(seen),

@@ -18,13 +18,13 @@ using io::Mark;
 Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::string>& weak) {
   switch (e.status) {
     case Status::unidentified:
-      return {.text = "not identified", .mark = Mark::bad};
+      return {.text = "not identifiable", .mark = Mark::bad};
     case Status::fixed:
       return {.text = io::short_number(e.value), .note = "fixed"};
     case Status::at_bound:
       return {.text = io::short_number(e.value),
               .mark = Mark::warn,
-              .note = extent_text(interval_of(e)) + ", at the end of its range"};
+              .note = extent_text(interval_of(e)) + ", at a bound of its range"};
     default:
       break;
   }
@@ -45,7 +45,7 @@ Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::st
 void add_intervals(io::HtmlReport& report, const FormFit& f) {
   std::vector<std::string> heading{
       "parameter",      "value",         "95 % (statistical)", "95 % with lack of fit",
-      "folds left out", "other metrics", "standard error",     "status"};
+      "folds held out", "other metrics", "standard error",     "status"};
   if (f.replicates > 0)
     heading.insert(heading.end() - 1, "95 % of " + std::to_string(f.replicates) + " bootstrap replicates");
   std::vector<io::Row> rows;
@@ -67,7 +67,7 @@ void add_intervals(io::HtmlReport& report, const FormFit& f) {
                                                                                         : Mark::warn}});
     if (f.replicates > 0) rows.back().insert(rows.back().end() - 1, if_free(extent_text(e.bootstrap)));
   }
-  report.begin_fold("Every interval");
+  report.begin_fold("All intervals");
   report.table(heading, rows);
   report.end_fold();
 }
@@ -86,7 +86,7 @@ void add_correlations(io::HtmlReport& report, const FormFit& f) {
   shown.resize(std::min(all, kMostShown));
   report.begin_fold("Correlations of the parameters");
   report.paragraph(
-      "Near 1 or -1 two parameters stand in for each other: only a combination of the two is known.");
+      "Near 1 or -1 two parameters can replace each other: only a combination of the two is identifiable.");
   std::vector<std::string> header{""};
   std::vector<io::Row> rows;
   for (const std::size_t i : shown) {
@@ -105,14 +105,15 @@ void add_correlations(io::HtmlReport& report, const FormFit& f) {
   report.table(header, rows);
   if (all > kMostShown)
     report.paragraph("The first " + std::to_string(kMostShown) + " of " + std::to_string(all) +
-                     " parameters; the JSON has all.");
+                     " parameters are shown; the JSON lists all.");
   report.end_fold();
 }
 
 void add_minima(io::HtmlReport& report, const FormFit& f) {
-  report.begin_fold("Minima of the search");
-  report.paragraph("The search began at " + std::to_string(f.starts) +
-                   " places and ended at these. One minimum: the answer does not depend on the start.");
+  report.begin_fold("Local minima");
+  report.paragraph("The solver was started from " + std::to_string(f.starts) +
+                   " points and converged to these minima. If there is only one, the result does not depend "
+                   "on the starting point.");
   std::vector<io::Row> rows;
   for (const MinimumReport& m : f.minima)
     rows.push_back({{io::short_number(m.cost, 6)}, {std::to_string(m.basin)}, {shape_text(m.material)}});
@@ -128,7 +129,7 @@ void add_verdict(io::HtmlReport& report, const FitResult& result) {
   report.verdict(faults.empty() ? mark_of(best) : std::max(mark_of(best), Mark::warn),
                  verdict_sentence(best));
   std::vector<io::Remark> remarks;
-  for (const std::string& fault : faults) remarks.push_back({Mark::warn, "The samples: " + fault + "."});
+  for (const std::string& fault : faults) remarks.push_back({Mark::warn, "The measurements: " + fault + "."});
   for (io::Remark& remark : remarks_on(best)) remarks.push_back(std::move(remark));
   report.remarks(remarks);
   if (std::string text = recommendation(result); !text.empty()) {
@@ -163,16 +164,16 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
     row->cells[column] = value_cell(fit, e, weak);
   }
   report.matrix(matrix);
-  report.paragraph(fit.lack_of_fit.beyond_scatter
-                       ? "Small: 95 % intervals with lack of fit, the form not being quite right."
-                       : "Small: 95 % intervals.");
+  report.paragraph(fit.lack_of_fit.beyond_scatter ? "Small print: 95 % confidence intervals with lack of "
+                                                    "fit, because the form does not fit within the noise."
+                                                  : "Small print: 95 % confidence intervals.");
   if (fit.intervals == IntervalsBy::curvature)
-    report.paragraph("These are approximate: of the curvature at the minimum.");
+    report.paragraph("These intervals are approximate: they are derived from the curvature at the minimum.");
   add_intervals(report, fit);
 }
 
 void add_ranking(io::HtmlReport& report, const FitResult& result) {
-  if (result.ranking.size() > 1) report.heading("Every form, best first");
+  if (result.ranking.size() > 1) report.heading("All forms, best first");
   std::vector<io::Row> rows, more;
   for (const FormFit& f : result.ranking) {
     const RelativeErrors& errors = f.left_out ? f.left_out->errors : f.errors;
@@ -201,7 +202,7 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
   report.table({"form", "verdict", "held out", held_out ? "median (held out)" : "median (fitted)", "90 %",
                 "off by 2", "x scatter", "parameters"},
                rows, rows.size() > 1);
-  report.begin_fold("Where each is worst, BIC and the four residuals");
+  report.begin_fold("Worst region of each form, BIC and the four metrics");
   report.table({"form", "worst at", "ratio there", "BIC", "log", "cosine L2", "cube root", "log-relative"},
                more, more.size() > 1);
   report.end_fold();
@@ -209,7 +210,7 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
 
 void add_samples(io::HtmlReport& report, const FitResult& result, const io::SampleTable& table,
                  const FitOptions& options) {
-  report.heading("The samples");
+  report.heading("The measurements");
   std::string residual(name_of(result.metric.metric));
   if (!result.metric.asked) residual += ", chosen: " + result.metric.reason;
   std::vector<io::Row> rows{
@@ -223,7 +224,7 @@ void add_samples(io::HtmlReport& report, const FitResult& result, const io::Samp
   if (options.free_scale)
     rows.push_back({{"scale"},
                     {"values divided by " + io::short_number(table.scale, 6) +
-                     ", which is unknown: weights are relative"}});
+                     ", which is not known: weights are relative"}});
   report.table({}, rows);
 }
 

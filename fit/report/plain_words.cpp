@@ -128,7 +128,7 @@ std::vector<io::Remark> remarks_on(const FormFit& f) {
     if (const std::string text = sentence_of(condition, f); !text.empty())
       remarks.push_back({state_of(condition).mark, sentence(text)});
   if (const std::string weak = weakness_text(f); !weak.empty())
-    remarks.push_back({Mark::warn, sentence(weak + "; their intervals stand below")});
+    remarks.push_back({Mark::warn, sentence(weak + "; the table of parameters lists the intervals")});
   if (f.solved())
     remarks.push_back({f.lack_of_fit.beyond_scatter ? Mark::warn
                        : f.lack_of_fit.judged()     ? Mark::good

@@ -25,7 +25,7 @@ std::string error_text(double error) {
 std::string estimate_text(const Estimate& e, const std::string& name, bool wrong) {
   switch (e.status) {
     case Status::unidentified:
-      return name + " not identified" +
+      return name + " not identifiable" +
              (e.low_open && e.high_open ? "" : " (" + extent_text(interval_of(e)) + ")");
     case Status::fixed:
       return name + " " + io::short_number(e.value) + " (fixed)";
@@ -112,8 +112,8 @@ void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& 
     out << '\n';
   }
   if (missing > 0)
-    out << "  " << missing << (missing > 1 ? " columns" : " column") << " more at " << all
-        << " columns or with --json\n";
+    out << "  a terminal of " << all << " columns, or --json, shows " << io::plural(missing, "more column")
+        << '\n';
   const bool held_out =
       std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
   out << "  median, 90 % and off by 2: errors of the rows " << (held_out ? "held out" : "fitted") << '\n';
@@ -126,23 +126,23 @@ std::string times_text(double factor) {
 }
 
 std::string in_words(const LackOfFit& lack) {
-  if (lack.exact) return "the residual is below 1e-9 of the values: none";
-  if (!lack.residual_over_scatter) return "it cannot be judged, for the scatter is not known";
-  std::string text = "residual " + times_text(*lack.residual_over_scatter) + " times the scatter";
-  if (!lack.beyond_scatter) return text + ": no lack of fit beyond it";
+  if (lack.exact) return "not detectable: the residuals are below 1e-9 of the values";
+  if (!lack.residual_over_scatter) return "cannot be judged, because the measurement noise is not known";
+  std::string text = "residuals " + times_text(*lack.residual_over_scatter) + " times the measurement noise";
+  if (!lack.beyond_scatter) return text + ": consistent with the noise";
   if (const auto& w = lack.worst)
     text += "; worst at " + to_text(w->range) + " (" + io::plural(w->rows, "row") + ", " +
-            io::percent(w->share, 2) + " of what was minimised): the values are in the middle " +
-            io::short_number(w->ratio, 3) + " times the model's";
+            io::percent(w->share, 2) + " of the cost): measured values are typically " +
+            io::short_number(w->ratio, 3) + " times the fitted ones";
   return text;
 }
 
 std::string others_in_words(const LackOfFit& lack) {
   std::string text;
   for (const WorstRegion& w : lack.others)
-    text += (text.empty() ? "also off at " : "; at ") + to_text(w.range) + " (" + io::plural(w.rows, "row") +
-            ", " + io::percent(w.share, 2) + " of what was minimised): " + io::short_number(w.ratio, 3) +
-            " times";
+    text += (text.empty() ? "other large residuals: at " : "; at ") + to_text(w.range) + " (" +
+            io::plural(w.rows, "row") + ", " + io::percent(w.share, 2) +
+            " of the cost): " + io::short_number(w.ratio, 3) + " times";
   return text;
 }
 
@@ -160,25 +160,25 @@ std::string in_words(const SmoothCurve& curve) {
 
 std::string in_words(const Step& step) {
   const std::string start =
-      step.added + ": " + step.model + ", left out " + io::short_number(step.left_out, 3);
+      step.added + ": " + step.model + ", held-out error " + io::short_number(step.left_out, 3);
   if (step.difference == 0 && step.kept) return start;
   return start + (step.difference < 0 ? ", higher by " : ", lower by ") +
          io::short_number(std::abs(step.difference), 3) + " +- " + io::short_number(step.standard_error, 2) +
          " (p " + io::short_number(step.p, 2) +
          (step.tried > 1 ? ", best of " + std::to_string(step.tried) : std::string()) + "): " +
-         (step.kept                ? "kept"
-          : step.refused_halving() ? "not kept, though it would halve the error, for the groups left out "
-                                     "cannot tell it from chance"
-                                   : "not kept");
+         (step.kept ? "kept"
+          : step.refused_halving()
+              ? "not kept: it would halve the error, but with these held-out groups that may be chance"
+              : "not kept");
 }
 
 std::string recommendation(const FitResult& result) {
   const FormFit &best = result.ranking.front(), &chosen = result.ranking[result.recommended];
   if (&chosen == &best) return "";
   if (best.verdict == Verdict::breaks_energy)
-    return "recommended: " + chosen.form + ", the first that keeps energy";
+    return "recommended: " + chosen.form + ", the first form that conserves energy";
   return "recommended: " + chosen.form + ", which is " + (usable(best.verdict) ? "simpler" : "usable") +
-         " and no worse on the rows left out";
+         " and has no larger held-out error";
 }
 
 std::vector<std::string> sheet_in_words(const FitResult& result) {
@@ -186,10 +186,10 @@ std::vector<std::string> sheet_in_words(const FitResult& result) {
   std::vector<std::string> lines;
   for (const sheet::Finding* f : result.sheet.faults()) {
     if (lines.size() == kMost) {
-      lines.back() += " (and more: brdf validate lists all)";
+      lines.back() += " (and others: brdf validate lists all)";
       break;
     }
-    lines.push_back(f->check + (f->outcome == sheet::Outcome::fail ? " fails: " : " is in doubt: ") +
+    lines.push_back(f->check + (f->outcome == sheet::Outcome::fail ? " fails: " : " is undecided: ") +
                     f->statement);
   }
   return lines;
@@ -197,13 +197,14 @@ std::vector<std::string> sheet_in_words(const FitResult& result) {
 
 std::string scatter_text(const FitResult& result) {
   if (!result.noise_floor)
-    return "how much the values scatter is not known: rows are too few, too far apart or too smooth";
+    return "measurement noise: not known (rows are too few, too far apart or too smooth)";
   const sheet::Scatter& scatter = result.sheet.scatter;
   const sheet::Agreement* const largest = scatter.largest(scatter.is_isotropic);
-  std::string text = largest && *result.noise_floor == largest->value
-                         ? "values scatter by " + io::percent(*result.noise_floor) + ", as " +
-                               std::string(largest->rows) + " rows show"
-                         : "values scatter about their neighbours by " + io::percent(*result.noise_floor);
+  std::string text =
+      largest && *result.noise_floor == largest->value
+          ? "measurement noise: " + io::percent(*result.noise_floor) + ", estimated from " +
+                std::string(largest->rows) + " rows"
+          : "measurement noise: " + io::percent(*result.noise_floor) + ", scatter about a smooth surface";
   if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
   std::string channels;
   for (std::size_t c = 0; c < result.channels.size(); ++c)
@@ -217,20 +218,21 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   out << io::printable(table.source) << ": " << io::plural(result.rows, "row") << ", "
       << io::plural(result.channels.size(), "channel") << ", residual " << name_of(result.metric.metric)
       << '\n';
-  if (!result.metric.asked) out << "  residual chosen (--metric auto): " << result.metric.reason << '\n';
+  if (!result.metric.asked)
+    out << "  metric: " << name_of(result.metric.metric) << " (chosen: " << result.metric.reason << ")\n";
   if (result.beyond_max_theta)
     out << "  " << io::plural(result.beyond_max_theta, "row") << " beyond " << options.max_theta
         << " degrees left out (--max-theta)\n";
   if (result.outside_domain)
     out << "  " << io::plural(result.outside_domain, "row")
-        << " left out: negative values without a residual\n";
+        << " left out: negative values, for which this metric has no residual\n";
   if (options.free_scale)
     out << "  values divided by the scale " << io::short_number(table.scale, 6)
-        << ", which is unknown: weights are relative\n";
+        << ", which is not known: weights are relative\n";
   for (const std::string& fault : sheet_in_words(result))
-    out << "  the samples: " << io::printable(fault) << '\n';
+    out << "  the measurements: " << io::printable(fault) << '\n';
   out << "  " << scatter_text(result) << '\n';
-  if (result.interrupted) out << "  interrupted: this is what was reached\n";
+  if (result.interrupted) out << "  interrupted: these are the results so far\n";
   for (const Step& step : result.steps) out << "  " << in_words(step) << '\n';
   print_ranking(out, result, style);
   if (result.ranking.empty()) return;

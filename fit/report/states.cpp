@@ -71,8 +71,8 @@ Condition headline_of(const FormFit& f) {
 // Returns "2.0 times what they scatter", or a phrase for a deviation in some directions only.
 std::string beyond_in_words(const FormFit& f) {
   const double times = f.lack_of_fit.residual_over_scatter.value_or(kUnknown);
-  return times > 1.3 ? times_text(times) + " times what they scatter"
-                     : std::string("in some directions by more than they scatter");
+  return times > 1.3 ? times_text(times) + " times the measurement noise"
+                     : std::string("larger than the measurement noise in some directions");
 }
 
 std::string scatter_in_words(const FormFit& f) {
@@ -130,44 +130,46 @@ io::Mark mark_in_ranking(const FormFit& f, const FormFit& first) {
 
 std::string verdict_sentence(const FormFit& f) {
   const std::string error = share_of(f.median_relative_error);
-  const std::string half = ": half of them within " + error + ", ";
+  const std::string typical = ": median error " + error;
   std::string how;
   switch (headline_of(f)) {
     case Condition::interrupted:
-      return "Interrupted: " + f.form + " with the best parameters so far.";
+      return "Interrupted: the best parameters of " + f.form + " so far.";
     case Condition::diverged:
       return f.form + " could not be fitted.";
     case Condition::misfit:
-      return f.form + " does not describe the samples: half of them are off by more than " + error + ".";
+      return f.form + " does not fit the measurements" + typical + ".";
     case Condition::breaks_energy: {
       const LargestAlbedo& a = f.largest_measured_albedo.value();
-      return f.form + " is no material here: it reflects " + io::percent_to_tenths(a.value) +
-             " of the light at " + io::short_number(a.theta) + " degrees.";
+      return f.form + " violates energy conservation: its directional albedo is " +
+             io::percent_to_tenths(a.value) + " at " + io::short_number(a.theta) + " degrees.";
     }
     case Condition::not_identifiable:
-      return f.form + " cannot be determined from these samples.";
+      return f.form + " is not identifiable from these measurements.";
     case Condition::exact:
-      how = f.form + " describes the samples to rounding: half of them within " + error;
+      how = f.form + " fits the measurements to rounding: median error at most " + error;
       break;
     case Condition::roughly:
-      how = f.form + " follows the samples roughly" + half + beyond_in_words(f);
+      how = f.form + " fits the measurements only roughly" + typical + "; the residuals are " +
+            beyond_in_words(f);
       break;
     case Condition::scatter_unknown:
-      how =
-          f.form + " is within " + error +
-          " of half of the samples; how much they scatter is not known, so that nothing says whether that is "
-          "enough";
+      how = f.form + " has a median error of " + error +
+            "; lack of fit cannot be judged, because the measurement noise is not known";
       break;
     case Condition::interpolated:
-      how = f.form + " is within " + error + " of half of the samples; the scatter" + scatter_in_words(f) +
-            " is that of an interpolated grid, so that nothing says whether that is enough";
+      how = f.form + " has a median error of " + error + "; lack of fit cannot be judged, because the noise" +
+            scatter_in_words(f) + " was estimated on an interpolated grid";
       break;
     default:
-      how = f.form + " describes the samples" + half + "as near as they scatter" + scatter_in_words(f);
+      how = f.form + " fits the measurements" + typical + ", consistent with the measurement noise" +
+            scatter_in_words(f);
   }
-  if (f.verdict == Verdict::at_bound) return how + "; a parameter is at the end of its range.";
+  if (f.verdict == Verdict::at_bound) return how + "; a parameter is at a bound of its range.";
   if (f.verdict == Verdict::determined)
-    return how + ". What it gives there is determined; elsewhere, and for every parameter, it is not.";
+    return how +
+           ". The reflectance is well determined at the measured directions only; some parameters are not "
+           "identifiable.";
   return how + ".";
 }
 
@@ -175,23 +177,24 @@ std::string sentence_of(Condition condition, const FormFit& f) {
   switch (condition) {
     case Condition::breaks_energy_elsewhere: {
       const LargestAlbedo& a = f.largest_albedo.value();
-      return "at " + io::short_number(a.theta) + " degrees, where nothing was measured, it would reflect " +
-             io::percent_to_tenths(a.value) + " of the light (" + a.channel + ")";
+      return "at " + io::short_number(a.theta) +
+             " degrees, without measurements nearby, the directional albedo would be " +
+             io::percent_to_tenths(a.value) + " (" + a.channel + ")";
     }
     case Condition::interpolates:
-      return "all that is held out lies between samples of one direction that stood still: the held-out "
-             "error "
-             "describes interpolation only, and does not speak of other incidences";
+      return "all held-out measurements lie between others of the same fixed direction: the held-out error "
+             "describes interpolation only, not the prediction of other incidences";
     case Condition::few_lights:
-      return "the held-out error and lack of fit are judged from " + std::to_string(f.about.lights) + " " +
+      return "the held-out error and lack of fit rest on only " + std::to_string(f.about.lights) + " " +
              f.about.side;
     case Condition::hidden_highlight:
       return "a highlight narrower than alpha " + io::short_number(*f.about.hidden_width, 2) + " (" +
-             degrees_of_width(*f.about.hidden_width) + " degrees wide) would lie between the samples";
+             degrees_of_width(*f.about.hidden_width) +
+             " degrees wide) would lie between the measured directions";
     case Condition::few_rows_decide:
       return f.few_rows_decide;
     case Condition::approximate:
-      return "the intervals are approximate: those of the curvature at the minimum";
+      return "the intervals are approximate: they are derived from the curvature at the minimum";
     default:
       return "";
   }

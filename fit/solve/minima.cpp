@@ -260,7 +260,7 @@ Residual chosen_residual(const FitData& data, const FitOptions& options) {
   r.metric = options.metric;
   if (options.metric == Metric::cube_root) {
     if (options.loss != Loss::none)
-      throw InputError("--robust does not go with --metric cube_root, which is robust by itself");
+      throw InputError("--robust: cannot be used with --metric cube_root, which is already robust");
     // The cube root of a square has an infinite slope at 0. It is smoothed below a thousandth of the data.
     double sum = 0;
     std::size_t count = 0;

@@ -87,9 +87,9 @@ Solution solve_nearby(const Objective& objective, std::span<const double> start,
   }
   s.at_bound = hold_at_bounds(here, s.p, low, high);
   s.cost = here.cost;
-  s.message = s.termination == Termination::converged         ? "The step promises no change."
-              : s.termination == Termination::iteration_limit ? "Too many iterations."
-                                                              : "No step lowers the cost.";
+  s.message = s.termination == Termination::converged ? "The next step would not change the parameters."
+              : s.termination == Termination::iteration_limit ? "The limit of iterations was reached."
+                                                              : "No step reduces the cost.";
   return s;
 }
 

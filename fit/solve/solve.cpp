@@ -143,14 +143,14 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   const std::vector<int>& free = cost.free();
   if (free.empty()) {
     solution.termination = Termination::converged;
-    solution.message = "every parameter is held";
+    solution.message = "every parameter is fixed";
     return;
   }
   std::vector<double> unknowns;
   for (int k : free) unknowns.push_back(p[std::size_t(k)]);
   if (!cost.finite_at(unknowns.data())) {
     solution.termination = Termination::failed;
-    solution.message = "Residual and Jacobian evaluation failed.";
+    solution.message = "The residuals and their derivatives could not be evaluated.";
     return;
   }
   ceres::Problem problem(ownership);
@@ -177,7 +177,7 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   ceres::Solve(o, &problem, &summary);
   for (std::size_t k = 0; k < free.size(); ++k) p[std::size_t(free[k])] = unknowns[k];
   solution.termination = termination_of(summary);
-  solution.message = watch.gave_up() ? "Five invalid steps in a row." : summary.message;
+  solution.message = watch.gave_up() ? "Five consecutive steps were invalid." : summary.message;
   solution.iterations += int(summary.iterations.size()) - watch.gave_up();
 }
 

@@ -66,14 +66,14 @@ std::optional<ChannelColours> channel_colours(const std::vector<std::string>& ch
     return std::nullopt;
   if (out.by == By::name && channels.size() == 3) return out;
   if (out.by == By::spectrum) {
-    out.note = std::to_string(channels.size()) + " bands are shown as they are seen (CIE 1931, D65)";
+    out.note = std::to_string(channels.size()) + " bands are converted to a colour (CIE 1931, D65)";
     return out;
   }
   std::vector<std::string> names;
   for (const std::size_t c : out.of) names.push_back(printable(channels[c]));
-  out.note = "channels " + joined(names) + " are taken for red, green, blue";
+  out.note = "channels " + joined(names) + " are used as red, green, blue";
   if (out.by == By::wavelength) out.note += " by their wavelengths";
-  if (out.by == By::position) out.note += " by their position: their names say nothing of colour";
+  if (out.by == By::position) out.note += " by their position, because their names contain no colour";
   if (channels.size() > 3) out.note += "; the other " + std::to_string(channels.size() - 3) + " are left out";
   return out;
 }
@@ -81,7 +81,7 @@ std::optional<ChannelColours> channel_colours(const std::vector<std::string>& ch
 void require_red_first(const Term& term, const ChannelColours& colours) {
   if (info(term.form).mixes_channels && colours.of[0] != 0)
     throw InputError(std::string(info(term.form).name) +
-                     " mixes channels by their order, of which the first must be red");
+                     " combines channels by their order: the first channel must be red");
 }
 
 }  // namespace brdf::io

@@ -130,7 +130,8 @@ Material in_colour(const Material& material) {
   Material out{kRgb, {}};
   for (const Term& term : material.terms) {
     if (info(term.form).mixes_channels || !info(term.form).fittable())
-      throw InputError(std::string(info(term.form).name) + ": a spectrum of it cannot be shown in colour");
+      throw InputError(std::string(info(term.form).name) +
+                       ": a spectrum of this form cannot be shown in colour");
     Term seen{term.form, {}, {}, term.tangent_phi};
     if (term.shape.size() <= 1) seen.shape = term.shape;
     for (std::size_t colour = 0; colour < 3; ++colour) {

@@ -102,9 +102,8 @@ std::optional<RefusedAngle> refused_angle(std::string_view name) {
   if ((key.starts_with("beta") && key.find("beta", 4) != key.npos) ||
       (sine != key.npos && key.find("sin", sine + 1) != key.npos))
     return RefusedAngle{
-        "is a difference of sines (beta - beta_0, as in Harvey's plots), which does not tell the angle of "
-        "incidence: "
-        "write columns theta_i and theta_o"};
+        "is a difference of sines (beta - beta_0, as in Harvey's plots), which does not determine the angle "
+        "of incidence: write columns theta_i and theta_o"};
   const bool has_as = key.find("as") != key.npos || key.find("a:") != key.npos;
   const bool has_geometry = has_as && key.find_first_of("0123456789") != key.npos &&
                             key.find_first_not_of("0123456789r:asz()nm, ") == key.npos;
@@ -124,9 +123,8 @@ std::optional<RefusedAngle> refused_angle(std::string_view name) {
         "theta_i, phi_i, theta_o and phi_o, with theta_o = 89 and phi_o - phi_i = 180 - beta"};
   if (key == "phase" || key == "phaseangle")
     return RefusedAngle{
-        "is the angle between light and viewer: write their relative azimuth instead, psi with cos psi = "
-        "(cos g - "
-        "cos i cos e)/(sin i sin e)",
+        "is the phase angle between the incident and the viewing direction: write the relative azimuth psi "
+        "instead, with cos psi = (cos g - cos i cos e)/(sin i sin e)",
         true};
   return std::nullopt;
 }

@@ -116,8 +116,8 @@ class HeaderReading {
     if (angle.side != AngleSide::scatter_or_source)
       return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
     if (light == viewer)
-      refuse("column " + shown(names_[k]) + " may be the source's or the scattered direction: " +
-             (light ? "both are stated" : "neither is stated beside it"));
+      refuse("column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +
+             (light ? "other columns give both" : "no other column gives one of the two"));
     return light ? AngleSide::viewer : AngleSide::light;
   }
 
@@ -139,8 +139,9 @@ class HeaderReading {
     if (of_light != of_viewer) out_.only_azimuth = of_light ? 1 : 3;
     out_.in_plane = !of_light && !of_viewer;
     if (alone_ && of_light && of_viewer)
-      refuse("column " + shown(names_[*alone_]) + " does not say whose azimuth it is, and " +
-             std::string(kAngleNames[1]) + " is stated beside it");
+      refuse("column " + shown(names_[*alone_]) +
+             " does not name the direction of its azimuth, and another column gives " +
+             std::string(kAngleNames[1]));
     refuse_other_angles();
   }
 
@@ -198,7 +199,7 @@ class HeaderReading {
       if (column.kind == Column::Kind::wavelength && column.unit && !is_nm)
         announce(column.name, "wavelengths in nm");
       if (column.kind == Column::Kind::rotation)
-        announce(column.name, "turn of the sample (subtracted from the azimuths)");
+        announce(column.name, "sample rotation (subtracted from the azimuths)");
     }
   }
 
@@ -207,8 +208,8 @@ class HeaderReading {
     const auto column = std::find_if(out_.columns.begin(), out_.columns.end(), [&](const Column& c) {
       return c.kind == Column::Kind::angle && c.index == stated;
     });
-    out_.assume("one azimuth, " + shown(column->name) + ": taken for " + std::string(kAngleNames[stated]) +
-                " with " + std::string(kAngleNames[other]) +
+    out_.assume("only one azimuth, " + shown(column->name) + ": interpreted as " +
+                std::string(kAngleNames[stated]) + " with " + std::string(kAngleNames[other]) +
                 " 0, so that the mirror direction is at 180 degrees");
   }
 

@@ -32,7 +32,7 @@ std::string foreign_json(const Content& content) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   const std::string end = std::string(", which is not read: ") + std::string(kExportAsCsv);
-  const std::string json = "is JSON, but no material: it looks like ";
+  const std::string json = "is JSON, but not a material: the content looks like ";
   if (has("lookupTable"))
     return json +
            "a look-up table of ASAM OpenMATERIAL (wavelength in m, theta_i, theta_o, phi_o in radians, "

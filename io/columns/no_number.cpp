@@ -39,16 +39,16 @@ bool has_fortran_exponent(std::string_view text) {
 
 std::string advice_on(std::string_view field) {
   if (std::ranges::find(kNothing, lower_case(field)) != kNothing.end())
-    return "; write no row where nothing was measured";
-  if (is_beyond_range(field)) return "; it is beyond the range of numbers, 1.8e308";
+    return "; omit the rows of directions that were not measured";
+  if (is_beyond_range(field)) return "; the value exceeds the largest number, 1.8e308";
   if (field.find("°") != field.npos || field.find("º") != field.npos)
-    return "; a unit stands in the column's name, as in 'theta_i (deg)'";
+    return "; write the unit in the column's name, as in 'theta_i (deg)'";
   if (field.back() == '%') return "; values are f_r in 1/sr, not percent";
-  if (holds_any(field, kTypographicMinus)) return "; the minus sign of numbers is '-'";
-  if (field.find('#') != field.npos) return "; a comment is a line of its own, which begins with '#'";
-  if (has_fortran_exponent(field)) return "; an exponent is written with e";
+  if (holds_any(field, kTypographicMinus)) return "; use '-' as the minus sign";
+  if (field.find('#') != field.npos) return "; write a comment as a separate line that begins with '#'";
+  if (has_fortran_exponent(field)) return "; write the exponent with e";
   if (holds_any(field, kGroups) || (field.find('.') != field.npos && field.find(',') != field.npos))
-    return "; thousands are not grouped";
+    return "; do not group thousands";
   return "";
 }
 

@@ -47,19 +47,17 @@ constexpr std::array kKinds{
                  "retroreflection coefficient; retroreflective coefficient", "R_A (cd/lx/m2)"},
     QuantityKind{"r", "a reduced luminance coefficient times 10^4", 1e4, 3, 0, Use::converted, "",
                  "reduced luminance coefficient", "r table; r tables", "r (as `quantity`)"},
-    QuantityKind{
-        "reflectance", "a reflectance, of which the name does not say whether it is a factor", 1, 0, 0,
-        Use::asked,
-        "a reflectance factor is stated by --quantity BRF (BRF % if the values are percent), or by a line "
-        "'# quantity: BRF' above the header row; a hemispherical reflectance is no f_r",
-        "reflectance; reflection; reflectivity; rho", "refl; reflectances; reflectance value"},
+    QuantityKind{"reflectance", "a reflectance, which may or may not be a reflectance factor", 1, 0, 0,
+                 Use::asked,
+                 "for a reflectance factor give --quantity BRF (BRF % if the values are in percent), or a "
+                 "line '# quantity: BRF' above the header row; a hemispherical reflectance is not f_r",
+                 "reflectance; reflection; reflectivity; rho", "refl; reflectances; reflectance value"},
     QuantityKind{"scatter", "scattered light, f_r or f_r times cos_o", 1, 0, 0, Use::asked,
-                 "state --quantity f_r or --quantity f_r*cos_o (ARS), with 'ppm' if the unit is ppm/sr",
+                 "give --quantity f_r or --quantity f_r*cos_o (ARS), with 'ppm' if the unit is ppm/sr",
                  "scatter; scattering", "scattered; scatter function", "ppm/sr"},
     QuantityKind{
         "percent", "in percent, of a quantity that the name does not state", 1, 0, 0, Use::asked,
-        "reflectance factors are stated by --quantity 'BRF %', or by a line '# quantity: BRF %' above the "
-        "header row",
+        "for reflectance factors give --quantity 'BRF %', or a line '# quantity: BRF %' above the header row",
         "", "", "%"},
     QuantityKind{"decibels", "in decibels of a ratio that the name does not state", 1, 0, 0, Use::refused,
                  "BRDF (dB) and dB sr^-1 are read; a ratio of powers lacks the solid angle of the detector",
@@ -80,9 +78,9 @@ constexpr std::array kKinds{
                  "W/sr; cd"},
     QuantityKind{
         "signal", "a detector's signal", 1, 0, 0, Use::refused,
-        "the signal of a white standard, or the irradiance, is missing: divide by it; values in proportion "
-        "to f_r are read "
-        "with '# quantity: f_r' above the header row and fitted with --free-scale",
+        "the signal of a white standard, or the irradiance, is missing: divide the values by one of the two; "
+        "values proportional to f_r are read with '# quantity: f_r' above the header row and fitted with "
+        "--free-scale",
         "counts; signal; voltage; current; power; irradiance; digital number",
         "signals; count; cts; adu; dn; photocurrent; illuminance; flux; digital numbers; raw signal; grey "
         "level; gray level; pixel value",
@@ -102,7 +100,7 @@ constexpr std::array kKinds{
     QuantityKind{"phase", "a phase or an amplitude", 1, 0, 0, Use::refused,
                  "intensities are missing: export f_r", "phase; amplitude; retardance"},
     QuantityKind{
-        "relative values", "without a scale", 1, 0, 0, Use::refused,
+        "relative values", "relative, without a scale", 1, 0, 0, Use::refused,
         "a calibration is missing; if the values are f_r times an unknown factor, write '# quantity: f_r' "
         "above the header row and fit with --free-scale",
         "relative; normalised; arbitrary units; uncalibrated", "normalized; arb units; arb; arbitrary",
@@ -165,7 +163,7 @@ std::string Quantity::operation() const {
   std::string text = raised;
   if (number < 1 - 1e-12) text += (text.empty() ? "" : ", ") + std::string("times ") + to_text(1 / number);
   if (!by.empty()) text += (text.empty() ? "" : ", ") + std::string("divided by ") + by;
-  return text.empty() ? "taken as it is" : text;
+  return text.empty() ? "used unchanged" : text;
 }
 
 namespace {
@@ -218,7 +216,7 @@ std::string documented(const QuantityKind& kind) {
   if (!kind.forms.empty()) (words += words.empty() ? "" : "; ") += kind.forms;
   for (std::size_t at = 0; (at = words.find("; ", at)) != words.npos;) words.replace(at, 2, ", ");
   const std::string use = kind.use == Use::converted ? Quantity{&kind}.operation()
-                          : kind.use == Use::asked   ? "asked about: " + std::string(kind.advice)
+                          : kind.use == Use::asked   ? "ambiguous: " + std::string(kind.advice)
                                                      : "refused: " + std::string(kind.advice);
   return "| " + words + " | " + use + " |\n";
 }

@@ -130,7 +130,7 @@ class WordReading {
     }
     const double ten = std::log10(*number);
     if (!(*number > 0) || *number == 1 || std::abs(ten - std::round(ten)) > 1e-12) return false;
-    if (*number < 1) contradict("is multiplied by a power of ten below 1, or is in units of it");
+    if (*number < 1) contradict("has a factor or a unit that is a power of ten below 1");
     use(k, end);
     use(sign, sign + 1);
     is_multiplied_ = true;
@@ -188,7 +188,7 @@ class WordReading {
     if (times) use(before, k);
     if (is(end, "e")) ++end;
     if (const auto base = number_at(end)) {
-      if (*base != 10) contradict("is a logarithm of another base than 10 and e");
+      if (*base != 10) contradict("is a logarithm with a base other than 10 and e");
       ++end;
     }
     if (times && is_natural) contradict("is a multiple of a logarithm");
@@ -352,7 +352,7 @@ class Combination {
 
   void contradict() {
     out_.fault = Fault::contradicts;
-    out_.reason = "has the unit " + shown(text_) + ", which its word cannot have";
+    out_.reason = "has the unit " + shown(text_) + ", which does not fit the quantity";
   }
 
   void decibels() {
@@ -454,9 +454,9 @@ QuantityWords read_quantity_words(std::string_view text) {
   };
   if (reading.is_percent() && !(parts.unit && parts.unit->kind() == Unit::Kind::per_steradian) && out.kind &&
       *out.kind <= Kind::reduced_luminance && *out.kind != Kind::reflectance_factor)
-    contradict("is in percent, which its word cannot be");
+    contradict("is in percent, which does not fit the quantity");
   if (!out.kind && out.fault == Fault::none && (out.factor != 1 || out.scale != Scale::linear))
-    contradict("states a scale, but not of which quantity");
+    contradict("gives a scale, but no quantity");
   return out;
 }
 

@@ -46,9 +46,9 @@ void StatedQuantities::add(StatedQuantity stated, const std::string& where) {
 void require_f_r(const std::string& name, const Supplied& supplied) {
   const std::optional<StatedQuantity> stated = stated_by_option(supplied.quantity);
   if (stated && !stated->quantity.is_f_r())
-    throw InputError(name + ": --quantity " + stated->words + ": the format states f_r");
+    throw InputError(name + ": --quantity " + stated->words + ": values of this format are f_r");
   if (supplied.mirror_side != MirrorSide::automatic)
-    throw InputError(name + ": --mirror-side is for tables of two angles; this format states azimuths");
+    throw InputError(name + ": --mirror-side applies to tables with two angles; this format has azimuths");
 }
 
 void StatedQuantities::add_comment(std::string_view words, std::size_t line, const std::string& where) {
@@ -71,7 +71,7 @@ void StatedQuantities::add_free_text(std::string_view text, std::size_t line) {
   const std::optional<Quantity> found = quantity_in_title(text);
   if (!found || found->is_f_r() || !hint_.empty()) return;
   hint_ = "the comment in line " + std::to_string(line) + " names " + found->meaning() +
-          ", but states nothing: if the values are no f_r, write '# quantity: ...'";
+          ", but is not a statement of the quantity: if the values are not f_r, write '# quantity: ...'";
 }
 
 std::string StatedQuantities::word_on_unnamed() const {

@@ -132,9 +132,8 @@ class Values {
     for (Candidate* c : xyz) {
       c->rank = Rank::asked;
       c->refusal =
-          "with X, Y and Z is a tristimulus value: if the three are f_r weighted by the CIE's observer, "
-          "state "
-          "--quantity f_r; those of a colour instrument lack the geometry and the scale";
+          "is, with X, Y and Z, a tristimulus value: if the three are f_r weighted by the CIE observer, give "
+          "--quantity f_r; values of a colour instrument lack the geometry and the scale";
     }
   }
 
@@ -277,8 +276,8 @@ class Values {
     const StatedQuantity& stated = *facts_.stated;
     const bool is_title = stated.by == StatedQuantity::By::title;
     refuse("column " + shown(c.column->name) + " is " + c.named.quantity.meaning() + ", but " +
-           (is_title ? "the title in " + stated.where + " says " : "--quantity says ") + shown(stated.words) +
-           ": if the name is wrong, write '# quantity: " + printable(stated.words) +
+           (is_title ? "the title in " + stated.where + " gives " : "--quantity gives ") +
+           shown(stated.words) + ": if the name is wrong, write '# quantity: " + printable(stated.words) +
            "' above the header row");
   }
 
@@ -332,15 +331,15 @@ class Values {
   void add_notes() {
     note_quantities();
     if (!unnamed_.empty() && !facts_.is_plain)
-      note(columns_are(unnamed_) + "taken for f_r in 1/sr: the column names no quantity");
-    if (!by_unit_.empty()) note(columns_are(by_unit_) + "taken for f_r: the unit is 1/sr");
+      note(columns_are(unnamed_) + "interpreted as f_r in 1/sr, because its name gives no quantity");
+    if (!by_unit_.empty()) note(columns_are(by_unit_) + "interpreted as f_r, because the unit is 1/sr");
     if (!outranked_.empty())
-      note("quantity " + shown(facts_.stated->words) + " is stated" +
+      note("quantity " + shown(facts_.stated->words) +
            (facts_.stated->where.empty() ? "" : " (" + facts_.stated->where + ")") +
-           " and outranks the name" + (outranked_.size() == 1 ? " " : "s ") + quoted(outranked_));
+           " takes precedence over the name" + (outranked_.size() == 1 ? " " : "s ") + quoted(outranked_));
     if (!aside_.empty())
       note((aside_.size() == 1 ? "column " : "columns ") + quoted(aside_) +
-           (aside_.size() == 1 ? " is" : " are") + " set aside: no values of f_r");
+           (aside_.size() == 1 ? " is" : " are") + " ignored: not values of f_r");
   }
 
   // Adds one sentence for the columns of each quantity.

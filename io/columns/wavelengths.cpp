@@ -36,7 +36,7 @@ std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_vie
     if (!is_wave || !has_brackets) return std::nullopt;
     return WavelengthColumn{std::nullopt,
                             "has the unit " + shown(unit_text) +
-                                ", which is none of wavelengths (nm, um, m, cm-1, GHz, THz, eV)"};
+                                ", which is not a unit of wavelengths (nm, um, m, cm-1, GHz, THz, eV)"};
   }
   const auto is_unit = [&](K kind) { return unit && unit->kind() == kind; };
   if (is_wave) return WavelengthColumn{unit, ""};
@@ -49,8 +49,7 @@ std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_vie
   if (is_one_of(key, {"energy", "photonenergy", "e", "hnu"}) && is_unit(K::energy))
     return WavelengthColumn{unit, ""};
   if (is_one_of(key, {"frequency", "freq", "photonenergy"}) && unit_text.empty())
-    return WavelengthColumn{std::nullopt,
-                            "does not state its unit: write it in brackets, as in 'frequency (THz)'"};
+    return WavelengthColumn{std::nullopt, "has no unit: write the unit in brackets, as in 'frequency (THz)'"};
   return std::nullopt;
 }
 

@@ -37,7 +37,7 @@ class CsvReader {
     }
     if (!header_.is_read())
       throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
-    if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
+    if (table_.rows() == 0) throw InputError(table_.source + ": has no rows");
     finish();
     return header_.is_long() ? widened(table_, bands_) : std::move(table_);
   }
@@ -74,7 +74,8 @@ class CsvReader {
   void finish() {
     make_f_r(table_, header_.columns().quantities);
     if (empty_ > 0)
-      table_.warnings.push_back(std::to_string(empty_) + " empty cells of the matrix: not measured");
+      table_.warnings.push_back(std::to_string(empty_) +
+                                " empty cells of the matrix are treated as not measured");
     table_.skipped += empty_;
     // Differences from the plain format come first among the warnings.
     std::vector<std::string> notes = header_.columns().notes;
@@ -87,7 +88,7 @@ class CsvReader {
       place_in_plane(table_, supplied_.mirror_side);
     else if (supplied_.mirror_side != MirrorSide::automatic)
       throw InputError(table_.source +
-                       ": --mirror-side is for tables of two angles; this one states azimuths");
+                       ": --mirror-side applies to tables with two angles; this table has azimuths");
     find_unit_of_bands();
   }
 
@@ -114,7 +115,7 @@ class CsvReader {
     }
     const Unit micrometre = *unit_named("um");
     for (Band& band : bands_) band.nm = to_nm(band.nm, micrometre);
-    table_.assume("the wavelengths state no unit and are all below 100: taken for micrometres");
+    table_.assume("the wavelengths have no unit and are all below 100: interpreted as micrometres");
   }
 
   void split_row(std::string_view line) {
@@ -123,7 +124,7 @@ class CsvReader {
 
   void check_width(std::string_view line, std::size_t width) const {
     if (fields_.size() != width)
-      fail(std::to_string(fields_.size()) + " columns where the header has " + std::to_string(width) +
+      fail(std::to_string(fields_.size()) + " columns, but the header has " + std::to_string(width) +
            ", separated by " + dialect_.separator_in_words() + other_separator(line, width));
   }
 
@@ -140,7 +141,7 @@ class CsvReader {
     double number;
     if (!dialect_.parse(fields_[k], number))
       fail(column, k,
-           dialect_.marks_are_mixed() ? "has another decimal mark than the numbers before"
+           dialect_.marks_are_mixed() ? "has a different decimal mark than the numbers before"
                                       : "is not a number" + advice_on(fields_[k]));
     if (column.kind == Column::Kind::angle) raw_[column.index].add(number);
     number = column.converted(number);
@@ -221,7 +222,7 @@ class CsvReader {
 
   void read_polarisation(std::size_t k) {
     band_.polarisation = polarisation_named(fields_[k]);
-    if (!band_.polarisation) fail(columns()[k], k, "is no polarisation (s, p, ss, sp, ps, pp, te, tm)");
+    if (!band_.polarisation) fail(columns()[k], k, "is not a polarisation (s, p, ss, sp, ps, pp, te, tm)");
   }
 
   // Throws for a polar angle above 90 degrees. Azimuths in the column of the polar angle are distinguished
@@ -250,7 +251,7 @@ class CsvReader {
       const std::string t(kAngleNames[theta]), p(kAngleNames[phi]);
       throw ExchangedColumns(at + "is below the horizon; " + t + " reaches " + to_text(largest_[theta]) +
                              " degrees and " + p + " only " + to_text(largest_[phi]) + ": the columns " + t +
-                             " and " + p + " look exchanged");
+                             " and " + p + " seem to be exchanged");
     }
     throw InputError(at + "is below the horizon (theta must be between -90 and 90 degrees)" +
                      (theta == 2 ? "; transmitted light is not read" : ""));

@@ -115,7 +115,7 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
     if (next.empty()) continue;
     if (reader_.line() == ahead.line()) {
       table_.warnings.push_back(std::to_string(titles) + (titles == 1 ? " line" : " lines") +
-                                " above the header row: taken for titles");
+                                " above the header row interpreted as titles");
       return next;
     }
     next.front() == '#' ? read_comment(next) : add_title(next);
@@ -143,12 +143,12 @@ void CsvHeader::read_names(std::string_view line) {
   std::unordered_set<std::string_view> seen;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const std::string at = "column " + std::to_string(k + 1);
-    if (fields[k].empty()) fail(at + " has no name; leave out a column of row numbers");
+    if (fields[k].empty()) fail(at + " has no name; remove a column of row numbers");
     const bool is_band = has_names && with_band_unit(fields[k]) != fields[k];
     if (!is_band && is_number(dialect_, fields[k])) refuse_numbers(fields, k);
     if (!seen.insert(fields[k]).second)
       fail("column " + shown(fields[k]) +
-           " twice; a reading that was repeated is a row of its own, another channel has a name of its own");
+           " twice; write repeat measurements as separate rows, and give each channel its own name");
   }
   std::vector<std::string> names(fields.begin(), fields.end());
   HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
@@ -173,8 +173,8 @@ void CsvHeader::refuse_numbers(const Fields& fields, std::size_t k) const {
   for (const std::string_view axis : axes)
     if (const auto refused = refused_angle(axis)) fail("column " + shown(fields[0]) + " " + refused->reason);
   fail("column " + std::to_string(k + 1) + " is the number " + shown(fields[k]) +
-       ", not a name; in a matrix of two angles the first cell names them: theta_o \\ theta_i, or the one "
-       "that goes down");
+       ", not a name; in a matrix of two angles the first cell names both angles (theta_o \\ theta_i), or "
+       "the angle of the first column");
 }
 
 bool CsvHeader::read_matrix(const Fields& names) {
@@ -187,13 +187,15 @@ bool CsvHeader::read_matrix(const Fields& names) {
   columns_.quantities = {stated ? stated->quantity : Quantity{&quantity_kinds()[0]}};
   const bool is_light_down = matrix_->rows.index == 0;
   columns_.notes.push_back(std::string("a matrix: ") +
-                           (is_light_down ? "incidences" : "angles of the viewer") + " go down, " +
-                           (is_light_down ? "angles of the viewer" : "incidences") + " along");
+                           (is_light_down ? "angles of incidence" : "viewing angles") +
+                           " in the first column, " +
+                           (is_light_down ? "viewing angles" : "angles of incidence") + " in the first row");
   if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
   if (!stated)
-    columns_.assume("the values are taken for f_r in 1/sr: the matrix names no quantity");
+    columns_.assume("the values are interpreted as f_r in 1/sr, because the matrix gives no quantity");
   else if (!stated->quantity.is_f_r())
-    columns_.assume("the matrix holds " + stated->quantity.meaning() + ": " + stated->quantity.operation());
+    columns_.assume("the values of the matrix are " + stated->quantity.meaning() + ": " +
+                    stated->quantity.operation());
   return true;
 }
 
@@ -242,13 +244,14 @@ void CsvHeader::check_columns() const {
            dialect_.separator_in_words() + ": " + found +
            (is_a_title() ? "; lines above the header row begin with '#'"
             : columns_.has_angle(2 - angle)
-                ? std::string("; no column holds the polar angle of the ") + (angle == 0 ? "light" : "viewer")
+                ? std::string("; no column has the ") + (angle == 0 ? "angle of incidence" : "viewing angle")
                 : ""));
   if (need_values_ && columns_.channels.empty()) {
     std::string others;
     for (const Column& c : columns_.columns)
       if (c.kind != Column::Kind::angle) others += (others.empty() ? "" : ", ") + shown(c.name);
-    fail("no value column beside the four angles" + (others.empty() ? "" : "; no values are in " + others));
+    fail("no value column in addition to the four angles" +
+         (others.empty() ? "" : "; the other columns are not values: " + others));
   }
   if (is_long_ && need_values_ && columns_.channels.size() != 1)
     fail("a column of " +
@@ -256,7 +259,7 @@ void CsvHeader::check_columns() const {
          " needs one column of values, not " + std::to_string(columns_.channels.size()));
   for (const auto& [kind, name] : {std::pair(Column::Kind::wavelength, "wavelengths"),
                                    std::pair(Column::Kind::polarisation, "polarisations"),
-                                   std::pair(Column::Kind::rotation, "turns of the sample")})
+                                   std::pair(Column::Kind::rotation, "sample rotations")})
     if (std::count_if(columns_.columns.begin(), columns_.columns.end(),
                       [kind = kind](const Column& c) { return c.kind == kind; }) > 1)
       fail(std::string("two columns of ") + name);

@@ -86,7 +86,7 @@ std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of
   }
   if (times.size() < bands.size())
     throw InputError(table.where(first_row(pair)) + ": these directions have no value at " +
-                     words_of(bands[times.size()]) + ", which others have");
+                     words_of(bands[times.size()]) + ", but other directions have one");
   return times.front();
 }
 
@@ -131,8 +131,8 @@ void add_rows(const SampleTable& narrow, const std::vector<Measured>& all, Sampl
 SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows) {
   const std::vector<Band> bands = each_once(of_rows);
   if (bands.size() > kMostChannels)
-    throw InputError(narrow.name() + ": " + std::to_string(bands.size()) + " wavelengths are more than " +
-                     std::to_string(kMostChannels));
+    throw InputError(narrow.name() + ": " + std::to_string(bands.size()) +
+                     " wavelengths exceed the limit of " + std::to_string(kMostChannels));
   const Rows sorted = sorted_rows(narrow, of_rows);
   const bool has_values = !narrow.channels.empty();
   std::vector<Measured> all;

@@ -99,7 +99,7 @@ std::string header_for_numbers(const Content& content, const std::vector<std::st
   const char separator = at == std::string::npos ? ' ' : content.bytes[at];
   const std::vector<std::string> names = guessed_names(largest_of(content, first_row.size(), separator));
   return "write one above the numbers: " + joined(names, std::string(1, separator)) +
-         " (a guess from the numbers: correct it)";
+         " (guessed from the numbers; please check)";
 }
 
 }  // namespace brdf::io

@@ -120,7 +120,7 @@ std::string from_utf16(Content& text) {
     utf8::utf16to8(units.begin(), units.end(), std::back_inserter(bytes));
     text.bytes = std::move(bytes);
   } catch (const utf8::exception&) {
-    throw InputError(text.name + ": begins as UTF-16 text, but is not");
+    throw InputError(text.name + ": begins like UTF-16 text, but is not valid UTF-16");
   }
   return "the text is UTF-16";
 }
@@ -135,10 +135,10 @@ std::string make_utf8(Content& text) {
   if (is_utf16(text.bytes)) note = from_utf16(text);
   if (text.bytes.find('\n') == text.bytes.npos && text.bytes.find('\r') != text.bytes.npos) {
     std::replace(text.bytes.begin(), text.bytes.end(), '\r', '\n');
-    note += std::string(note.empty() ? "" : "; ") + "lines end in CR alone";
+    note += std::string(note.empty() ? "" : "; ") + "lines end with CR only";
   }
   if (const std::size_t nul = text.bytes.find('\0'); nul != std::string::npos)
-    refuse(nul, "holds a NUL byte: neither text nor a binary format that is read");
+    refuse(nul, "contains a NUL byte: neither text nor a supported binary format");
   const auto invalid = utf8::find_invalid(text.bytes.begin(), text.bytes.end());
   if (invalid == text.bytes.end()) return note;
   std::string transcoded;
@@ -150,7 +150,7 @@ std::string make_utf8(Content& text) {
   }
   const std::size_t line = line_of(text.bytes, static_cast<std::size_t>(invalid - text.bytes.begin()));
   text.bytes = std::move(transcoded);
-  return "line " + std::to_string(line) + " is not UTF-8: the text is taken for Latin-1";
+  return "line " + std::to_string(line) + " is not UTF-8: the text is read as Latin-1";
 }
 
 }  // namespace brdf::io

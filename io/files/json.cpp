@@ -21,7 +21,7 @@ class Follower {
     if (event == Event::key) enter(parsed.get<std::string>());
     if (event == Event::object_start || event == Event::array_start) {
       if (open_.size() == kDeepestJson)
-        throw InputError("is nested more than " + std::to_string(kDeepestJson) + " deep");
+        throw InputError("is nested more than " + std::to_string(kDeepestJson) + " levels deep");
       open_.push_back({event == Event::array_start});
     } else if (event != Event::key && !open_.empty()) {
       ++open_.back().index;
@@ -85,7 +85,7 @@ Json parse_json(const std::string& text, const std::string& file) {
   if (text.size() > kLargestJson)
     throw InputError(file + ": is larger than " + std::to_string(kLargestJson >> 20) + " MiB");
   if (const std::size_t nul = text.find('\0'); nul != text.npos)  // the parser would stop there
-    throw InputError(file + ", line " + std::to_string(line_of(text, nul)) + ": holds a NUL byte");
+    throw InputError(file + ", line " + std::to_string(line_of(text, nul)) + ": contains a NUL byte");
   constexpr std::size_t kLongest = 300;
   Follower follower;
   try {
@@ -97,7 +97,7 @@ Json parse_json(const std::string& text, const std::string& file) {
     const std::string message = error.what();
     throw InputError(file + ": " + follower.place() + ": " +
                      printable(message.substr(std::min(message.find('\''), message.size())), kLongest) +
-                     " is beyond the range of numbers");
+                     " exceeds the range of numbers");
   } catch (const Json::parse_error& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 3: ...": the file's name replaces the
     // bracket.

@@ -37,7 +37,7 @@ std::atomic_flag busy;
 std::size_t free_place() {
   for (std::size_t k = 0; k < kPlaces; ++k)
     if (bool no = false; taken[k].compare_exchange_strong(no, true)) return k;
-  throw EnvironmentError("more than " + std::to_string(kPlaces) + " files are written at the same time");
+  throw EnvironmentError("more than " + std::to_string(kPlaces) + " files would be written at the same time");
 }
 
 // Removes a file, or a folder with its content, with functions that a signal handler may call; memory is

@@ -56,7 +56,8 @@ bool is_standard_output(const fs::path& path) {
 
 // Throws if the file cannot be written. Returns the status of an existing file, or std::nullopt.
 std::optional<struct stat> checked(const fs::path& path) {
-  if (path.empty() || !path.has_filename()) throw InputError("'" + path.string() + "': is no name of a file");
+  if (path.empty() || !path.has_filename())
+    throw InputError("'" + path.string() + "': is not the name of a file");
   const std::optional<struct stat> old = status_of(path);
   if (!old && errno != ENOENT) cannot_write(path, errno);
   if (old && S_ISDIR(old->st_mode)) cannot_write(path, EISDIR);
@@ -128,7 +129,7 @@ void check_targets(const std::vector<Target>& targets, const std::vector<fs::pat
     for (const fs::path& input : inputs)
       if (identity(input) == id) throw InputError(name + ": is the input " + input.string());
     for (const auto& [other, earlier] : seen)
-      if (other == *id) throw InputError(name + ": is written by " + earlier->option + " too");
+      if (other == *id) throw InputError(name + ": is also the output of " + earlier->option);
     seen.emplace_back(*id, &target);
   }
 }

@@ -88,9 +88,9 @@ class Reader {
     if (table_.rows() == 0) throw InputError(table_.source + ": holds no rows");
     if (table_.skipped > 0)
       table_.warnings.push_back(plural(table_.skipped, "row") +
-                                " left out: a direction lies below the horizon");
+                                " left out: a direction is below the horizon");
     if (segments_ > 0) table_.warnings.push_back("vertical segments are left out");
-    if (divides_) table_.warnings.push_back("the cosine of the outgoing direction is divided out");
+    if (divides_) table_.warnings.push_back("the values were divided by the cosine of the viewing direction");
     leave_out_repetitions(table_, [&](std::size_t a, std::size_t b) { return places_[a] == places_[b]; });
     return std::move(table_);
   }
@@ -147,14 +147,14 @@ class Reader {
     divides_ = name == "INV_STERADIAN_COSINE_FACTOR";
     if (!divides_ && name != "INV_STERADIAN" && name != "RGB_COLOR")
       fail("#PARAM_OUT " + shown(name) +
-           " is no f_r (known: INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR, RGB_COLOR)");
+           " is not f_r (known: INV_STERADIAN, INV_STERADIAN_COSINE_FACTOR, RGB_COLOR)");
   }
 
   void check_header() const {
     if (!parametrisation_ || dimensions_ == 0) fail("the header lacks #DIM or #PARAM_IN");
     if (parametrisation_->dimensions != dimensions_)
-      fail("#DIM has " + std::to_string(dimensions_) + " angles where " +
-           std::string(parametrisation_->name) + " has " + std::to_string(parametrisation_->dimensions));
+      fail("#DIM has " + std::to_string(dimensions_) + " angles, but " + std::string(parametrisation_->name) +
+           " has " + std::to_string(parametrisation_->dimensions));
   }
 
   double number(std::size_t column) const {
@@ -169,7 +169,7 @@ class Reader {
     split_blanks(line, words_);
     const std::size_t needed = dimensions_ + table_.channels.size();
     if (words_.size() != needed && words_.size() != needed + segments_)
-      fail(std::to_string(words_.size()) + " columns where #DIM asks for " + std::to_string(needed));
+      fail(std::to_string(words_.size()) + " columns, but #DIM requires " + std::to_string(needed));
     Numbers place{};
     for (std::size_t k = 0; k < dimensions_; ++k) place[k] = number(k);
     const Pair pair = parametrisation_->directions(place);

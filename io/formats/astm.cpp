@@ -34,7 +34,7 @@ class AstmReader {
       : reader_(text), stated_(stated_by_option(supplied.quantity)) {
     if (supplied.mirror_side != MirrorSide::automatic)
       throw InputError(text.name +
-                       ": --mirror-side is for tables of two angles; this format states azimuths");
+                       ": --mirror-side applies to tables with two angles; this format has azimuths");
     table_.source = text.name;
     table_.format = "astm_e1392";
   }
@@ -97,7 +97,7 @@ class AstmReader {
     if (missing > 1) fail("VARS names fewer than three of theta_i, phi_i, theta_s, phi_s");
     if (missing == 1 && fields_.size() == names_.size() + 1) insert_missing_angle();
     if (fields_.size() != names_.size())
-      fail(std::to_string(fields_.size()) + " columns where VARS names " + std::to_string(names_.size()));
+      fail(std::to_string(fields_.size()) + " columns, but VARS names " + std::to_string(names_.size()));
     for (std::size_t k = 0; k < names_.size(); ++k) {
       const auto angle = std::find(std::begin(kAngles), std::end(kAngles), names_[k]);
       Column column;
@@ -109,11 +109,11 @@ class AstmReader {
       header_.columns.push_back(std::move(column));
     }
     place_columns();
-    if (column_[0] < 0 || column_[2] < 0) fail("the polar angles theta_i and theta_s are both needed");
-    if (value_columns_.empty()) fail("VARS names no values");
+    if (column_[0] < 0 || column_[2] < 0) fail("both polar angles, theta_i and theta_s, are required");
+    if (value_columns_.empty()) fail("VARS names no column of values");
     for (const int k : {1, 3}) {
       if (column_[k] >= 0) continue;
-      table_.assume(std::string(kAngles[k]) + " is not in the file: taken as " +
+      table_.assume(std::string(kAngles[k]) + " is not in the file; assumed " +
                     (k == 1 ? "180 degrees" : "0 degrees"));
     }
     table_.values.resize(table_.channels.size());
@@ -146,7 +146,7 @@ class AstmReader {
       if (std::find(names_.begin(), names_.end(), kAngles[k]) != names_.end()) continue;
       names_.insert(names_.begin() + static_cast<std::ptrdiff_t>(k), std::string(kAngles[k]));
       table_.assume("VARS omits the name " + std::string(kAngles[k]) + ": column " + std::to_string(k + 1) +
-                    " taken for it");
+                    " is interpreted as this angle");
       return;
     }
   }
@@ -161,7 +161,7 @@ class AstmReader {
 
   void read_row() {
     if (fields_.size() != names_.size())
-      fail(std::to_string(fields_.size()) + " columns where the first row has " +
+      fail(std::to_string(fields_.size()) + " columns, but the first row has " +
            std::to_string(names_.size()));
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
     std::vector<double>* const angles[] = {&table_.theta_i, &table_.phi_i, &table_.theta_o, &table_.phi_o};
@@ -200,7 +200,7 @@ class AstmReader {
     const bool is_radians = is_radians_.value_or(may_be_radians());
     const double scale = is_radians ? 180 / std::numbers::pi : 1.0;
     const std::string unit = is_radians ? "radians" : "degrees";
-    if (!is_radians_) table_.assume("angles taken for " + unit);
+    if (!is_radians_) table_.assume("angles are assumed to be in " + unit);
     for (std::size_t k = 0; k < table_.rows(); ++k) {
       table_.phi_i[k] = column_[1] < 0 ? 180.0 : table_.phi_i[k] * scale;
       table_.phi_o[k] = column_[3] < 0 ? 0.0 : table_.phi_o[k] * scale;
@@ -310,7 +310,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   for (const std::string_view angle : kAngles) (text += angle) += ',';
   for (const std::string& channel : table.channels) {
     if (std::find(std::begin(kAngles), std::end(kAngles), channel) != std::end(kAngles))
-      throw InputError(table.name() + ": channel " + shown(channel) + " is an angle's name in ASTM E1392");
+      throw InputError(table.name() + ": channel " + shown(channel) +
+                       " is the name of an angle in ASTM E1392");
     (text += channel) += ',';
   }
   for (std::size_t c = 0; c < table.channels.size(); ++c)
@@ -319,7 +320,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   append_rows(table, text);
   write_file_atomically(path, text);
   if (lost == 0) return {};
-  return {std::to_string(lost) + " comments that are no keyword with a value"};
+  return {std::to_string(lost) + " comments that are not a keyword with a value"};
 }
 
 }  // namespace brdf::io::astm

@@ -16,7 +16,7 @@ namespace {
 
 // Throws the exception that OpenEXR uses for a damaged file.
 [[noreturn]] void ends_too_soon() {
-  throw Iex::InputExc("the file ends too soon");
+  throw Iex::InputExc("the file is truncated");
 }
 
 std::string word_at(Imf::IStream& stream) {
@@ -102,7 +102,7 @@ bool has_sound_headers(Imf::IStream& stream, std::uint64_t bytes) try {
 void check_header(Imf::IStream& stream, std::uint64_t bytes) {
   if (!has_sound_headers(stream, bytes))
     throw InputError(std::string(stream.fileName()) +
-                     ": is no OpenEXR picture that can be read: its header is damaged or cut off");
+                     ": is not a readable OpenEXR picture: the header is damaged or truncated");
   stream.seekg(0);
 }
 
@@ -124,7 +124,7 @@ ExrFile::ExrFile(const std::filesystem::path& path) : IStream(path.c_str()), fil
   struct stat status;
   if (stat(path.c_str(), &status) != 0) cannot_be_read(path.string(), errno);
   if (!S_ISREG(status.st_mode))
-    throw InputError(path.string() + ": is no file");  // reading a pipe would block
+    throw InputError(path.string() + ": is not a regular file");  // reading a pipe would block
   file_.reset(std::fopen(path.c_str(), "rbe"));
   if (!file_) cannot_be_read(path.string(), errno);
   size_ = std::uint64_t(status.st_size);

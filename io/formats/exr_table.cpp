@@ -113,7 +113,7 @@ std::vector<std::string> write_exr_table(const std::filesystem::path& path, cons
         std::count_if(column.values->begin(), column.values->end(),
                       [](double value) { return std::abs(value) > std::numeric_limits<float>::max(); }));
   if (infinite > 0)
-    lost.push_back(std::to_string(infinite) + " numbers beyond 3.4e38: infinite in a 32-bit float");
+    lost.push_back(std::to_string(infinite) + " numbers above 3.4e38, which become infinite in 32-bit float");
   return lost;
 }
 

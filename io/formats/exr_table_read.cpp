@@ -53,14 +53,14 @@ Shape shape_of(const Imf::Header& header, std::size_t columns, const Content& co
   constexpr auto kMost = static_cast<std::int64_t>(kMostRows + kExrTableWidth);
   if (width > kMost || height > kMost || width * height > kMost)
     throw InputError(name + ": has " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels; a table has at most " + std::to_string(kMostRows) + " rows, a pixel each");
+                     " pixels; a table has at most " + std::to_string(kMostRows) + " rows, one per pixel");
   const Shape shape{static_cast<std::size_t>(width), static_cast<std::size_t>(height), window};
   if (shape.width * shape.height > kLargestFile / sizeof(float) / columns)
     throw InputError(name + ": its " + std::to_string(columns) + " columns of " +
                      std::to_string(shape.width * shape.height) + " numbers take more than " +
                      std::to_string(kLargestFile >> 30) + " GiB");
   if (shape.width * shape.height * columns * sizeof(float) > kMostDeflated * content.bytes.size())
-    throw InputError(name + ": the file ends too soon for " + std::to_string(shape.width) + " x " +
+    throw InputError(name + ": the file is too short for " + std::to_string(shape.width) + " x " +
                      std::to_string(shape.height) + " pixels of " + plural(columns, "channel"));
   return shape;
 }
@@ -77,15 +77,14 @@ std::vector<std::string> column_names(const Imf::Header& header, const std::stri
   std::vector<std::string> names;
   for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
     if (c.channel().xSampling != 1 || c.channel().ySampling != 1)
-      throw InputError(file + ": channel " + shown(c.name()) + " leaves out pixels");
+      throw InputError(file + ": channel " + shown(c.name()) + " is subsampled");
     names.emplace_back(c.name());
   }
   const std::vector<std::string_view> known(names.begin(), names.end());
   if (!has_plain_angle_names(known))
-    throw InputError(
-        file + ": is an OpenEXR picture (channels " + joined(names) +
-        "), not a table of samples, which has channels theta_i, phi_i, theta_o, phi_o and those of "
-        "values");
+    throw InputError(file + ": is an OpenEXR picture (channels " + joined(names) +
+                     "), not a table of samples, which has channels theta_i, phi_i, theta_o, phi_o and "
+                     "channels of values");
   if (const auto* order = header.findTypedAttribute<Imf::StringAttribute>(std::string(kExrColumns))) {
     const std::vector<std::string_view> listed = fields_of(order->value(), ',');
     std::ranges::stable_sort(
@@ -137,7 +136,8 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
   }
   place_values(header, facts, [](std::string_view, const std::string&) {});
   table.channels = header.channels;
-  if (table.channels.empty()) throw InputError(table.source + ": has no channel of values beside the angles");
+  if (table.channels.empty())
+    throw InputError(table.source + ": has no channel of values in addition to the angles");
   for (const std::string& note : header.assumptions) table.assume(note);
   table.values.resize(table.channels.size());
   table.sigma.resize(table.channels.size());
@@ -174,7 +174,7 @@ std::vector<std::size_t> rows_of(const std::vector<std::vector<float>>& planes, 
   if (rows.empty()) throw InputError(table.source + ": holds no row of finite numbers");
   if (table.skipped > 0)
     table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(last) +
-                             " pixels hold a number that is not finite: left out");
+                             " pixels left out, because they have a value that is not finite");
   return rows;
 }
 
@@ -209,7 +209,8 @@ SampleTable read_table(const Content& content, const Supplied& supplied) {
         StatedQuantity{StatedQuantity::By::comment, {&quantity_kinds()[0]}, "f_r", "attribute columns"};
   place_columns(names, columns, facts, table);
   if (supplied.mirror_side != MirrorSide::automatic)
-    throw InputError(content.name + ": --mirror-side is for tables of two angles; this one states azimuths");
+    throw InputError(content.name +
+                     ": --mirror-side applies to tables with two angles; this table has azimuths");
   return table;
 }
 
@@ -227,7 +228,7 @@ SampleTable read(const Content& content, const Supplied& supplied) try {
 } catch (const InputError&) {
   throw;
 } catch (const std::exception& error) {
-  throw InputError(content.name + ": is no OpenEXR table that can be read: " + error.what());
+  throw InputError(content.name + ": is not a readable OpenEXR table: " + error.what());
 }
 
 }  // namespace brdf::io::exr

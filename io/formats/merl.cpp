@@ -108,7 +108,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
            std::to_string(phi_difference) + " cells, not 90 x 90 x 180");
   constexpr std::size_t kPlane = kCells * sizeof(double), kSize = sizeof(Header) + 3 * kPlane;
   if (content.bytes.size() != kSize)
-    refuse("has " + std::to_string(content.bytes.size()) + " bytes where its 90 x 90 x 180 x 3 cells take " +
+    refuse("has " + std::to_string(content.bytes.size()) + " bytes, but 90 x 90 x 180 x 3 cells require " +
            std::to_string(kSize));
   SampleTable table;
   table.source = content.name;
@@ -135,7 +135,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
   table.skipped = kCells - kept;
   if (kept == 0) throw InputError(table.source + ": the MERL file holds no valid cell");
   table.warnings.push_back(std::to_string(table.skipped) + " of " + std::to_string(kCells) +
-                           " cells hold no value (negative, or below the horizon)");
+                           " cells have no value (negative, or below the horizon)");
   return table;
 }
 
@@ -150,8 +150,8 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   const std::size_t channels = table.channels.size();
   const std::optional<ChannelColours> colours = channel_colours(table.channels);
   if (!colours)
-    throw InputError(table.name() + ": a MERL file holds red, green and blue, the table has " +
-                     plural(channels, "channel") + " that say nothing of colour");
+    throw InputError(table.name() + ": a MERL file stores red, green and blue, and the table has " +
+                     plural(channels, "channel") + " without a colour");
   std::vector<std::uint32_t> count(kCells);
   std::vector<std::vector<double>> sum(channels, std::vector<double>(kCells));
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -174,7 +174,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
         plane[cell] = std::max(mean, 0.0) / kScale[c];
         if (!std::isfinite(plane[cell]))
           throw InputError(table.name() + ": values about " + to_text(mean) +
-                           " are beyond what a MERL file can hold");
+                           " are outside the range of a MERL file");
       }
       out.write(reinterpret_cast<const char*>(plane.data()),
                 static_cast<std::streamsize>(kCells * sizeof(double)));
@@ -184,11 +184,10 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
       static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n > 0; }));
   std::vector<std::string> lost = {
       "the absolute azimuth: MERL files are isotropic and reciprocal",
-      "directions: each value stands for its cell's centre (1 degree, finer in theta_half)"};
+      "directions: each value is stored at the centre of its cell (1 degree, finer in theta_half)"};
   if (filled < table.rows())
-    lost.push_back(plural(table.rows() - filled, "row") + " averaged with others of their cell");
-  lost.push_back(std::to_string(kCells - filled) + " of " + std::to_string(kCells) +
-                 " cells stay without value");
+    lost.push_back(plural(table.rows() - filled, "row") + " averaged with other rows of the same cell");
+  lost.push_back(std::to_string(kCells - filled) + " of " + std::to_string(kCells) + " cells have no value");
   if (negative > 0) lost.push_back(std::to_string(negative) + " negative means set to 0");
   if (channels == 1) lost.push_back("one channel written as three equal ones");
   if (!colours->note.empty()) lost.push_back("the channels' names: " + colours->note);

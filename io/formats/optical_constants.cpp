@@ -118,9 +118,8 @@ class Reader {
     }
     if (!wavelength_ || (!n_ && !k_))
       fail(
-          "is no table of refractive indices: columns wavelength, n and k, or a record of "
-          "refractiveindex.info, "
-          "are read; found " +
+          "is not a table of refractive indices (columns wavelength, n and k, or a record of "
+          "refractiveindex.info); found " +
           shown(line));
   }
 
@@ -141,7 +140,7 @@ class Reader {
     if (!wavelength_) return;
     split_line(line);
     if (fields_.size() != width_)
-      fail(std::to_string(fields_.size()) + " columns where " + std::to_string(width_) + " are expected");
+      fail(std::to_string(fields_.size()) + " columns, but " + std::to_string(width_) + " are expected");
     if (material_) {
       const std::string found(fields_[*material_]);
       if (std::find(materials_.begin(), materials_.end(), found) == materials_.end())
@@ -151,7 +150,7 @@ class Reader {
     constexpr double kShortest = 1e-3, kLongest = 1e9;  // in any unit: X rays to radio waves
     double nm;
     if (!parse(fields_[*wavelength_], nm) || !(nm >= kShortest && nm <= kLongest))
-      fail(shown(fields_[*wavelength_]) + " is no wavelength (0.001 to 1e9)");
+      fail(shown(fields_[*wavelength_]) + " is not a wavelength (0.001 to 1e9)");
     if (n_) add(read_n_, nm, *n_, "n");
     if (k_) add(read_k_, nm, *k_, "k");
   }
@@ -169,16 +168,16 @@ class Reader {
 
   OpticalConstants result() {
     if (!materials_.empty() && read_n_.values.empty())
-      refuse((asked_.empty() ? "holds several materials: ask for FILE:MATERIAL"
-                             : "holds no material " + shown(asked_)) +
-             " (there: " + joined(materials_) + ")");
+      refuse((asked_.empty() ? "has several materials: give FILE:MATERIAL"
+                             : "has no material " + shown(asked_)) +
+             " (known: " + joined(materials_) + ")");
     if (materials_.empty() && !asked_.empty())
-      refuse("has no column of materials, one of which " + shown(asked_) + " would be");
+      refuse("has no column of materials that could contain " + shown(asked_));
     if (read_n_.values.empty() && !other_type_.empty())
       refuse("type " + shown(other_type_) + " is not read (known: tabulated nk, tabulated n)");
     if (read_n_.values.empty()) refuse("holds no row of wavelength and n");
     if (!read_k_.values.empty() && read_k_.wavelengths != read_n_.wavelengths)
-      refuse("n and k stand at different wavelengths");
+      refuse("n and k are given at different wavelengths");
     return sorted();
   }
 
@@ -196,7 +195,7 @@ class Reader {
     OpticalConstants out{name_ + (asked_.empty() ? "" : ":" + asked_), {}, {}};
     for (const auto& [nm, index] : rows) {
       if (!out.nm.empty() && nm == out.nm.back())
-        refuse("the wavelength " + to_text(nm) + " nm stands twice");
+        refuse("the wavelength " + to_text(nm) + " nm is listed twice");
       out.nm.push_back(nm);
       out.index.push_back(index);
     }
@@ -223,8 +222,8 @@ double reflectance(const Index& index) {
 
 Index OpticalConstants::at(double wavelength) const {
   if (!(wavelength >= nm.front() && wavelength <= nm.back()))
-    throw InputError(source + ": " + to_text(wavelength) + " nm is outside its " + to_text(nm.front()) +
-                     " to " + to_text(nm.back()) + " nm");
+    throw InputError(source + ": " + to_text(wavelength) + " nm is outside the range of this file, " +
+                     to_text(nm.front()) + " to " + to_text(nm.back()) + " nm");
   const std::size_t upper = std::size_t(std::lower_bound(nm.begin(), nm.end(), wavelength) - nm.begin());
   if (nm[upper] == wavelength) return index[upper];
   const Index &a = index[upper - 1], &b = index[upper];
@@ -238,7 +237,7 @@ std::vector<Index> OpticalConstants::indices(const std::vector<std::string>& cha
     const std::optional<double> wavelength = wavelength_of(channel);
     if (!wavelength)
       throw InputError(source + ": channel " + shown(channel) +
-                       " is not named by a wavelength (as 465nm is)");
+                       " is not named by a wavelength (such as 465nm)");
     out.push_back(at(*wavelength));
   }
   return out;
@@ -256,7 +255,7 @@ std::vector<double> OpticalConstants::reflectances(const std::vector<std::string
   for (double w = kFirst; w <= kLast; w += kStep)
     if (w >= nm.front() && w <= nm.back()) wavelengths.push_back(w);
   if (wavelengths.empty() || wavelengths.front() > kBlue || wavelengths.back() < kRed)
-    throw InputError(source + ": does not reach from 480 to 620 nm, which colours need");
+    throw InputError(source + ": does not cover 480 to 620 nm, which colours require");
   const std::vector<Tristimulus> weights = srgb_weights(wavelengths);
   Tristimulus sum{};
   for (std::size_t w = 0; w < wavelengths.size(); ++w)

@@ -24,8 +24,8 @@ void refuse_by_magic(const Content& content) {
       {"\xff\xd8\xff"sv, "is a picture (JPEG), not a table of samples"},
       {"PK\x03\x04"sv, "is a spreadsheet (.xlsx, .ods) or another ZIP archive: export the sheet as CSV"},
       {"\xd0\xcf\x11\xe0"sv, "is an Excel workbook: export the sheet as CSV"},
-      {"\x1f\x8b"sv, "is compressed: `zcat FILE | brdf fit -` reads what is in it"},
-      {"%PDF"sv, "is a PDF: copy the table out of it as text"},
+      {"\x1f\x8b"sv, "is compressed: use `zcat FILE | brdf fit -`"},
+      {"%PDF"sv, "is a PDF: copy the table as text"},
       {"\x89HDF"sv, "is an HDF5 file (AxF and others): export the table as CSV"},
       {"\x93NUMPY"sv, "is an array of NumPy: write it with numpy.savetxt and a header row"},
       {"MATLAB 5.0"sv, "is a MATLAB file: write the table with writetable, as CSV"},
@@ -79,8 +79,8 @@ std::string text_format(std::string_view text) {
   if (lower.starts_with("optis")) return optis(text);
   if (lower.starts_with("type bsdf_data"))
     return "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the "
-           "mirror direction "
-           "(theta_spec phi_spec): the light stands at theta_i = theta_spec, phi_i = phi_spec + 180. Write "
+           "mirror direction (theta_spec phi_spec), so the incident direction is theta_i = theta_spec, phi_i "
+           "= phi_spec + 180. Write "
            "columns "
            "theta_i, phi_i, theta_o, phi_o and the value times 'scale' as CSV";
   if (lower.starts_with("version") && holds(lower, "data_type") && holds(lower, "color_model"))

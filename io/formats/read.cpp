@@ -35,9 +35,9 @@ namespace {
   std::string forms;
   for (const Term& term : read_material(text).terms)
     forms += (forms.empty() ? "" : "+") + std::string(info(term.form).name);
-  throw InputError(text.name +
-                   ": is a saved state of `brdf view`, not a table of samples; it shows a material of " +
-                   forms);
+  throw InputError(
+      text.name +
+      ": is a saved state of `brdf view`, not a table of samples; the state shows a material of " + forms);
 }
 
 bool is_json_array(const Content& content) {
@@ -52,7 +52,9 @@ bool is_json_array(const Content& content) {
   const std::size_t format = text.bytes.find("\"format\"");
   if (format < 10 && text.bytes.substr(format, 30).find("brdf-view") != text.bytes.npos) refuse_view(text);
   if (text.bytes.find("\"brdf-material\"") != text.bytes.npos)
-    throw InputError(text.name + ": is a material, not a table of samples; `brdf synth` measures materials");
+    throw InputError(
+        text.name +
+        ": is a material, not a table of samples; use `brdf synth` to compute samples of a material");
   const std::string foreign = foreign_json(text);
   throw InputError(text.name + ": " + (foreign.empty() ? "is JSON, not a table of samples" : foreign));
 }

@@ -96,12 +96,12 @@ Measurement::Measurement(const Content& content) : data_(std::make_unique<Data>(
       bands[0] != azimuths || bands[1] != angles || bands[2] != data_->channels.size() || bands[2] == 0 ||
       !at_least_two(ndf[0], ndf[1]) || !at_least_two(sigma[0], sigma[1]) || !at_least_two(vndf[2], vndf[3]) ||
       !at_least_two(bands[3], bands[4]))
-    refuse("the fields' sizes do not belong together");
+    refuse("the sizes of the fields are inconsistent");
   if (!data_->isotropic()) {
     const double span = static_cast<double>(data_->phi_i.back()) - data_->phi_i.front();
     const double part = std::round(2 * kPi / span);
     if (part != 1 && part != 2 && part != 4)
-      refuse("phi_i spans neither a circle, nor half of one, nor a quarter");
+      refuse("phi_i spans neither a full circle, nor a half, nor a quarter of a circle");
     data_->symmetry = static_cast<int>(part);
   }
   data_->has_jacobian = !file.has("jacobian") || file.bytes("jacobian") != std::string(1, '\0');
@@ -191,7 +191,8 @@ SampleTable read(const Content& content, const Supplied& supplied) {
   if (table.rows() == 0) throw InputError(table.source + ": RGL file: holds no finite value");
   table.warnings.push_back("the tensor was sampled at " + plural(table.rows(), "direction"));
   if (table.skipped > 0)
-    table.warnings.push_back(plural(table.skipped, "direction") + " left out: their value is undefined");
+    table.warnings.push_back(plural(table.skipped, "direction") +
+                             " left out, because the value is undefined");
   return table;
 }
 

@@ -165,8 +165,8 @@ std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
     return nm;
   }
   if (channels.size() != 1 && channels.size() != 3)
-    throw InputError("RGL file: holds one channel, red, green and blue, or wavelengths; not " +
-                     plural(channels.size(), "channel") + " without");
+    throw InputError("RGL file: stores one channel, red, green and blue, or wavelengths; not " +
+                     plural(channels.size(), "channel") + " without wavelengths");
   return {};
 }
 

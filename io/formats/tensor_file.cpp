@@ -34,13 +34,13 @@ TensorFile::Field TensorFile::read_field(std::size_t& at) const {
   if (element == 0)
     fail("field " + shown(field.name) + " is of the unknown type " + std::to_string(field.type));
   if (field.offset > content_.bytes.size())
-    fail("field " + shown(field.name) + " lies behind the file's end");
+    fail("field " + shown(field.name) + " begins beyond the end of the file");
   const std::size_t most = (content_.bytes.size() - field.offset) / element;
   field.count = 1;
   for (std::size_t& size : field.shape) {
     size = read_value<std::uint64_t>(at);
     if (size > 0 && field.count > most / size)
-      fail("field " + shown(field.name) + " reaches beyond the file's end");
+      fail("field " + shown(field.name) + " extends beyond the end of the file");
     field.count *= size;
   }
   return field;
@@ -54,7 +54,7 @@ T TensorFile::read_value(std::size_t& at) const {
 }
 
 std::string_view TensorFile::read_bytes(std::size_t& at, std::size_t count) const {
-  if (count > content_.bytes.size() - at) fail("the table of fields is cut off");
+  if (count > content_.bytes.size() - at) fail("the table of fields is truncated");
   at += count;
   return std::string_view(content_.bytes).substr(at - count, count);
 }

@@ -31,7 +31,7 @@ class Lines {
     return false;
   }
   void require(std::vector<std::string_view>& words, const std::string& what) {
-    if (!next(words)) throw InputError(name_ + ": ends where " + what + " is expected");
+    if (!next(words)) throw InputError(name_ + ": ends early, " + what + " is expected");
   }
   // Reads the line "KEY VALUE".
   std::string value_of(const std::string& key) {
@@ -42,7 +42,7 @@ class Lines {
   std::vector<double> numbers(const std::string& what, std::size_t count) {
     require(words_, what);
     if (words_.size() != count)
-      fail(std::to_string(words_.size()) + " numbers where " + std::to_string(count) + " are expected (" +
+      fail(std::to_string(words_.size()) + " numbers, but " + std::to_string(count) + " are expected (" +
            what + ")");
     std::vector<double> values(count);
     for (std::size_t k = 0; k < count; ++k)

@@ -72,10 +72,10 @@ class Grid {
       if (n > 0) out.push_back(plural(n, noun) + rest);
     };
     count(grazing_, "row", " at 90 degrees");
-    count(zero_, "row", " with the value 0, which means 'not measured'");
+    count(zero_, "row", " with the value 0, which the format defines as 'not measured'");
     count(std::size_t(std::count_if(table_.metadata.begin(), table_.metadata.end(),
                                     [](const Comment& c) { return !is_kept(c.first, c.second); })),
-          "comment", " outside the form of a short key with a value");
+          "comment", " that cannot be written as a short key with a value");
     if (table_.channels.size() == 1 && table_.channels[0] != "fr") out.push_back("the channel's name");
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
       if (table_.has_sigma(c)) {
@@ -83,8 +83,8 @@ class Grid {
         break;
       }
     if (only_phi_i_ && *only_phi_i_ != 180)
-      out.push_back("the azimuth of the light, " + to_text(*only_phi_i_) +
-                    " degrees: all azimuths are turned to its 180");
+      out.push_back("the azimuth of incidence, " + to_text(*only_phi_i_) +
+                    " degrees: all azimuths are rotated so that it is 180 degrees");
     if (const std::size_t rows = rows_in_order().size(); rows != back.rows())
       count(rows - back.rows(), "row", " at the horizon");
     else if (const double moved = largest_movement(back); moved > 0)
@@ -105,7 +105,7 @@ class Grid {
   void check() const {
     const std::vector<std::string>& names = table_.channels;
     if (names.size() != 1 && names != std::vector<std::string>{"X", "Y", "Z"})
-      refuse("holds one channel, or X, Y and Z; the table has " + joined(names));
+      refuse("stores one channel, or X, Y and Z; the table has " + joined(names));
   }
 
   void place_rows() {
@@ -138,10 +138,10 @@ class Grid {
     const double entries = double(angles_[0].size()) * double(angles_[1].size()) * double(angles_[2].size()) *
                            double(angles_[3].size());
     if (entries > double(kMostEmpty * places_.size()) || entries > double(kMostRows))
-      refuse("holds directions on a grid round the mirror direction: the " + plural(places_.size(), "row") +
-             " stand at " + std::to_string(angles_[kThetas].size()) + " incidences, " +
+      refuse("stores directions on a grid around the mirror direction: the " + plural(places_.size(), "row") +
+             " require " + std::to_string(angles_[kThetas].size()) + " incidences, " +
              std::to_string(angles_[kAzimuths].size()) + " azimuths and " +
-             std::to_string(angles_[kRadials].size()) + " radial angles about it, " + short_number(entries) +
+             std::to_string(angles_[kRadials].size()) + " radial angles, in all " + short_number(entries) +
              " entries");
     radials_ = angles_[kRadials].list();
     azimuths_ = angles_[kAzimuths].list();
@@ -164,8 +164,8 @@ class Grid {
       for (std::size_t a = first; a < last; ++a) {
         std::optional<std::size_t>& row = row_of_[entry(block, theta, a, radial)];
         if (row)
-          refuse("holds a direction once: " + table_.where(*row) + " and " + table_.where(p.row) +
-                 " have the same (--repeats average makes one row of them)");
+          refuse("stores each direction once: " + table_.where(*row) + " and " + table_.where(p.row) +
+                 " have the same direction (--repeats average combines them)");
         row = p.row;
       }
     }

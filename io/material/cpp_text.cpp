@@ -17,7 +17,7 @@ constexpr const char* kBegin = R"text(#pragma once
 #include <cstring>
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
-#error "brdf: the values are wrong under -ffast-math, -Ofast, -funsafe-math-optimizations, -fassociative-math and /fp:fast: compile without it, or this header in a file of its own"
+#error "brdf: the values are wrong with -ffast-math, -Ofast, -funsafe-math-optimizations, -fassociative-math and /fp:fast: compile without these options, or include this header in a separate file"
 #endif
 #if defined(__clang__)
 #define BRDF_AS_WRITTEN _Pragma("clang fp reassociate(off) contract(off)")
@@ -97,7 +97,7 @@ std::string cpp_text(const Material& material, bool with_material, const std::st
          guarded("BRDF_MATERIAL_" + name,
                  "namespace " + name + " {\ninline namespace " + own + " {\n" + functions +
                      "}  // namespace " + own + "\n}  // namespace " + name + "\n",
-                 "two materials called " + name + " in one file: export one of them with --name") +
+                 "two materials have the name " + name + " in one file: export one of them with --name") +
          kEnd;
 }
 

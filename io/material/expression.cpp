@@ -97,14 +97,14 @@ class Parser {
         ++at_;
       double value;
       if (!parse_number(text_.substr(begin, at_ - begin), value))
-        refuse("'" + std::string(text_.substr(begin, at_ - begin)) + "' is no number");
+        refuse("'" + std::string(text_.substr(begin, at_ - begin)) + "' is not a number");
       return std::make_shared<const Node>(Node{'n', value});
     }
     while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
     const std::string name(text_.substr(begin, at_ - begin));
     if (name.empty())
       refuse(at_ < text_.size() ? "'" + std::string(text_.substr(at_)) + "' is not understood"
-                                : "ends too soon");
+                                : "ends early");
     if (!take('(')) {
       if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
       return std::make_shared<const Node>(Node{'v', 0, name});
@@ -114,7 +114,7 @@ class Parser {
   Pointer call(const std::string& name) {
     const bool two = name == "min" || name == "max";
     if (!two && name != "sqrt" && name != "exp" && name != "log" && name != "abs")
-      refuse("'" + name + "' is no function (there are sqrt, exp, log, abs, min, max)");
+      refuse("'" + name + "' is not a function (known: sqrt, exp, log, abs, min, max)");
     Pointer a = sum(), b;
     if (two && !take(',')) refuse(name + " has two arguments");
     if (two) b = sum();

@@ -49,8 +49,8 @@ std::string material_function(const Material& given, const std::string& function
   const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
   if (!colours)
-    throw InputError("--to glsl needs 1 or 3 channels, the material has " +
-                     std::to_string(material.channels.size()) + " that say nothing of colour");
+    throw InputError("--to glsl needs 1 or 3 channels; the material has " +
+                     std::to_string(material.channels.size()) + " channels without a colour");
   std::string text = colours->note.empty() ? "" : "// " + colours->note + "\n";
   text += "vec3 " + function + "(vec3 wi, vec3 wo) {\n  vec3 f = vec3(0.0);\n";
   for (const Term& term : material.terms) {
@@ -111,17 +111,17 @@ std::string alias(const std::string& function) {
 
 // Guards a text so that several exports can follow one another; shared parts occur in the shader once.
 std::string guarded_source(const GlslParts& parts, const std::string& given) {
-  std::string text =
-      parts.head + guarded("BRDF_KERNELS", parts.kernels,
-                           "two exported texts with different kernels in one shader: export both "
-                           "by one version of brdf with the same --to and --kernels");
+  std::string text = parts.head + guarded("BRDF_KERNELS", parts.kernels,
+                                          "two exported texts with different kernels in one shader: export "
+                                          "both with the same version of brdf, --to and --kernels");
   for (const auto& [name, functions] : parts.forms)
     text += guarded("BRDF_EVAL_" + name, functions,
-                    "two versions of " + name + " in one shader: export both by one version of brdf");
+                    "two versions of " + name + " in one shader: export both with the same version of brdf");
   if (parts.material.empty()) return text;
   const std::string name = identifier(given);
-  return text + guarded("BRDF_MATERIAL_" + name, parts.material + alias("brdf_material_" + name),
-                        "two materials called " + name + " in one shader: export one of them with --name");
+  return text +
+         guarded("BRDF_MATERIAL_" + name, parts.material + alias("brdf_material_" + name),
+                 "two materials have the name " + name + " in one shader: export one of them with --name");
 }
 
 }  // namespace

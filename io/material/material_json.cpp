@@ -110,7 +110,7 @@ Reflectance read_form(const JsonPlace& term) {
   if (const auto form = find_form(name)) return *form;
   std::vector<std::string> known{"sum"};
   for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
-  place.fail("is no form (" + known_names_text(name, known) + ")");
+  place.fail("is not the name of a form (" + known_names_text(name, known) + ")");
 }
 
 bool is_sum(const JsonPlace& place) {
@@ -203,13 +203,15 @@ MaterialFile material_of_view(const JsonPlace& view) {
 MaterialFile read_material_file(const Content& content) {
   const std::size_t first = content.bytes.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && content.bytes[first] != '{' && content.bytes[first] != '[')
-    throw InputError(content.name + ": is no material, which is JSON; `brdf fit` makes materials of samples");
+    throw InputError(
+        content.name +
+        ": is not a material, because a material is JSON; use `brdf fit` to make a material from samples");
   const Json json = read_json(content);
   const JsonPlace place(json, content.name);
   if (!json.is_object()) place.fail("must be an object");
   if (place.has("ranking"))
     throw InputError(content.name +
-                     ": is the result of a fit (fit --json); the material is what its -o wrote");
+                     ": is the result of a fit (fit --json), not a material; use the file written by fit -o");
   if (!place.has("format"))
     if (const std::string foreign = foreign_json(content); !foreign.empty())
       throw InputError(content.name + ": " + foreign);

@@ -113,7 +113,7 @@ Reflectance require_form(const std::string& name) {
   if (const auto form = find_form(name)) return *form;
   std::vector<std::string> known;
   for (const Reflectance& form : catalogue()) known.emplace_back(info(form).name);
-  throw InputError("'" + name + "' is no form (" + known_names_text(name, known) + ")");
+  throw InputError("'" + name + "' is not the name of a form (" + known_names_text(name, known) + ")");
 }
 
 std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::string_view option) {
@@ -144,7 +144,7 @@ void apply_settings(Material& material, const std::vector<Setting>& settings) {
   for (const Setting& setting : settings) {
     bool known = false;
     for (Term& term : material.terms) known |= apply(term, setting);
-    if (!known) refuse(setting, "no such parameter (" + known_parameters(setting.name, material) + ")");
+    if (!known) refuse(setting, "unknown parameter (" + known_parameters(setting.name, material) + ")");
   }
 }
 
@@ -157,12 +157,12 @@ ParameterInfo parameter_named(const Material& material, const std::string& name,
     if (const int k = table.weight_index(name); k >= 0) return table.weights[std::size_t(k)];
     if (const int k = table.shape_index(name); k >= 0) return table.shape[std::size_t(k)];
   }
-  throw InputError(option + " " + name + ": no such parameter (" + known_parameters(name, material) + ")");
+  throw InputError(option + " " + name + ": unknown parameter (" + known_parameters(name, material) + ")");
 }
 
 MaterialFile choose_material_file(const MaterialChoice& choice) {
   if (!choice.form.empty() + !choice.material.empty() + choice.made.has_value() != 1)
-    throw InputError("exactly one of MATERIAL, --form and --shader must be given");
+    throw InputError("give exactly one of MATERIAL, --form and --shader");
   const std::vector<Setting> settings = parse_settings(choice.set, "--set");
   MaterialFile file;
   if (!choice.material.empty()) {
@@ -171,7 +171,7 @@ MaterialFile choose_material_file(const MaterialChoice& choice) {
     std::size_t channels = choice.made ? choice.made->channels.size() : 1;
     for (const Setting& setting : settings) channels = std::max(channels, setting.values.size());
     if (channels > kMostChannels)
-      throw InputError("--set: " + plural(channels, "value") + " are more than the " +
+      throw InputError("--set: " + plural(channels, "value") + " exceed the limit of " +
                        std::to_string(kMostChannels) + " channels of a material");
     if (choice.made && channels == choice.made->channels.size())
       file.material = *choice.made;

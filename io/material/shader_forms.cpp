@@ -47,11 +47,11 @@ Term whole_term(const Term& term) {
 }
 
 Reflectance read_shader(const JsonPlace& term) {
-  if (used_forms == nullptr) term.at(kShader).fail("names a shader, and this program reads none");
+  if (used_forms == nullptr) term.at(kShader).fail("names a shader, but this program does not read shaders");
   const std::filesystem::path file = term.file();
   const Reflectance form = used_forms->read(term.at(kShader), file.parent_path());
   if (term.at("form").text() != form.info().name)
-    term.at("form").fail("must be " + std::string(form.info().name) + ", which its shader is called");
+    term.at("form").fail("must be " + std::string(form.info().name) + ", the name of its shader");
   return form;
 }
 

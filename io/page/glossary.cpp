@@ -10,93 +10,98 @@ namespace {
 // forms instead.
 const std::vector<GlossaryTerm>& quantities() {
   static const std::vector<GlossaryTerm> terms{
-      {"f_r",
-       "The BRDF: light reflected into one direction, per unit of light that arrives from another; in 1/sr.",
+      {"f_r", "BRDF value: reflected radiance in one direction per irradiance from another; in 1/sr.", true},
+      {"theta_i",
+       "Angle of incidence, from the surface normal: 0 at normal incidence, 90 degrees at grazing incidence.",
        true},
-      {"theta_i", "Polar angle of the light: 0 along the surface's normal, 90 degrees at grazing.", true},
-      {"theta_o", "Polar angle of the viewer (the detector): 0 along the normal, 90 degrees at grazing.",
-       true},
-      {"phi_i", "Azimuth of the light about the normal.", true},
-      {"phi_o", "Azimuth of the viewer about the normal.", true},
+      {"theta_o",
+       "Viewing angle (polar angle of the detector): 0 along the normal, 90 degrees at the horizon.", true},
+      {"phi_i", "Azimuth of the incident direction about the normal.", true},
+      {"phi_o", "Azimuth of the viewing direction about the normal.", true},
       {"theta_h",
-       "Angle between the normal and the half vector, which lies midway between light and viewer: 0 where a "
-       "mirror would shine.",
+       "Angle between the normal and the half vector, the bisector of incident and viewing direction. It is "
+       "0 at the mirror direction.",
        true},
-      {"theta_d", "Angle between the light and the half vector: half of the angle between light and viewer.",
-       true},
+      {"theta_d", "Difference angle: angle between the incident direction and the half vector.", true},
       {"form", "The formula that is fitted, by its name in the catalogue."},
       {"verdict",
-       "Whether the fitted material may be used. converged: yes, every parameter is known. at_bound: yes, a "
-       "parameter stands at the end of its range. determined: yes, what it gives is known though not every "
-       "parameter. not_identifiable, misfit, diverged, interrupted: no."},
-      {"left out",
-       "The error on incidences that were not fitted, fold by fold: how well the form predicts what it has "
-       "not seen. Smaller is better; forms are ranked by it."},
-      {"median", "Half of the values are off by less than this share of themselves."},
-      {"90 %", "Nine values in ten are off by less than this."},
-      {"off by 2", "The share of the light in values that are off by more than a factor of two."},
+       "Whether the fitted material is usable. converged: yes, every parameter is identifiable. at_bound: "
+       "yes, a parameter is at a bound of its range. determined: yes, its reflectance is well determined, "
+       "although some parameters are not identifiable. not_identifiable, misfit, diverged, interrupted: no."},
+      {"held out",
+       "Cross-validation error: the residual at measurements that were held out of the fit, fold by fold. "
+       "Smaller is better; forms are ranked by this error."},
+      {"median", "Median of the relative errors."},
+      {"90 %", "90th percentile of the relative errors."},
+      {"off by 2", "Share of the reflected light in values with an error of more than a factor of two."},
       {"x scatter",
-       "The usual deviation of fit from samples over how much the samples themselves scatter. 1: nothing is "
-       "left to explain. Well above 1: the form lacks something."},
+       "Typical residual of the fit divided by the measurement noise. Near 1 the residuals are consistent "
+       "with the noise; well above 1 the form has a lack of fit."},
       {"scatter",
-       "How much measured values differ from a smooth law through their neighbours, relative to themselves."},
+       "Measurement noise: relative differences of measured values from a smooth interpolant of their "
+       "neighbours."},
       {"lack of fit",
-       "What the form cannot follow however its parameters are chosen: the deviation that is left beyond the "
-       "scatter."},
-      {"worst at", "The half and difference angles where the deviation is largest."},
-      {"ratio there", "Measured over fitted in the middle of that place: above 1 the fit is too dark."},
+       "Systematic deviation that no choice of parameters removes, beyond the measurement noise."},
+      {"worst at", "Half and difference angles at which the residuals are largest."},
+      {"ratio there", "Median of measured over fitted values in that region: above 1 the fit is too dark."},
       {"BIC",
-       "Bayesian information criterion (Schwarz, 1978): misfit plus a fee for every parameter. Only "
-       "differences count; smaller is better.",
+       "Bayesian information criterion (Schwarz, 1978): misfit plus a penalty for every parameter. Only "
+       "differences are meaningful; smaller is better.",
        true},
-      {"parameters", "How many numbers were fitted."},
+      {"parameters", "Number of fitted parameters."},
       {"residual",
-       "What the fit makes small: how the difference of a fitted and a measured value is counted."},
+       "The quantity that the fit minimises: a measure of the difference between a fitted and a measured "
+       "value."},
       {"log",
-       "Residual: difference of ln(1 + f_r cos theta_i) of fit and sample: of bright values a share, of dark "
-       "ones the difference itself."},
-      {"cosine L2", "Residual: difference of f_r cos theta_i of fit and sample; bright values decide."},
+       "Residual: difference of ln(1 + f_r cos theta_i) between fit and measurement. It is relative for "
+       "bright values and absolute for dark values."},
+      {"cosine L2",
+       "Residual: difference of f_r cos theta_i between fit and measurement. Bright values dominate."},
       {"cube root",
-       "Residual: cube root of the squared difference of f_r cos theta_i; large differences count little."},
+       "Residual: cube root of the squared difference of f_r cos theta_i. Large differences have little "
+       "weight."},
       {"log-relative",
-       "Residual: difference of ln(f_r cos theta_i cos theta_o + 0.001) of fit and sample: a tenth too much "
-       "counts alike in the dark and in the bright."},
-      {"free", "Fitted, and determined by the samples."},
-      {"95 % (statistical)",
-       "Where the parameter lies in 95 of 100 repetitions of the measurement, if the form were right."},
+       "Residual: difference of ln(f_r cos theta_i cos theta_o + 0.001) between fit and measurement. The "
+       "same relative error has the same weight for dark and bright values."},
+      {"free", "Fitted, and identifiable from the measurements."},
+      {"95 % (statistical)", "95 % confidence interval, assuming that the form is correct."},
       {"95 % with lack of fit",
-       "The same, widened by how far the parameter moves when incidences are left out: the form is not quite "
-       "right."},
-      {"folds left out", "From where to where the parameter moves as incidences are left out."},
-      {"other metrics", "From where to where it moves under the other residuals."},
-      {"standard error", "One standard deviation of the parameter, if the form were right."},
+       "95 % confidence interval, widened by the changes of the parameter when incidences are held out. It "
+       "applies if the form does not fit within the noise."},
+      {"folds held out", "Range of the parameter over fits with some incidences held out."},
+      {"other metrics", "Range of the parameter over fits with the other metrics."},
+      {"standard error", "Standard deviation of the parameter, assuming that the form is correct."},
       {"status",
-       "free: fitted and known. fixed: given. at_bound: at the end of its range. unidentified: the samples "
-       "say nothing of it."},
+       "free: fitted and identifiable. fixed: given. at_bound: at a bound of its range. unidentified: not "
+       "identifiable from the measurements."},
       {"correlation",
-       "How far two parameters stand in for each other: near 1 or -1 only a combination of the two is "
-       "known."},
-      {"starts", "How many of the random starting points ended here."},
-      {"cost", "What was minimised; or, among choices, time relative to the exact way."},
+       "Degree to which two parameters can replace each other: near 1 or -1 only a combination of the two is "
+       "identifiable."},
+      {"starts", "Number of starting points that converged here."},
+      {"cost", "The minimised quantity; in a table of choices, time relative to the exact method."},
       {"reflected fraction",
-       "The share of light from one direction that is reflected into all directions (directional albedo). "
-       "Above 1 a material would give off more than it receives."},
-      {"energy", "Whether no light gives back more than it brings: the reflected fraction is at most 1."},
-      {"reciprocity", "Whether f_r stays the same when light and viewer change places (Helmholtz)."},
+       "Directional albedo: the share of light from one direction that is reflected into all directions. "
+       "Above 1 a material violates energy conservation."},
+      {"energy", "Whether the directional albedo is at most 1 (energy conservation)."},
+      {"reciprocity",
+       "Whether f_r is unchanged when the two directions are exchanged (Helmholtz reciprocity)."},
       {"positivity", "Whether no value is negative."},
-      {"noise_floor", "The scatter of the samples: what no fit can undercut."},
-      {"coverage", "How much of the hemisphere of directions the samples reach."},
-      {"isotropy", "Whether turning the sample about its normal changes nothing."},
+      {"noise_floor", "The measurement noise, a lower bound for the residuals of any fit."},
+      {"coverage", "Share of the hemisphere of directions that the measurements cover."},
+      {"isotropy", "Whether values are independent of rotations of the sample about its normal."},
       {"mean", "Average over the domain that the figure names."},
-      {"p99", "99 of 100 errors are below this."},
-      {"max", "The largest error found, at the point named beside it."},
-      {"ns", "Nanoseconds for one evaluation on the machine named at the top."},
-      {"image error", "Mean difference of the two pictures' radiance over the mean of the reference's."},
+      {"p99", "99th percentile of the errors."},
+      {"max", "The largest error found, at the point given with it."},
+      {"ns", "Nanoseconds for one evaluation on the machine given at the top."},
+      {"image error",
+       "Mean difference of radiance between the two pictures, divided by the mean radiance of the "
+       "reference."},
       {"brdf error",
-       "Mean difference of f_r cos over all directions over the mean: it counts directions that this scene "
-       "may never show."},
-      {"front", "The choices that nothing beats: every other is dearer or less accurate than one of these."},
-      {"dominated", "Another choice is not dearer and in no error worse."},
+       "Mean difference of f_r cos over all directions, divided by the mean. It includes directions that "
+       "this scene may not show."},
+      {"front",
+       "Pareto front: every other choice is more expensive or less accurate than one of these choices."},
+      {"dominated", "Another choice is not more expensive, and no error of it is larger."},
   };
   return terms;
 }
@@ -118,7 +123,7 @@ std::string_view words(Role role) {
     case Role::exponent_across:
       return "sharpness across";
     case Role::slope:
-      return "roughness, as the facets' slopes";
+      return "roughness (slope of the microfacets)";
     case Role::index:
       return "index of refraction";
     case Role::extinction:

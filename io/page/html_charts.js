@@ -1,5 +1,5 @@
-// Draws every plot, without animation, and leaves a mark that a test can wait for. What belongs together has a colour,
-// a dash and a shape of its own: colour alone tells nothing.
+// Draws every plot, without animation, and sets a mark for which a test can wait. Each series has its own colour, dash
+// and shape, so that plots do not depend on colour alone.
 const kDashes = [[], [11, 3], [7, 3, 2, 3], [2, 3], [14, 4, 3, 4], [5, 5], [1, 4], [9, 3, 2, 3, 2, 3]];
 const kShapes = ["circle", "triangle", "rect", "rectRot", "crossRot", "star", "cross", "dash"];
 const kMostInLegend = 8;
@@ -16,8 +16,8 @@ const decade = (value) => {
   return value >= 1e-3 && value < 1e4 ? String(Number(value.toPrecision(2))) : value.toExponential(0);
 };
 
-// Names beside points, where there is room: right of the point, else left, above or below it, else none (the tooltip
-// has it).
+// Names next to points if there is room: right of the point, else left, above or below. Otherwise only the tooltip
+// has the name.
 const pointNames = {
   id: "pointNames",
   afterDatasetsDraw(chart) {
@@ -49,7 +49,7 @@ const pointNames = {
   },
 };
 
-// `whole`: all values are whole numbers, and so are the ticks.
+// `whole`: all values are whole numbers, so ticks are whole numbers too.
 const axisOf = (log, range, edge, whole) => ({
   type: log ? "logarithmic" : "linear",
   min: edge ? edge.at : range?.[0],
@@ -77,7 +77,7 @@ const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
   return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
 });
 
-// The legend's sign: the line with its dash, and the shape of the points that go with it.
+// The sign in the legend: the line with its dash and the shape of its points.
 const signOf = (drawn, fill, dash, shape, width) => {
   const sign = Object.assign(document.createElement("canvas"), { width: 34, height: 11 });
   const ctx = sign.getContext("2d");
@@ -94,7 +94,7 @@ const signOf = (drawn, fill, dash, shape, width) => {
   return sign;
 };
 
-// Of the series with a label; points without one that have its colour lend it their shape.
+// Returns the series with a label. A series takes the shape of unlabelled points with the same colour.
 const legendOf = (chart) => chart.data.datasets.flatMap((set, k) => {
   if (set.label === "") return [];
   const points = set.showLine

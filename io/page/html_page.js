@@ -1,5 +1,5 @@
-// What a page does beside its charts: printing, tables that scroll or sort. Sends the event "scheme" to the document
-// when the colours of the page change (dark, light, paper): whoever draws on a canvas draws anew.
+// Functions of a page except charts: printing, tables that scroll or sort. Sends the event "scheme" to the document
+// when the colours of the page change (dark, light, paper), so that canvases are drawn again.
 const printing = (on) => {
   document.documentElement.toggleAttribute("data-printing", on);
   for (const part of document.querySelectorAll("details:not(.commands, .screen)")) {
@@ -12,7 +12,7 @@ addEventListener("beforeprint", () => printing(true));
 addEventListener("afterprint", () => printing(false));
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => document.dispatchEvent(new Event("scheme")));
 
-// A box that scrolls can be reached by the keyboard; one that does not is no stop.
+// A box that scrolls is a stop of the keyboard; other boxes are not.
 const boxes = () => {
   for (const box of document.querySelectorAll(".scroll"))
     if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
@@ -22,7 +22,7 @@ addEventListener("resize", boxes);
 document.addEventListener("toggle", boxes, true);
 boxes();
 
-// A click on a column's sign sorts by it, a second one the other way round; numbers by size, words after them both ways.
+// A click on the sign of a column sorts by the column, a second click reverses the order. Words follow numbers in both.
 for (const table of document.querySelectorAll("table.sortable")) {
   const body = table.tBodies[0], heads = [...table.tHead.rows[0].cells];
   const key = (row, k) => {

@@ -95,7 +95,7 @@ void HtmlReport::begin_fold(std::string_view summary, Paper paper) {
 }
 
 void HtmlReport::end_fold() {
-  if (open_folds_ == 0) throw std::logic_error("a report's fold ends that was never begun");
+  if (open_folds_ == 0) throw std::logic_error("a report ends a fold that was not begun");
   --open_folds_;
   body_ += "</details>\n";
 }
@@ -118,7 +118,7 @@ void HtmlReport::footnote(std::string_view key, std::string_view text) {
 }
 
 std::string HtmlReport::document(const Provenance& made) const {
-  if (open_folds_ != 0) throw std::logic_error("a report's fold was never ended");
+  if (open_folds_ != 0) throw std::logic_error("a fold of a report was not ended");
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +

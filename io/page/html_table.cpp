@@ -156,7 +156,7 @@ void HtmlReport::append_terms(std::string& html) const {
     html += "<div popover id=\"term" + std::to_string(k) + "\"><strong>" +
             html_escaped(used_terms_[k].first) + "</strong>: " + html_escaped(used_terms_[k].second) +
             "</div>\n";
-  html += "<details class=\"part screen\"><summary>The words of this page</summary><dl>\n";
+  html += "<details class=\"part screen\"><summary>Glossary</summary><dl>\n";
   for (const auto& [word, meaning] : used_terms_)
     html += "<dt>" + html_escaped(word) + "</dt><dd>" + html_escaped(meaning) + "</dd>\n";
   html += "</dl></details>\n";

@@ -70,25 +70,25 @@ struct Decision {
 Decision decide(const SampleTable& table, MirrorSide asked) {
   if (std::any_of(table.theta_i.begin(), table.theta_i.end(), [](double theta) { return theta < 0; }))
     return {false, true,
-            "light and viewer are on one scale of angles (some of the light's are negative): the mirror "
+            "both angles have signs on the same scale (some angles of incidence are negative), so the mirror "
             "direction is at -theta_i"};
   if (asked != MirrorSide::automatic)
     return {asked == MirrorSide::negative, false,
-            asked == MirrorSide::negative ? "negative angles of the viewer are on the mirror side, as asked"
-                                          : "positive angles of the viewer are on the mirror side, as asked"};
+            asked == MirrorSide::negative ? "negative viewing angles are on the mirror side, as requested"
+                                          : "positive viewing angles are on the mirror side, as requested"};
   const Votes votes = votes_of(table);
   const std::string other = " (if not: --mirror-side ";
   if (votes.negative > 2 * votes.positive)
     return {true, false,
-            "negative angles of the viewer are on the mirror side, where the largest values lie" + other +
-                "positive, for a sample that sends light back)"};
+            "negative viewing angles are on the mirror side, because the largest values are there" + other +
+                "positive, for a retroreflective sample)"};
   if (votes.positive > 2 * votes.negative)
     return {false, false,
-            "positive angles of the viewer are on the mirror side, where the largest values lie" + other +
+            "positive viewing angles are on the mirror side, because the largest values are there" + other +
                 "negative)"};
   return {false, false,
-          "positive angles of the viewer are taken for the mirror side: the values do not tell" + other +
-              "negative)"};
+          "positive viewing angles are assumed to be on the mirror side, because the values do not decide" +
+              other + "negative)"};
 }
 
 }  // namespace

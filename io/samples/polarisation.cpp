@@ -58,7 +58,7 @@ class Choice {
         refuse("channels " + shown(table_.channels[first->second]) + " and " + shown(table_.channels[c]) +
                " are both " + std::string(name_of(*name.of)));
     }
-    if (polarised.empty()) refuse("no channel's name says a polarisation; found " + found());
+    if (polarised.empty()) refuse("no channel name contains a polarisation; found " + found());
     SampleTable out;
     for (std::size_t c = 0; c < table_.channels.size(); ++c) {
       const PolarisedName name = polarised_name(table_.channels[c]);
@@ -86,12 +86,12 @@ class Choice {
     if (!sum.channels.empty()) return sum;
     std::string stated;
     for (const auto& [p, c] : channels.channels) (stated += stated.empty() ? "" : ", ") += name_of(p);
-    refuse("not told by what is there of " + shown(name) + ": " + stated);
+    refuse("cannot be computed from the channels of " + shown(name) + ": " + stated);
   }
 
   void take(SampleTable& out, const std::string& name, const Sum& sum) const {
     if (std::find(out.channels.begin(), out.channels.end(), name) != out.channels.end())
-      refuse("channel " + shown(name) + " stands beside polarised ones of that name");
+      refuse("channel " + shown(name) + " has the same name as polarised channels");
     out.channels.push_back(name);
     std::vector<double>& values = out.values.emplace_back(table_.rows(), 0.0);
     for (const std::size_t c : sum.channels)

@@ -18,7 +18,8 @@ void make_relative(SampleTable& table) {
     }
     if (weights > 0) largest = std::max(largest, sum / weights);
   }
-  if (!(largest > 0)) throw InputError(table.name() + ": no value is above 0 in the mean: there is no scale");
+  if (!(largest > 0))
+    throw InputError(table.name() + ": no mean value is above 0, so the scale is undefined");
   const double scale = kPi * largest;
   for (auto* columns : {&table.values, &table.sigma})
     for (auto& column : *columns)

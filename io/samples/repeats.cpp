@@ -130,9 +130,10 @@ void average_repeats(SampleTable& table) {
     for (const Group& group : groups) means.push_back(mean_of(values, group));
     values = std::move(means);
   }
-  table.warnings.push_back("repeats: " + plural(table.rows(), "row") + " are " +
-                           std::to_string(groups.size()) + " pairs of directions, averaged" +
-                           (is_known ? "" : "; those repeated are copies: nothing says how they scatter"));
+  table.warnings.push_back(
+      "repeats: " + plural(table.rows(), "row") + " are " + std::to_string(groups.size()) +
+      " pairs of directions, averaged" +
+      (is_known ? "" : "; the repeated rows are copies, which give no measurement noise"));
   SampleTable kept;
   for (const Group& group : groups) {
     const std::size_t k = group.front();

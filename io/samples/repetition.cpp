@@ -101,10 +101,9 @@ void leave_out(SampleTable& table, const MayRepeat& may_repeat, const IsWrittenT
     else
       ++next;
   keep_rows(table, kept);
-  table.warnings.push_back(
-      std::to_string(repeated) + (repeated == 1 ? " row repeats" : " rows repeat") +
-      " a direction with the same values (azimuths of 0 and 360 degrees, or any along the "
-      "normal): left out");
+  table.warnings.push_back(std::to_string(repeated) + (repeated == 1 ? " row repeats" : " rows repeat") +
+                           " a direction with the same values (azimuths of 0 and 360 degrees, or any azimuth "
+                           "along the normal) and left out");
 }
 
 }  // namespace

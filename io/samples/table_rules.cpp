@@ -24,8 +24,8 @@ std::string broken_rule(std::string_view name) {
   if (name.empty()) return "must not be empty";
   if (name.size() > kLongestName) return "must have at most " + std::to_string(kLongestName) + " bytes";
   if (!utf8::is_valid(name.begin(), name.end())) return "must be UTF-8";
-  if (printable(name) != name) return "must not hold control characters or marks of direction";
-  if (name.find(',') != name.npos) return "must not hold a comma";
+  if (printable(name) != name) return "must not contain control characters or direction marks";
+  if (name.find(',') != name.npos) return "must not contain a comma";
   if (name.front() == '"') return "must not begin with a quotation mark";
   if (trimmed(name) != name) return "must not begin or end with a blank";
   if (parse_number(name, number)) return "must not be a number";
@@ -47,7 +47,7 @@ void check_comments(const SampleTable& table) {
 
 void check_channel_names(const std::vector<std::string>& names, const std::string& where) {
   if (names.size() > kMostChannels)
-    throw InputError(where + ": " + plural(names.size(), "channel") + " are more than " +
+    throw InputError(where + ": " + plural(names.size(), "channel") + " exceed the limit of " +
                      std::to_string(kMostChannels));
   std::unordered_set<std::string_view> seen;
   for (const std::string& name : names) {

@@ -28,8 +28,8 @@ std::vector<std::size_t> defined_rows(const SampleTable& table, bool by_light, b
   const double cosine = cos_degrees(quantity.kind->cos_i == 1 ? table.theta_i[row] : table.theta_o[row]);
   throw InputError(table.where(row) + ": " + to_text(value) +
                    (is_one_cosine
-                        ? " divided by the cosine " + to_text(cosine) + " is beyond the range of numbers"
-                        : ": f_r, " + quantity.operation() + ", is beyond the range of numbers"));
+                        ? " divided by the cosine " + to_text(cosine) + " exceeds the range of numbers"
+                        : ": f_r, " + quantity.operation() + ", exceeds the range of numbers"));
 }
 
 }  // namespace
@@ -59,9 +59,9 @@ void make_f_r(SampleTable& table, const std::vector<Quantity>& quantities) {
       keep_rows(table, rows);
       table.skipped += undefined;
       table.warnings.push_back(plural(undefined, "row") +
-                               " left out: f_r is undefined where the quantity's cosine is 0");
+                               " left out: f_r is undefined if the cosine of the quantity is 0");
     }
-    if (table.rows() == 0) throw InputError(table.name() + ": holds no rows in which f_r is defined");
+    if (table.rows() == 0) throw InputError(table.name() + ": has no rows in which f_r is defined");
   }
   for (std::size_t c = 0; c < quantities.size(); ++c) {
     const Quantity& q = quantities[c];

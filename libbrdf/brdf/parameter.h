@@ -22,7 +22,7 @@ enum class Role {
   width_across,     // the same across the tangent
   exponent,         // of a cosine, along the tangent
   exponent_across,  // the same across the tangent
-  slope,            // standard deviation of the facets' slope angle
+  slope,            // standard deviation of the slope angle of the microfacets
   index,            // of refraction, real part
   extinction,       // its imaginary part
   tint,             // factor of the reflectance at normal incidence, by colour
@@ -235,9 +235,10 @@ template <class T>
 struct SlopeDeviation {
   T sigma;
   static constexpr auto fields() {
-    return std::array{Field{&SlopeDeviation::sigma,
-                            ParameterInfo{"sigma", 0, kPi / 2, 0.3, kPi / 2, "rad", false,
-                                          "standard deviation of the facets' slope angle", Role::slope}}};
+    return std::array{
+        Field{&SlopeDeviation::sigma,
+              ParameterInfo{"sigma", 0, kPi / 2, 0.3, kPi / 2, "rad", false,
+                            "standard deviation of the slope angle of the microfacets", Role::slope}}};
   }
 };
 

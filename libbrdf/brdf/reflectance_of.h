@@ -144,8 +144,8 @@ struct FormFacts {
     if constexpr (LinearForm<F>) {
       constexpr auto found = lobe_weights<F>();
       static_assert(found.second,
-                    "linear() must give each lobe one weight, or one weight times f0 or 1 - f0: nothing else "
-                    "is fitted");
+                    "linear() must give each lobe one weight, or one weight times f0 or 1 - f0; other "
+                    "weights cannot be fitted");
       static_assert(weights_follow_from_lobes(found.first, kWeights),
                     "every weight needs a lobe, and f0 must divide the lobes of one weight in two ways");
       return found.first;

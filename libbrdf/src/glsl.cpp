@@ -45,7 +45,7 @@ std::string glsl_kernels(const GlslOptions& options) {
   const GlslOptions& p = options;
   const std::string power =
       options.dialect == GlslDialect::es
-          ? "uniform highp uint brdf_zero;  // 0, as it is when nobody sets it\n"
+          ? "uniform highp uint brdf_zero;  // 0, the default of an unset uniform\n"
             "float brdf_power_of_two(float n) {\n  return uintBitsToFloat(uint(int(n) + 127) << 23u);\n}\n"
           : "";
   return power + kernel_function("brdf_exp", p, [](Traced x) { return kernels::exp(x); }) +

@@ -70,7 +70,7 @@ std::vector<NamedMaterial> read_materials(const JsonPlace& place) {
       one.at("file").fail("is named twice");
     materials.push_back({file, io::material_from_json(material).material});
     if (io::to_json(materials.back().material) != material.value())
-      material.fail("must hold what a material reflects, and nothing else");
+      material.fail("must contain only the keys that determine a material's reflectance");
   }
   return materials;
 }
@@ -105,7 +105,7 @@ Checked check(const io::Content& content) {
   const std::string seal = root.at("seal").text();
   Checked checked;
   if (seal.empty() || seal != (first ? seal_of_first(content.bytes) : seal_of(content.bytes, seal))) {
-    checked.faults.push_back("the seal is not that of the certificate: something was changed");
+    checked.faults.push_back("the seal does not match the certificate: the certificate was changed");
     return checked;
   }
   if (first) bring_up_to_date(certificate);

@@ -62,8 +62,9 @@ std::string arithmetic_of(const Claim& claim, bool bit_for_bit) {
 }
 
 std::string_view statement_of(Property property) {
-  return property == Property::finite ? "no overflow, no division by 0 and no domain error on the way to f"
-                                      : "f is nowhere below 0";
+  return property == Property::finite
+             ? "no overflow, no division by 0 and no domain error in the evaluation of f"
+             : "f is never below 0";
 }
 
 bool settles(Property property, Bounds bounds, double most) {

@@ -27,12 +27,13 @@ struct Walk {
     const auto bounds = what.enclose(box, node);
     ++leaves;
     const std::string name = "leaf " + std::to_string(leaves);
-    if (!bounds) return bad(name + " is of a kind that no search has");
+    if (!bounds) return bad(name + " is of an unknown kind");
     found.range = leaves == 1
                       ? *bounds
                       : Bounds{std::min(found.range.lo, bounds->lo), std::max(found.range.hi, bounds->hi)};
-    if (!what.settles(*bounds)) return bad(name + " does not settle it");
-    if (bounds->lo != stated.lo || bounds->hi != stated.hi) return bad(name + " has other bounds");
+    if (!what.settles(*bounds)) return bad(name + " does not decide the claim");
+    if (bounds->lo != stated.lo || bounds->hi != stated.hi)
+      return bad(name + " states bounds that differ from the recomputed bounds");
     return true;
   }
 
@@ -49,7 +50,7 @@ struct Walk {
       if (what.domain.variables[k].name != name) continue;
       const double cut = node.at(1).number();
       const Bounds whole = box[k];
-      if (!(whole.lo < cut && cut < whole.hi)) return bad("a cut lies outside its box");
+      if (!(whole.lo < cut && cut < whole.hi)) return bad("a cut is outside its box");
       box[k] = {whole.lo, cut};
       if (!visit(depth + 1)) return false;
       box[k] = {cut, whole.hi};
@@ -57,7 +58,7 @@ struct Walk {
       box[k] = whole;
       return true;
     }
-    return bad("a cut of " + name + ", which the domain does not have");
+    return bad("a cut of " + name + ", which is not a variable of the domain");
   }
 };
 
@@ -66,13 +67,13 @@ struct Walk {
 Walked walk(const WalkedCover& what, long& leaves) {
   Walk w{what};
   for (const Variable& v : what.domain.variables) w.box.push_back({v.low, v.high});
-  if (w.visit(0) && w.at != what.cover.size()) w.bad("the cover goes on after its last leaf");
+  if (w.visit(0) && w.at != what.cover.size()) w.bad("the cover continues after its last leaf");
   leaves += w.leaves;
   return std::move(w.found);
 }
 
 std::string other_domain(const Domain& domain, const JsonPlace& row) {
-  const std::string fault = "has another domain";
+  const std::string fault = "states a different domain";
   const JsonPlace stated = row.at("domain");
   if (!stated.value().is_object()) stated.fail("must be an object");
   if (stated.value().size() != domain.variables.size()) return fault;

@@ -28,14 +28,14 @@ Enum named(const JsonPlace& place) {
 int catalogue_place(const JsonPlace& place) {
   const auto form = find_form(place.text());
   const int index = form ? catalogue_index(*form) : -1;
-  if (index < 0) place.fail("is no form of the catalogue");
+  if (index < 0) place.fail("is not a form of the catalogue");
   return index;
 }
 
 // Checks a row with a cover; low and high must agree with the leaves.
 std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
   const auto domain = domain_of(claim);
-  if (!domain) return "is not shown by boxes";
+  if (!domain) return "is not a property that boxes can prove";
   if (std::string fault = other_domain(*domain, row); !fault.empty()) return fault;
   const JsonPlace cover = row.at("cover");
   const double low = row.at("low").number(), high = row.at("high").number();
@@ -44,14 +44,14 @@ std::string covers(const Claim& claim, const JsonPlace& row, long& leaves) {
        [&](Bounds b) { return settles(claim.property, b, high); }},
       leaves);
   if (!walked.fault.empty()) return walked.fault;
-  return walked.range.lo == low && walked.range.hi == high ? "" : "low and high are not those of the leaves";
+  return walked.range.lo == low && walked.range.hi == high ? "" : "low and high do not match the leaves";
 }
 
 // Checks the growth of an albedo: `high` over all widths and cosines by the cover, `low` at one width.
 void check_growth(CheckedResult& r, int form, const JsonPlace& row, long& leaves) {
   row.allow_keys({"form", "property", "scalar", "arithmetic", "low", "high", "width", "domain", "cover"});
   const GrowthMethod* method = growth_method(form);
-  r.fault = method == nullptr ? "is not known to grow" : other_domain(method->domain, row);
+  r.fault = method == nullptr ? "has no known growth" : other_domain(method->domain, row);
   if (r.fault.empty()) r.fault = other_words(row, {form, Property::energy, Precision::double_type}, kExact);
   if (!r.fault.empty()) return;
   const JsonPlace cover = row.at("cover");
@@ -65,13 +65,13 @@ void check_growth(CheckedResult& r, int form, const JsonPlace& row, long& leaves
   if (!walked.fault.empty())
     r.fault = walked.fault;
   else if (walked.range.hi != high)
-    r.fault = "high is not that of the leaves";
+    r.fault = "high does not match the leaves";
   else if (!(widths.low <= width && width <= widths.high))
-    r.fault = "its width is none of the form's";
+    r.fault = "the width is outside the range of the form";
   else if (reached_at(*method, width).least != low)
-    r.fault = "low is not what is reached at its width";
+    r.fault = "low is not the value reached at this width";
   r.verdict = Verdict::proved;
-  r.statement = "for light beyond " + io::short_number(method->from, 3) +
+  r.statement = "beyond an angle of incidence of " + io::short_number(method->from, 3) +
                 " degrees the largest albedo is K/" +
                 (method->power == 1 ? "cos" : "cos^" + io::short_number(method->power, 2)) + ", K in [" +
                 io::short_number(low, 3) + ", " + io::short_number(high, 3) + "]";
@@ -81,7 +81,7 @@ void check_reciprocity(CheckedResult& r, const Claim& claim, const JsonPlace& ro
   row.allow_keys({"form", "property", "scalar", "arithmetic"});
   const bool bits = record_both_orders(claim.form, Rules::bits).same;
   if (!bits && !record_both_orders(claim.form, Rules::exact).same)
-    r.fault = "both orders differ";
+    r.fault = "the formulas for both orders differ";
   else
     r.fault = other_words(row, claim, arithmetic_of(claim, bits));
   r.verdict = Verdict::proved;
@@ -122,7 +122,7 @@ void check_boxes(CheckedResult& r, const Claim& claim, const JsonPlace& row, lon
   if (!has_cover && !has_witness) row.at("cover");
   if (!has_cover)
     for (const char* key : {"low", "high", "domain"})
-      if (row.has(key)) row.at(key).fail("goes with a cover");
+      if (row.has(key)) row.at(key).fail("is allowed only with a cover");
   r.fault = other_words(row, claim, arithmetic_of(claim));
   if (r.fault.empty() && has_cover) r.fault = covers(claim, row, leaves);
   if (!r.fault.empty()) return;
@@ -133,7 +133,7 @@ void check_boxes(CheckedResult& r, const Claim& claim, const JsonPlace& row, lon
     const bool tied =
         std::ranges::any_of(domain_of(claim)->variables, [](const Variable& v) { return v.tied; });
     if (tied)
-      r.statement += " where both widths are equal, of others nothing is shown";
+      r.statement += " for equal widths; nothing is shown for unequal widths";
     else if (high > 1 + kRoundedConstants)
       r.statement += ", which may be above 1";
     if (tied || high > 1 + kRoundedConstants) r.verdict = Verdict::bounded;
@@ -146,7 +146,7 @@ void check_boxes(CheckedResult& r, const Claim& claim, const JsonPlace& row, lon
   if (!has_witness) return;
   const std::string violation = violation_at(claim, row.at("witness"));
   if (violation.empty()) {
-    r.fault = "its witness shows no violation that the form declares";
+    r.fault = "the witness shows no declared violation of the form";
     return;
   }
   r.verdict = Verdict::refuted;
@@ -163,9 +163,9 @@ Claim claim_of_row(const JsonPlace& row, int form) {
 
 std::string other_words(const JsonPlace& row, const Claim& claim, std::string_view arithmetic) {
   if (row.at("scalar").text() != scalar_of(claim))
-    return "its scalar must be " + std::string(scalar_of(claim));
+    return "the scalar must be " + std::string(scalar_of(claim));
   if (row.at("arithmetic").text() != arithmetic)
-    return "its arithmetic is \"" + std::string(arithmetic) + "\", not what it says";
+    return "the arithmetic must be \"" + std::string(arithmetic) + "\"";
   return "";
 }
 

@@ -54,7 +54,7 @@ std::vector<Subject> subjects_asked(const Asked& asked, Judged& judged) {
     const auto same = [&](const NamedMaterial& held) { return held.material == m.material; };
     const auto found = std::ranges::find_if(judged.checked.materials, same);
     if (found == judged.checked.materials.end())
-      judged.short_of.push_back(m.file + ": the certificate is of no material with these parameters");
+      judged.short_of.push_back(m.file + ": the certificate has no material with these parameters");
     else
       add_channels(subjects, *found);
   }
@@ -137,13 +137,13 @@ Judged judge(const io::Content& certificate, const Asked& asked) {
       judged.short_of.push_back(std::string(name_of(property)) + ": the certificate has no such result");
   }
   if (empty)
-    judged.short_of.push_back("the certificate holds no result: it shows nothing");
+    judged.short_of.push_back("the certificate has no result");
   else
     for (const Subject& s : subjects)
       if (std::ranges::none_of(judged.checked.results,
                                [&](const CheckedResult& r) { return is_about(r, s); }) &&
           required.empty())
-        judged.short_of.push_back("the certificate has no result of " + words_of(s));
+        judged.short_of.push_back("the certificate has no result for " + words_of(s));
   judged.good = judged.checked.faults.empty() && judged.short_of.empty() &&
                 count(judged, Verdict::proved) == long(judged.checked.results.size());
   return judged;
@@ -172,7 +172,7 @@ void print(std::ostream& out, const Judged& judged) {
     if (const long n = count(judged, verdict); n > 0)
       shown += (shown.empty() ? "" : ", ") + std::to_string(n) + " " + std::string(name_of(verdict));
   out << (shown.empty() ? "nothing is shown" : shown)
-      << (judged.short_of.empty() ? "" : "; not all that is asked for is shown") << '\n';
+      << (judged.short_of.empty() ? "" : "; a requested property is not shown") << '\n';
 }
 
 io::Json to_json(const Judged& judged) {

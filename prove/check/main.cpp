@@ -21,18 +21,17 @@ constexpr const char* kUsage =
     "CERTIFICATE\n";
 constexpr const char* kHelp =
     "\n"
-    "Verifies a certificate of `brdf prove -o`: encloses every box again, and asks whether it settles what "
-    "is claimed and whether\n"
-    "the boxes cover the whole domain; says of each result what its numbers show. No search is in this "
-    "program.\n"
+    "Verifies a certificate of `brdf prove -o`. The bounds of every box are computed again and must decide "
+    "the claim, and\n"
+    "the boxes must cover the whole domain. The verdict of each result follows from its numbers. This "
+    "program contains no search.\n"
     "\n"
-    "  --require PROPERTIES   must be there and proved, of every form and channel that is asked about; "
-    "separated by commas\n"
-    "  --property PROPERTIES  the same, and nothing is said of others\n"
-    "  --form FORM            asks about this form (repeat it for more); default: all that is in it\n"
+    "  --require PROPERTIES   these must be proved for every selected form and channel; separated by commas\n"
+    "  --property PROPERTIES  as --require, and other properties are not judged\n"
+    "  --form FORM            selects a form (may be repeated); default: all forms of the certificate\n"
     "\n"
-    "Exit code: 0 every result holds and is a proof, and all that is asked for is there; 1 else; 2 bad "
-    "input.\n"
+    "Exit code: 0 if every result is confirmed and proved and all required results exist; 1 otherwise; 2 for "
+    "bad input.\n"
     "Example: brdf prove --form phong -o certificate.json; brdf_check --require energy certificate.json\n";
 
 struct Words {

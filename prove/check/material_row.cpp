@@ -15,13 +15,13 @@ using io::JsonPlace;
 const NamedMaterial& material_of(const JsonPlace& place, std::span<const NamedMaterial> materials) {
   const std::string file = place.text();
   const auto found = std::ranges::find(materials, file, &NamedMaterial::file);
-  if (found == materials.end()) place.fail("is none of the certificate's materials");
+  if (found == materials.end()) place.fail("is not a material of the certificate");
   return *found;
 }
 
 std::size_t channel_of(const JsonPlace& place, const Material& material) {
   const auto found = std::ranges::find(material.channels, place.text());
-  if (found == material.channels.end()) place.fail("is no channel of the material");
+  if (found == material.channels.end()) place.fail("is not a channel of the material");
   return std::size_t(found - material.channels.begin());
 }
 
@@ -32,12 +32,13 @@ void check_both_orders(CheckedResult& r, const Material& material, const JsonPla
     const int form = catalogue_index(term.form);
     const bool of_bits = form >= 0 && record_both_orders(form, Rules::bits).same;
     bits = bits && of_bits;
-    if (form < 0 || !(of_bits || record_both_orders(form, Rules::exact).same)) r.fault = "both orders differ";
+    if (form < 0 || !(of_bits || record_both_orders(form, Rules::exact).same))
+      r.fault = "the formulas for both orders differ";
   }
   const Claim claim{-1, Property::reciprocity, Precision::double_type};
   if (r.fault.empty()) r.fault = other_words(row, claim, arithmetic_of(claim, bits));
   r.verdict = Verdict::proved;
-  r.statement = "f(wi, wo) and f(wo, wi) are the same of every term";
+  r.statement = "f(wi, wo) and f(wo, wi) are the same for every term";
 }
 
 // Checks the cover of one term at the channel's parameters; adds its upper end to `sum`.
@@ -53,7 +54,7 @@ std::string term_covers(const Claim& claim, const Channel& c, const JsonPlace& t
            leaves);
   if (!walked.fault.empty()) return walked.fault;
   if (walked.range.lo != term.at("low").number() || walked.range.hi != term.at("high").number())
-    return "low and high are not those of the leaves";
+    return "low and high do not match the leaves";
   sum += walked.range.hi;
   return "";
 }
@@ -64,12 +65,12 @@ void check_terms(CheckedResult& r, const Channels& channels, const JsonPlace& ro
   const JsonPlace terms = row.at("terms");
   if (terms.size() != channels.size()) terms.fail("must have one member for each term of the material");
   if (claim.property == Property::rounding && channels.size() > 1)
-    row.at("property").fail("is shown of single terms only");
+    row.at("property").fail("can be proved for single terms only");
   r.fault = other_words(row, claim, arithmetic_of(claim));
   double high = 0;
   for (std::size_t k = 0; k < channels.size() && r.fault.empty(); ++k) {
     claim.form = catalogue_index(channels[k].term.form);
-    r.fault = claim.form < 0 ? "is of another program's model, of which nothing is known"
+    r.fault = claim.form < 0 ? "is a model of another program, for which the prover has no method"
                              : term_covers(claim, channels[k], terms.at(k), high, leaves);
   }
   if (r.fault.empty() && claim.property == Property::finite && channels.size() > 1 &&
@@ -93,7 +94,7 @@ std::string albedo_covers(const SumOfAlbedos& albedo, const JsonPlace& row, long
   const double low = row.at("low").number(), high = row.at("high").number();
   const auto& accuracies = SumOfAlbedos::kAccuracies;
   if (albedo(SumOfAlbedos::views_of(view), accuracies.back()).value.lo != low)
-    return "low is not what is reached at its view";
+    return "low is not the value reached at this direction";
   const auto enclose_leaf = [&](std::span<const Bounds> box, const JsonPlace& leaf) -> std::optional<Bounds> {
     const double accuracy = leaf.at(2).number();
     if (std::ranges::find(accuracies, accuracy) == accuracies.end()) return std::nullopt;
@@ -101,7 +102,7 @@ std::string albedo_covers(const SumOfAlbedos& albedo, const JsonPlace& row, long
   };
   const Walked walked = walk({domain, cover, enclose_leaf, [](Bounds) { return true; }, 3}, leaves);
   if (!walked.fault.empty()) return walked.fault;
-  return std::max(walked.range.hi, low) == high ? "" : "high is not that of the leaves";
+  return std::max(walked.range.hi, low) == high ? "" : "high does not match the leaves";
 }
 
 void check_albedo(CheckedResult& r, const Channels& channels, const JsonPlace& row, const Claim& claim,
@@ -112,12 +113,12 @@ void check_albedo(CheckedResult& r, const Channels& channels, const JsonPlace& r
   if (!has_cover && !has_witness) row.at("cover");
   if (!has_cover)
     for (const char* key : {"low", "low_at", "high", "domain"})
-      if (row.has(key)) row.at(key).fail("goes with a cover");
+      if (row.has(key)) row.at(key).fail("is allowed only with a cover");
   r.fault = other_words(row, claim, kExact);
   if (r.fault.empty() && has_cover) {
     const SumOfAlbedos albedo(channels);
     r.fault = albedo.known() ? albedo_covers(albedo, row, leaves)
-                             : "its albedo is not known in closed form or cells";
+                             : "the prover has neither a closed form nor cells for the albedo";
   }
   if (!r.fault.empty()) return;
   if (has_cover) {
@@ -134,7 +135,7 @@ void check_albedo(CheckedResult& r, const Channels& channels, const JsonPlace& r
   const double theta = witness.at("theta").number(0, 90), phi = witness.at("phi").number(-360, 360);
   const MeasuredAlbedo found = measured_albedo(channels, theta, phi);
   if (!(found.least > 1)) {
-    r.fault = "its witness shows no albedo above 1";
+    r.fault = "the witness shows no albedo above 1";
     return;
   }
   r.verdict = Verdict::refuted;

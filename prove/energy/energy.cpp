@@ -81,7 +81,7 @@ template <class F, class Majorant>
 std::optional<EnergyMethod> facets(F form) {
   if (!has_majorant<F, Majorant>(form)) return std::nullopt;
   EnergyMethod m;
-  m.why = "F G2/G1 beside the density of visible normals";
+  m.why = "F G2/G1 weighted by the density of visible normals";
   using Shape = typename F::template Shape<double>;
   const auto fields = Shape::fields();
   for (const Role role : {Role::width, Role::width_across})
@@ -222,7 +222,7 @@ std::optional<EnergyMethod> method_of(F form) {
       if constexpr (std::is_same_v<Shape, SlopeDeviation<double>>) {
         if (is_written_as(
                 form, [](const auto& s, const auto& g) { return std::array{oren_nayar_lobe(s.sigma, g)}; })) {
-          EnergyMethod m{"its integral in closed form", {}, enclose_rough, albedo_of_one_lobe<F>};
+          EnergyMethod m{"the integral has a closed form", {}, enclose_rough, albedo_of_one_lobe<F>};
           add(m.domain, Shape::fields()[0].info, std::string(Shape::fields()[0].info.name));
           m.domain.variables.push_back({"turn_from_normal", 0, 1, Variable::Cut::middle});
           return m;
@@ -230,7 +230,7 @@ std::optional<EnergyMethod> method_of(F form) {
       }
     } else if constexpr (WardForm<F>) {
       if (is_ward<WardKind::bounded>(form)) {
-        EnergyMethod m{"opposite slopes beside one another",
+        EnergyMethod m{"opposite slopes are paired",
                        {},
                        enclose_ward_bounded,
                        albedo_of_facets<F, WardBoundedCell>,
@@ -241,7 +241,7 @@ std::optional<EnergyMethod> method_of(F form) {
       }
     } else if constexpr (CosineForm<F>) {
       if (auto found =
-              cosine_lobe<PhongLobe>(form, "the lit cosine beside a lobe about the mirror direction"))
+              cosine_lobe<PhongLobe>(form, "the cosine is weighted by a lobe about the mirror direction"))
         return found;
       return cosine_lobe<BlinnLobe>(form, "caps of half vectors reflect most at normal incidence");
     } else if constexpr (std::is_same_v<Shape, StudentRoughness<double>>) {
@@ -254,7 +254,7 @@ std::optional<EnergyMethod> method_of(F form) {
   } else if constexpr (F::template Weights<double>::fields().size() == 1 &&
                        F::template Shape<double>::fields().size() == 1) {
     if (gives_back(form)) {
-      EnergyMethod m{"its integral in closed form", {}, enclose_given_back};
+      EnergyMethod m{"the integral has a closed form", {}, enclose_given_back};
       for (const ParameterInfo& p :
            {F::template Weights<double>::fields()[0].info, F::template Shape<double>::fields()[0].info})
         add(m.domain, p, std::string(p.name));

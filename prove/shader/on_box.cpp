@@ -252,7 +252,7 @@ std::string unknown_operation(const Program& program) {
     for (const Step& s : stretch.steps) {
       const std::string where = s.line > 0 ? " in line " + std::to_string(s.line) : "";
       if (s.op < Op::select && !number_op<double>(s.op, x, x, x))
-        return "a function that intervals do not know" + where;
+        return "a function without interval arithmetic" + where;
       if (s.op == Op::bits_of || s.op == Op::from_bits) return "an operation on the bits of a float" + where;
     }
   return "";

@@ -108,20 +108,20 @@ struct Operation {
   const char* name;
   const char* code;
 };
-// Each gives `value` an undefined value if `where` holds.
+// Each gives `value` an undefined value if `hit` holds.
 constexpr Operation kUndefined[] = {
-    {"variable", "float u; if (!(where)) u = 0.1; value += u;"},
-    {"return", "value = other(where, value);"},
-    {"index", "value += element(where ? 4 + int(3.0 * p) : 1, 0.0);"},
-    {"division", "value += 0.01 * float(7 / (where ? 0 : 2));"},
-    {"shift", "value += 0.001 * float((1 << (where ? 32 : 3)) & 7);"},
-    {"pow", "value += pow(where ? -0.5 : 0.5, 2.0);"},
-    {"pow of 0", "value += pow(where ? 0.0 : 0.5, 0.0);"},
-    {"atan", "value += abs(cos(atan(where ? 0.0 : nl, where ? 0.0 : nv)));"},
-    {"smoothstep", "value += smoothstep(0.4, where ? 0.4 : 0.9, nl);"},
-    {"clamp", "value += clamp(nl, 0.5, where ? 0.4 : 0.9);"},
-    {"max", "value += max(sqrt(where ? -1.0 : 1.0), 0.0);"},
-    {"conversion", "value += 0.001 * float(int(where ? 3e9 : 3.0) & 7);"},
+    {"variable", "float u; if (!(hit)) u = 0.1; value += u;"},
+    {"return", "value = other(hit, value);"},
+    {"index", "value += element(hit ? 4 + int(3.0 * p) : 1, 0.0);"},
+    {"division", "value += 0.01 * float(7 / (hit ? 0 : 2));"},
+    {"shift", "value += 0.001 * float((1 << (hit ? 32 : 3)) & 7);"},
+    {"pow", "value += pow(hit ? -0.5 : 0.5, 2.0);"},
+    {"pow of 0", "value += pow(hit ? 0.0 : 0.5, 0.0);"},
+    {"atan", "value += abs(cos(atan(hit ? 0.0 : nl, hit ? 0.0 : nv)));"},
+    {"smoothstep", "value += smoothstep(0.4, hit ? 0.4 : 0.9, nl);"},
+    {"clamp", "value += clamp(nl, 0.5, hit ? 0.4 : 0.9);"},
+    {"max", "value += max(sqrt(hit ? -1.0 : 1.0), 0.0);"},
+    {"conversion", "value += 0.001 * float(int(hit ? 3e9 : 3.0) & 7);"},
 };
 
 }  // namespace
@@ -142,16 +142,16 @@ RandomProgram planted_program(std::mt19937_64& random) {
         w.shader("  value = 1.02 - normalize(vec3(0.0, 0.0, (1.0 + 0.02 * nl) * " + scale + ")).z;\n", value),
         Planted::negative, "subnormal", true};
   }
-  const auto [condition, where] = thin_set(w);
+  const auto [condition, hit] = thin_set(w);
   if (kind < 4)
-    return {w.shader("  if (" + condition + ") value = -0.1;\n", value), Planted::negative, where, false};
+    return {w.shader("  if (" + condition + ") value = -0.1;\n", value), Planted::negative, hit, false};
   if (kind < 6)
-    return {w.shader("  if (" + condition + ") value = 1.0 / (q - q);\n", value), Planted::infinite, where,
+    return {w.shader("  if (" + condition + ") value = 1.0 / (q - q);\n", value), Planted::infinite, hit,
             false};
   const Operation& o = kUndefined[w.below(std::size(kUndefined))];
-  std::string text = w.shader("  bool where = " + condition + ";\n  " + o.code + "\n", value);
+  std::string text = w.shader("  bool hit = " + condition + ";\n  " + o.code + "\n", value);
   text.insert(text.find("float brdf("), "float other(bool w, float x) { if (!w) return x; }\n");
-  return {std::move(text), Planted::undefined, std::string(o.name) + " in a " + where, false};
+  return {std::move(text), Planted::undefined, std::string(o.name) + " in a " + hit, false};
 }
 
 bool contradicts(const RandomProgram& program, Property property, Precision precision) {

@@ -74,7 +74,7 @@ class Attack {
       if (!proved || !contradicts(program, p.claim.property, p.claim.precision)) continue;
       if (found_.falsely_proved++ == 0)
         found_.faults.push_back("proved " + std::string(name_of(p.claim.property)) + " in " +
-                                std::string(name_of(p.claim.precision)) + " of a shader with a planted " +
+                                std::string(name_of(p.claim.precision)) + " for a shader with a planted " +
                                 program.where + ":\n" + program.text);
     }
     if (program.planted == Planted::nothing) found_.sound_proved += all;
@@ -114,13 +114,12 @@ class Attack {
                   wo = direction_at<T>(within(random_, in.cos_o), within(random_, in.turn_o), by);
     const double value = double(shader::evaluate<T>(f, runner, values, wi, wo, 0));
     if (!(bounds.lo <= value && value <= bounds.hi) && found_.outside++ == 0)
-      found_.faults.push_back(io::short_number(value, 17) + " lies outside " +
-                              io::short_number(bounds.lo, 17) + " .. " + io::short_number(bounds.hi, 17) +
-                              ":\n" + program.text);
+      found_.faults.push_back(io::short_number(value, 17) + " is outside " + io::short_number(bounds.lo, 17) +
+                              " .. " + io::short_number(bounds.hi, 17) + ":\n" + program.text);
     const auto convert = [](const Vec3<T>& w) { return Vec3<double>{w.x, w.y, w.z}; };
     const auto undefined = shader::undefined_value<T>(f, wide, convert(wi), convert(wo));
     if (undefined && found_.undefined_inside++ == 0)
-      found_.faults.push_back("a value is undefined where the enclosure is finite, " +
+      found_.faults.push_back("a value is undefined although the enclosure is finite, " +
                               to_text(f, *undefined) + ":\n" + program.text);
   }
 

@@ -56,10 +56,10 @@ std::string within_domain() {
 // Completes a proof by trial evaluations if the boxes do not decide.
 void by_trial(Proof& p, const ShaderSubject& s, const std::optional<shader::UndefinedValue>& may_be) {
   const bool finite = p.claim.property == Property::finite;
-  p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " open";
+  p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " undecided";
   if (auto witness = fault_of(s, p.claim, *p.domain)) {
     p.verdict = Verdict::refuted;
-    p.statement = finite ? "f is no finite number" : "f is negative";
+    p.statement = finite ? "f is not finite" : "f is negative";
     p.witness = std::move(witness);
   } else if (const auto undefined = undefined_of(s, p.claim.precision, *p.domain)) {
     p.verdict = Verdict::no_method;
@@ -89,10 +89,10 @@ void by_boxes(Proof& p, const ShaderSubject& s, const Options& options) {
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
   if (p.cover.open > 0) return by_trial(p, s, may_be);
   const bool finite = p.claim.property == Property::finite;
-  p.statement = (finite ? "f is a number" : "f is nowhere below 0") + within_domain();
+  p.statement = (finite ? "f is finite" : "f is never below 0") + within_domain();
   if (const auto beyond = fault_of(s, p.claim, below(*p.domain)))
-    p.statement += std::string("; below that f ") + (finite ? "is no finite number" : "is negative") + ": " +
-                   beyond->command;
+    p.statement +=
+        std::string("; below that f ") + (finite ? "is not finite" : "is negative") + ": " + beyond->command;
   else if (const auto undefined = undefined_of(s, p.claim.precision, below(*p.domain)))
     p.statement += "; below that f is undefined: " + *undefined;
 }
@@ -124,15 +124,16 @@ void energy(Proof& p, const ShaderSubject& s, const Options& options) {
     p.statement = "the albedo is above 1";
     p.witness = witness;
   } else if (p.cover.open == 0) {
-    p.statement = "the albedo is at most " + io::short_number(p.high, 7) + within_domain() + " of the light";
+    p.statement = "the albedo is at most " + io::short_number(p.high, 7) + within_domain() +
+                  " of the incident direction";
   } else if (const auto undefined = undefined_of(s, Precision::double_type, s.domain(true))) {
     p.verdict = Verdict::no_method;
     p.statement = "undefined: " + *undefined;
   } else {
     p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") +
-                  " open after " + std::to_string(p.cover.boxes) +
+                  " undecided after " + std::to_string(p.cover.boxes) +
                   " were enclosed: the albedo may be above 1 there; " +
-                  (stopped ? "more --seconds go on" : "smaller boxes do not show it");
+                  (stopped ? "a larger --seconds continues the search" : "smaller boxes do not decide it");
     if (may_be) p.statement += "; the value may be undefined: " + shader::to_text(s.function(), *may_be);
   }
 }
@@ -153,9 +154,9 @@ std::vector<Proof> prove(const shader::ShaderReflectance& model, const Material&
                                 !(in_float ? f.turning<float>() : f.turning<double>()).isotropic};
     const std::string unknown = unknown_operation(in_float ? f.as_written : f.as_meant);
     if (property == Property::reciprocity || property == Property::rounding)
-      p.statement = "not shown of shaders";
+      p.statement = "the prover has no method for this property of shaders";
     else if (!unknown.empty())
-      p.statement = "it has " + unknown;
+      p.statement = "the shader has " + unknown;
     else if (property == Property::energy)
       energy(p, subject, options);
     else

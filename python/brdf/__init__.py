@@ -1,6 +1,6 @@
-"""Models of surface reflection: fitted to measurements, judged, evaluated.
+"""Reflectance models (BRDFs): fitting to measurements, checking and evaluation.
 
-The library behind the program `brdf`, on numpy arrays. Numbers are the program's, bit for bit.
+The library of the program `brdf` for numpy arrays. Results are bit-identical to the results of the program.
 
     import brdf
 
@@ -10,10 +10,10 @@ The library behind the program `brdf`, on numpy arrays. Numbers are the program'
     f = material.eval(wi, wo)                     # (..., 3) and (..., 3) broadcast; (..., channels) in 1/sr
 
 Conventions. `wi` points to the light, `wo` to the viewer, both away from the surface; unit vectors in the local frame,
-normal +z, tangent +x. Angles are in degrees. f_r is in 1/sr and without cosine unless a function says otherwise.
+normal +z, tangent +x. Angles are in degrees. f_r is in 1/sr and without cosine, unless a function is documented otherwise.
 `alpha` is the width of the slope distribution.
 
-Errors are `brdf.InputError` (a ValueError), with the sentence that the program prints.
+Errors are `brdf.InputError` (a ValueError), with the message that the program prints.
 """
 from ._brdf import EnvironmentError, InputError, Stopped
 from ._brdf import version as __version__

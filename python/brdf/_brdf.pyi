@@ -1,4 +1,4 @@
-"""The extension: the rooms' functions as they are, without defaults. What people call stands in the other files."""
+"""The extension: functions of the rooms, without default arguments. The other files contain the public interface."""
 from typing import Any, Callable, Sequence
 
 import numpy as np
@@ -9,10 +9,10 @@ _Array = NDArray[np.float64]
 version: str
 
 class InputError(ValueError):
-    """Bad input: one sentence that names the file, the line or JSON path, the value and the rule."""
+    """Bad input. The message gives the file, the line or JSON path, the value and the rule."""
 
 class EnvironmentError(OSError):
-    """The machine lacks something: a driver, space on the disk, the program."""
+    """The environment lacks something: a driver, disk space, the program."""
 
 class Stopped(RuntimeError):
     """A progress callback returned False."""

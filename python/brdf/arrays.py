@@ -1,4 +1,4 @@
-"""Arrays as they are given: of numbers, of directions, broadcast against each other; InputError names what is not."""
+"""Checks and broadcasting of array arguments. Functions raise InputError with the name of the argument."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -14,7 +14,7 @@ NUMBERS = "fiub"  # numpy's kinds of real numbers
 
 
 def given(name: str, values: ArrayLike) -> NDArray[Any]:
-    """An array of real numbers of whatever type; no copy of one."""
+    """Returns an array of real numbers of any type. An array is not copied."""
     try:
         array = np.asarray(values)
         if array.dtype.kind == "O":
@@ -27,7 +27,7 @@ def given(name: str, values: ArrayLike) -> NDArray[Any]:
 
 
 def numbers(name: str, values: ArrayLike) -> Array:
-    """The same as float64."""
+    """Returns the values as an array of float64."""
     return given(name, values).astype(np.float64, copy=False)
 
 
@@ -37,7 +37,7 @@ def check_vectors(name: str, array: NDArray[Any]) -> None:
 
 
 def common_shape(names: Sequence[str], arrays: Sequence[NDArray[Any]]) -> tuple[int, ...]:
-    """The shape that they broadcast to, by numpy's rules."""
+    """Returns the shape to which the arrays broadcast by numpy's rules."""
     try:
         return np.broadcast_shapes(*(a.shape for a in arrays))
     except ValueError:
@@ -46,7 +46,7 @@ def common_shape(names: Sequence[str], arrays: Sequence[NDArray[Any]]) -> tuple[
 
 
 def together(names: Sequence[str], arrays: Sequence[Array]) -> list[Array]:
-    """All of them in their common shape."""
+    """Returns all arrays, broadcast to their common shape."""
     shape = common_shape(names, arrays)
     return [np.broadcast_to(a, shape) for a in arrays]
 

@@ -1,4 +1,4 @@
-"""What a notebook shows: small tables, spheres, slices."""
+"""Output for notebooks: small tables, spheres, slices."""
 from __future__ import annotations
 
 import base64
@@ -21,7 +21,7 @@ def _row(tag: str, texts: Sequence[str]) -> str:
 
 
 def table_html(title: str, head: Sequence[str], rows: Sequence[Sequence[str]], picture: bytes | None = None) -> str:
-    """A table with a title; a PNG beside it."""
+    """Returns a table with a title, and the PNG `picture` next to the table."""
     block = (f"<div><b>{html.escape(title)}</b><table><thead>{_row('th', head)}</thead><tbody>"
              f"{''.join(_row('td', row) for row in rows)}</tbody></table></div>")
     if picture is None:
@@ -36,12 +36,12 @@ def _axes(axes: Any) -> Any:
     try:
         import matplotlib.pyplot as plt
     except ImportError as error:
-        raise ImportError("slices are drawn by matplotlib, which is not installed (Debian: python3-matplotlib)") from error
+        raise ImportError("slices need matplotlib, which is not installed (Debian: python3-matplotlib)") from error
     return plt.subplots()[1]
 
 
 def plot_slices(material: Material | None, table: Table | None, theta_i: Sequence[float], axes: Any) -> Any:
-    """f_r in the plane of incidence over the viewer's angle, towards the mirror direction positive."""
+    """Plots f_r in the plane of incidence over the viewing angle, which is positive on the mirror side."""
     drawn = _axes(axes)
     angles = np.linspace(-89.0, 89.0, 357)
     for k, theta in enumerate(theta_i):
@@ -53,8 +53,8 @@ def plot_slices(material: Material | None, table: Table | None, theta_i: Sequenc
             where, values = table.in_plane(theta)
             label = None if material is not None else f"{theta:g}°"
             drawn.plot(where, values.mean(axis=-1), ".", color=colour, label=label)
-    drawn.set_xlabel("viewer's polar angle in the plane of incidence, degrees")
+    drawn.set_xlabel("viewing angle in the plane of incidence, degrees")
     drawn.set_ylabel("f_r, mean over channels, 1/sr")
     drawn.set_yscale("log")
-    drawn.legend(title="light at")
+    drawn.legend(title="incidence")
     return drawn

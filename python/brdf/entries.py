@@ -1,4 +1,4 @@
-"""What the classes share: how they are made, and the JSON object that one stands for."""
+"""Base of the classes: construction, and access to the JSON object of a result."""
 from __future__ import annotations
 
 from typing import Any, TypeVar
@@ -7,14 +7,14 @@ T = TypeVar("T")
 
 
 def made(kind: type[T], **held: Any) -> T:
-    """One with these attributes, without its constructor, which is for people."""
+    """Returns an instance with these attributes, without calling the constructor, which is meant for users."""
     one = kind.__new__(kind)
     vars(one).update(held)
     return one
 
 
 class Entries:
-    """Asked for by their keys in the JSON: `found["samples"]`, `"samples" in found`."""
+    """Gives access to the values by their keys in the JSON: `found["samples"]`, `"samples" in found`."""
 
     _content: dict[str, Any]
 
@@ -25,5 +25,5 @@ class Entries:
         return key in self._content
 
     def to_dict(self) -> dict[str, Any]:
-        """The JSON object as a whole."""
+        """Returns the whole JSON object."""
         return self._content

@@ -1,4 +1,4 @@
-"""Fits: from samples to parameters with their intervals."""
+"""Fits of forms to samples: parameters with confidence intervals."""
 from __future__ import annotations
 
 import functools
@@ -22,16 +22,16 @@ Extent = Tuple[Union[float, None], Union[float, None]]  # lowest and highest
 
 @dataclass(frozen=True)
 class Interval:
-    """How one parameter is known: its value, None where the samples do not say, and 95 % intervals."""
+    """The estimate of one parameter: the value (None if the samples cannot identify it) and 95 % intervals."""
 
     value: float | None
     status: str  #: free, fixed, at_bound or unidentified
-    low: float | None  #: of the values' scatter, the model taken as right; None: this end is open
+    low: float | None  #: from the measurement noise, assuming that the model is correct; None: this end is open
     high: float | None
     standard_error: float | None
-    with_lack_of_fit: Extent  #: whatever the model's lack of fit
-    left_out: Extent  #: where it lies without each fold of the samples
-    other_metrics: Extent  #: where the other metrics put it
+    with_lack_of_fit: Extent  #: includes the lack of fit of the model
+    left_out: Extent  #: range of the value over fits without one fold of the samples
+    other_metrics: Extent  #: range of the value over fits with the other metrics
 
     @classmethod
     def _of(cls, entry: Mapping[str, Any]) -> Interval:
@@ -44,7 +44,7 @@ class Interval:
 
 
 class Candidate(Entries):
-    """One form's fit: an entry of `ranking` of `brdf fit --json`, whose keys it has; `to_dict()` gives it whole."""
+    """The fit of one form: an entry of `ranking` of `brdf fit --json` with the same keys. `to_dict()` returns the entry."""
 
     def __init__(self, fitted: _brdf.Fitted, place: int, entry: dict[str, Any]) -> None:
         self._fitted, self._place, self._content = fitted, place, entry
@@ -63,24 +63,24 @@ class Candidate(Entries):
 
     @property
     def state(self) -> str:
-        """How the fit stands: good, unknown (nothing says whether it is good enough), warn or bad."""
+        """The judgement of the fit: good, unknown (lack of fit cannot be judged), warn or bad."""
         state: str = self._content["state"]
         return state
 
     @property
     def sentence(self) -> str:
-        """The same in words, as every face says it."""
+        """The judgement as a sentence, the same as in the program's output and pages."""
         sentence: str = self._content["sentence"]
         return sentence
 
     @property
     def usable(self) -> bool:
-        """Whether the material may be used: the exit code 0 of `brdf fit`."""
+        """Whether the material is usable, for which `brdf fit` returns the exit code 0."""
         return self._fitted.usable(self._place)
 
     @property
     def findings(self) -> list[str]:
-        """Sentences, the verdict's reason first."""
+        """Findings as sentences; the reason of the verdict comes first."""
         findings: list[str] = self._content["findings"]
         return findings
 
@@ -96,7 +96,7 @@ class Candidate(Entries):
 
     @functools.cached_property
     def intervals(self) -> dict[str, Interval | dict[str, Interval]]:
-        """By parameter; of one that has a value per channel, by channel. tangent_phi in degrees."""
+        """Intervals by parameter, and by channel for a parameter with a value per channel. tangent_phi is in degrees."""
         return {name: Interval._of(entry) if "status" in entry
                 else {channel: Interval._of(one) for channel, one in entry.items()}
                 for name, entry in self._content["intervals"].items()}
@@ -109,14 +109,14 @@ class Candidate(Entries):
 
 
 class Fit(Entries):
-    """What `brdf fit` found; `ranking` has the best first. Its keys are those of `brdf fit --json`: "samples", "metric",
-    "steps", ...; `to_dict()` gives it whole."""
+    """The result of `brdf fit`; the first entry of `ranking` is the best. The keys are the same as in `brdf fit --json`:
+    "samples", "metric", "steps", ...; `to_dict()` returns the whole object."""
 
     def __init__(self, fitted: _brdf.Fitted) -> None:
         self._fitted = fitted
 
     @functools.cached_property
-    def _content(self) -> dict[str, Any]:  # type: ignore[override]  # parsed when it is asked for
+    def _content(self) -> dict[str, Any]:  # type: ignore[override]  # parsed on first access
         content: dict[str, Any] = json.loads(self._fitted.json)
         return content
 
@@ -130,17 +130,17 @@ class Fit(Entries):
 
     @property
     def recommended(self) -> Candidate:
-        """The simplest usable one that is not worse than the best; else the best."""
+        """The simplest usable candidate that is not worse than the best; the best candidate if there is no simpler one."""
         return self.ranking[self._fitted.recommended]
 
     @property
     def verdict(self) -> str:
-        """The best one's."""
+        """The verdict of the best candidate."""
         return self.best.verdict
 
     @property
     def interrupted(self) -> bool:
-        """Stopped by its progress callback: the best so far."""
+        """Whether the progress callback stopped the fit. The result is then the best fit so far."""
         return self._fitted.interrupted
 
     def report(self, path: Path) -> None:
@@ -148,7 +148,7 @@ class Fit(Entries):
         _brdf.write_text(path_of(path), self._fitted.html())
 
     def __str__(self) -> str:
-        """What `brdf fit` prints."""
+        """Returns the text that `brdf fit` prints."""
         return self._fitted.text
 
     def __repr__(self) -> str:
@@ -187,22 +187,23 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
 
     samples: a Table or a file. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
     cosine_l2, cube_root, log_relative. weights: auto, uniform, sigma, solid_angle. robust: "huber" or "cauchy", with
-    ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel, or of f0 (n, k) a
-    file: a table of refractive indices, "gold.yml". bounds: {"alpha": (low, high)}.
-    tie: names of parameters with one value for all channels. shape: over the channels, "shared", "free" (as
-    per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: what is made of polarised channels
-    and of repeated directions, as in `convert`. keep_fill: rows of fill values are fitted, too. quantity, mirror_side: what a
-    file does not state, as of `read`. max_theta, aperture: degrees. starts: random starts besides the grid, of `seed`.
+    ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel, or for f0 (n, k)
+    a file with refractive indices, "gold.yml". bounds: {"alpha": (low, high)}.
+    tie: names of parameters with one value for all channels. shape: the shape over the channels,
+    "shared", "free" (as per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: treatment
+    of polarised channels and of repeated directions, as in `convert`. keep_fill: also fit rows of fill values.
+    quantity, mirror_side: facts that a file does not state, as in `read`. max_theta, aperture: degrees. starts: number of
+    random starts in addition to the grid, generated from `seed`.
 
-    progress: called with a sentence before each form; where it returns False the best so far is returned, and
-    `interrupted` says so. Other Python threads run meanwhile; Ctrl-C raises KeyboardInterrupt. InputError on options
-    that do not fit the samples.
+    progress: called with a sentence before each form is fitted. If the callback returns False, the best result so far is
+    returned and `interrupted` is True. Other Python threads can run during the fit; Ctrl-C raises KeyboardInterrupt.
+    Raises InputError if the options are not valid for the samples.
     """
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
                      free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, max_theta,
                      aperture, starts, seed, shape)
     if isinstance(samples, Table) and (quantity or mirror_side != "auto"):
-        raise InputError("quantity, mirror_side: are for files; this table was read before")
+        raise InputError("quantity, mirror_side: apply to files, but this table is already read")
     table = samples if isinstance(samples, Table) else read(samples, quantity=quantity, mirror_side=mirror_side)
     return Fit(_brdf.fit(table._samples, choice, progress))
 
@@ -215,10 +216,10 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
               polarisation: str = "keep", repeats: str = "keep",
               quantity: str = "", mirror_side: str = "auto", max_theta: float = 80.0, aperture: float = 0.0,
               starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
-    """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without its pictures.
+    """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without pictures.
 
-    What a file's earlier run with the same options has left there is kept. Returns the entries of its `--json`: "file",
-    "material", "kept" and "best", or "file" and "error". Options as of `fit`.
+    Results of an earlier run of a file with the same options are kept. Returns the entries of `--json`: "file", "material",
+    "kept" and "best", or "file" and "error". Options are the same as in `fit`.
     """
     if not samples:
         raise InputError("no samples: give at least one file")

@@ -1,4 +1,4 @@
-"""The catalogue of forms: what each is called, its parameters with their ranges and roles, what it is known to violate."""
+"""The catalogue of forms: names, parameters with ranges and roles, and known violations."""
 from __future__ import annotations
 
 import functools
@@ -17,19 +17,19 @@ class Parameter:
 
     name: str
     kind: str  #: "weight" (one value per channel) or "shape"
-    role: str  #: what it does, whatever it is called: "diffuse", "specular", "f0", "width", ...
+    role: str  #: meaning, independent of the name: "diffuse", "specular", "f0", "width", ...
     min: float
     max: float
     default: float
-    usual_max: float  #: what a slider covers
-    unit: str  #: "" where dimensionless
+    usual_max: float  #: upper end of a slider
+    unit: str  #: "" if dimensionless
     log_scale: bool
     doc: str
 
 
 @dataclass(frozen=True)
 class Violation:
-    """A property that a form is known not to have, with a case that shows it."""
+    """A property that a form is known to violate, with a case that shows the violation."""
 
     check: str
     statement: str
@@ -40,7 +40,7 @@ class Violation:
 
 @dataclass(frozen=True)
 class Form:
-    """A form of the catalogue, as `brdf models --json` tells it."""
+    """A form of the catalogue, with the data of `brdf models --json`."""
 
     name: str
     family: str
@@ -50,7 +50,7 @@ class Form:
     known_violations: tuple[Violation, ...]
 
     def parameter(self, name: str) -> Parameter:
-        """One parameter by its name; KeyError where there is none."""
+        """Returns the parameter of this name. Raises KeyError if the form has none."""
         for p in self.parameters:
             if p.name == name:
                 return p
@@ -80,14 +80,14 @@ def _targets() -> tuple[Form, ...]:
 
 
 def forms(*, fittable: bool | None = None) -> list[Form]:
-    """All forms in the catalogue's order (`brdf models`); only those that can be fitted, or cannot, where asked."""
+    """Returns all forms in the order of the catalogue (`brdf models`). fittable: only forms that can, or cannot, be fitted."""
     return [f for f in _all() if fittable is None or f.fittable == fittable]
 
 
 def form(name: str) -> Form:
-    """The form of that name, or another program's model (`brdf models NAME`). InputError lists the known ones."""
+    """Returns the form of this name, or the model of another program (`brdf models NAME`). InputError lists known names."""
     for f in _all() + _targets():
         if f.name == name:
             return f
     _brdf.material_of_form(name, [], None)  # refuses it
-    raise InputError(f"'{name}' is no form")
+    raise InputError(f"'{name}' is not the name of a form")

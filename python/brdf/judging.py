@@ -1,4 +1,4 @@
-"""Checks: of forms over their whole parameter domain, of materials, of measured tables."""
+"""Checks of forms over their whole parameter domain, of materials, and of measured tables."""
 from __future__ import annotations
 
 import json
@@ -24,7 +24,7 @@ PNG = b"\x89PNG\r\n\x1a\n"
 
 @dataclass(frozen=True)
 class Finding(Entries):
-    """One check of one subject; its keys are those of its JSON."""
+    """The finding of one check of one subject, with the keys of its JSON."""
 
     subject: str
     check: str
@@ -33,7 +33,7 @@ class Finding(Entries):
 
 
 class Judgement(Entries):
-    """What `brdf validate` found; `to_dict()` gives what its --json prints."""
+    """The result of `brdf validate`; `to_dict()` returns the object that --json prints."""
 
     def __init__(self, judged: _brdf.Judged, required: list[str]) -> None:
         self._judged, self._required = judged, required
@@ -42,7 +42,7 @@ class Judgement(Entries):
 
     @property
     def passed(self) -> bool:
-        """Nothing failed, and everything required passed: the exit code 0 of `brdf validate`."""
+        """Whether no check failed and all required checks passed, for which `brdf validate` returns the exit code 0."""
         return self._judged.holds(self._required)
 
     @property
@@ -50,7 +50,7 @@ class Judgement(Entries):
         return [f for f in self.findings if f.verdict == "fail"]
 
     def report(self, path: Path, picture: Iterable[Path] = ()) -> None:
-        """Writes .html or .md (`-o`); PNG files `picture` are put into the HTML."""
+        """Writes .html or .md (`-o`). The PNG files `picture` are embedded in the HTML."""
         name = path_of(path)
         pictures = [(path_of(p), _png(p)) for p in picture]
         if name.endswith(b".md") and not pictures:
@@ -76,7 +76,7 @@ def _png(path: Path) -> bytes:
     except OSError as error:
         raise InputError(f"{name}: cannot be read: {error.strerror}") from None
     if not content.startswith(PNG):
-        raise InputError(f"--picture {name}: is no PNG file")
+        raise InputError(f"--picture {name}: is not a PNG file")
     return content
 
 
@@ -87,9 +87,9 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
 
     effort: quick or full. require: checks that must pass for `passed`. max_theta: degrees, above 0 and at most 90, the
-    largest angle of the energy check; rows of tables beyond it are set apart. keep_fill: rows of fill values are judged,
-    too. quantity, mirror_side: what files of samples do not state, as of `read`. progress:
-    called with how many checks are done and of how many; where it returns False `brdf.Stopped` is raised.
+    largest angle of the energy check; rows of tables beyond this angle are judged separately. keep_fill: also judge rows of fill
+    values. quantity, mirror_side: facts that files of samples do not state, as in `read`. progress: called with the number
+    of finished checks and the number of all checks. If the callback returns False, `brdf.Stopped` is raised.
     """
     given: list[Subject] = list(subjects) if isinstance(subjects, (list, tuple)) else [subjects]
     required = list_of(require)

@@ -1,4 +1,4 @@
-"""What is made of materials and tables: samples of a virtual instrument, shaders, other formats."""
+"""Output from materials and tables: samples of a virtual instrument, shaders, other formats."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
@@ -20,10 +20,11 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
           progress: Progress | None = None) -> Table:
     """Measures a known material with a virtual goniophotometer: `brdf synth`.
 
-    grid: in_plane, hemisphere, merl or a CSV of directions, joined by +. Angles in degrees: theta_i the incidences, step
-    the detector's, azimuths by which the sample is turned (default 0, of an anisotropic material 0, 45, 90), blind_zone,
-    aperture and source_aperture full widths. noise: s of the factor exp(s z - s^2/2); noise_floor, saturation: 1/sr. The
-    same arguments give the same table on every machine. The table's metadata records the truth and every setting.
+    grid: in_plane, hemisphere, merl or a CSV of directions, joined by +. Angles are in degrees: theta_i are the angles of
+    incidence, step is the step of the detector, azimuths are the rotations of the sample (default 0; for an anisotropic
+    material 0, 45, 90), and blind_zone, aperture and source_aperture are full widths. noise: s of the factor
+    exp(s z - s^2/2); noise_floor, saturation: 1/sr. The same arguments give the same table on every machine. The metadata
+    of the table record the ground truth and every setting.
     """
     return Table._of(_brdf.synth(
         material._optics, grid, [finite("--theta-i", t) for t in theta_i], finite("--step", step),
@@ -35,16 +36,16 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
             repeats: str = "keep", quantity: str = "", mirror_side: str = "auto") -> list[str]:
-    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`); of a material its
-    values at the MERL cells. Returns what is lost, a phrase each.
+    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`). For a
+    material, the values at the MERL cells are written. Returns the losses, one phrase each.
 
-    keep_fill: write rows of fill values, too: numbers that stand for directions that were not measured.
-    polarisation: what is made of channels whose names say one (fr_s, 465nm p): keep, average, s, p, ss, sp, ps, pp.
-    repeats: keep a row for each, or average directions that were measured more than once. quantity, mirror_side: what a
-    file does not state, as of `read`.
+    keep_fill: also write rows of fill values, which mark directions that were not measured.
+    polarisation: treatment of channels with a polarisation in their names (fr_s, 465nm p): keep, average, s, p, ss, sp,
+    ps, pp. repeats: keep one row for each repeat measurement, or average. quantity, mirror_side: facts that a file does
+    not state, as in `read`.
     """
     if isinstance(source, (Table, Material)) and (quantity or mirror_side != "auto"):
-        raise InputError("quantity, mirror_side: are for files; this was read before")
+        raise InputError("quantity, mirror_side: apply to files, but this source is already read")
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
@@ -61,12 +62,13 @@ def export(source: Union[Material, str], to: str, output: Path | None = None, *,
     """Shader source of a material or of a form by its name, to "glsl" (4.50, Vulkan) or "glsl-es" (3.00, WebGL 2):
     `brdf export`.
 
-    Of a material a function brdf_material(wi, wo) is added. include: functions only, for an #include; several go into one
-    shader, where each material's function is brdf_material_NAME, by `name`, the material's name or its form's, and
-    brdf_material is it too while there is one. Written to `output` where given. InputError where a form has no GLSL.
+    For a material, a function brdf_material(wi, wo) is added. include: write functions only, for an #include. Several such
+    texts can be used in one shader: the function of each material is brdf_material_NAME, with `name`, the name of the
+    material or the name of its form; with a single material, brdf_material is an alias. The text is also written to
+    `output` if given. Raises InputError if a form has no GLSL.
     """
     if not isinstance(source, (Material, str)):
-        raise InputError(f"{source!r}: a shader is made of a material, or of a form by its name")
+        raise InputError(f"{source!r}: a shader is made from a material, or from the name of a form")
     whole = source if isinstance(source, Material) else material(source)
     text = whole._optics.glsl(to, isinstance(source, Material), include, name)
     if output is not None:

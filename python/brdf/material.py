@@ -1,4 +1,4 @@
-"""Materials: reflectances with their parameters, evaluated on arrays."""
+"""Materials: reflectances with parameters, evaluated on arrays."""
 from __future__ import annotations
 
 import json
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Albedo:
-    """Directional albedos: arrays of the angles' shape and the number of channels.
+    """Directional albedos: arrays with the shape of the angles, followed by the number of channels.
 
-    value; error_bound (absolute, of the integral); low and high (95 % interval of the fit, NaN of a material that is of
-    no fit); converged; evaluations; rule, the integration rule taken.
+    value; error_bound (absolute, of the integral); low and high (95 % interval of the fit, NaN for a material
+    without a fit); converged; evaluations; rule, the integration rule that was used.
     """
 
     value: Array
@@ -39,23 +39,23 @@ class Albedo:
 
 
 def directions(theta: ArrayLike, phi: ArrayLike = 0.0) -> Array:
-    """Unit vectors (..., 3) of polar angles and azimuths in degrees, broadcast. Normal +z, tangent +x.
+    """Returns unit vectors (..., 3) for polar angles and azimuths in degrees, which broadcast. Normal +z, tangent +x.
 
-    The same bits on every machine: the sines of the files' angles, within 1.5 ulp for |angle| up to 1e6 degrees.
+    The result is bit-identical on every machine. Sines and cosines are accurate to 1.5 ulp for |angle| up to 1e6 degrees.
     """
     t, p = together(("theta", "phi"), (numbers("theta", theta), numbers("phi", phi)))
     return _brdf.unit_vectors(t.reshape(-1), p.reshape(-1)).reshape(t.shape + (3,))
 
 
 def _usable(array: Floats) -> Floats:
-    """As C++ reads it: native bytes at aligned addresses. The array itself where it is so already."""
+    """Returns the array with native byte order and aligned addresses, as C++ requires. A suitable array is not copied."""
     if array.flags.aligned and array.dtype.isnative:
         return array
     return np.array(array, dtype=array.dtype.newbyteorder("="))
 
 
 def _pairs(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
-    """Both directions broadcast against each other, of one type: float32 where both are, else float64."""
+    """Returns both directions, broadcast, in one type: float32 if both are float32, otherwise float64."""
     light, viewer = given("wi", wi), given("wo", wo)
     single = light.dtype == np.float32 and viewer.dtype == np.float32
     kind = np.float32 if single else np.float64
@@ -67,9 +67,10 @@ def _pairs(wi: ArrayLike, wo: ArrayLike) -> tuple[Floats, Floats]:
 
 
 class Material:
-    """A form, or a sum of forms, with its parameters for each channel.
+    """A form, or a sum of forms, with parameters for each channel.
 
-    Made by `brdf.material`, `brdf.load`, a fit, or by adding two. It does not change: `replace` makes another.
+    Materials are made by `brdf.material`, `brdf.load`, a fit, or as the sum of two materials. A material is immutable:
+    `replace` returns another material.
     """
 
     _optics: _brdf.Optics
@@ -83,16 +84,16 @@ class Material:
 
     @classmethod
     def from_dict(cls, content: dict[str, Any], name: str = "material") -> Material:
-        """The material of a JSON object as its file holds it (docs/formats.md). `name` opens messages."""
+        """Returns the material of a JSON object with the content of a file (docs/formats.md). Messages begin with `name`."""
         return cls._of(_brdf.material_of_json(json.dumps(content), name))
 
     def to_dict(self) -> dict[str, Any]:
-        """What its JSON file holds."""
+        """Returns the content of the JSON file."""
         content: dict[str, Any] = json.loads(self._optics.json)
         return content
 
     def save(self, path: Path) -> None:
-        """Writes its JSON file, as a whole or not at all."""
+        """Writes the JSON file atomically."""
         self._optics.save(path_of(path))
 
     @property
@@ -101,24 +102,24 @@ class Material:
 
     @property
     def anisotropic(self) -> bool:
-        """Whether it looks different from different azimuths: some term has two widths that differ."""
+        """Whether the reflectance depends on the rotation of the sample: some term has two different widths."""
         return self._optics.anisotropic
 
     @property
     def form(self) -> str:
-        """The form's name; of a sum the names joined by +."""
+        """The name of the form; for a sum, the names joined by +."""
         return "+".join(self._optics.forms)
 
     @property
     def fit(self) -> dict[str, Any] | None:
-        """Provenance and statistics of the fit that it came from; None where there is none."""
+        """Provenance and statistics of the fit that made the material; None if the material is not from a fit."""
         block: dict[str, Any] | None = self.to_dict().get("fit")
         return block
 
     @property
     def parameters(self) -> dict[str, float | list[float]]:
-        """By name: a value, or one per channel; tangent_phi in degrees where it is not 0. Of a sum the names are
-        terms[0].kd and so on, as in a fit."""
+        """Parameters by name: one value, or one per channel. tangent_phi is in degrees and listed if not 0. In a sum the
+        names are terms[0].kd and so on, as in a fit."""
         content = self.to_dict()
         terms = content.get("terms")
         found: dict[str, float | list[float]] = {}
@@ -133,13 +134,13 @@ class Material:
         return found
 
     def replace(self, *, channels: Sequence[str] | None = None, **set: Values) -> Material:
-        """Another with these parameters (`--set`): a value, or one per channel; `alpha` sets both widths, `tangent_phi`
-        is in degrees. `channels` renames the channels. A fit's statistics do not stay with what was changed."""
+        """Returns a material with these parameters (`--set`): one value, or one per channel. `alpha` sets both widths,
+        `tangent_phi` is in degrees. `channels` renames the channels. The statistics of a fit are removed by a change."""
         optics = self._optics.with_settings([setting(name, v) for name, v in set.items()])
         return Material._of(optics if channels is None else optics.with_channels(list_of(channels)))
 
     def __add__(self, other: Material) -> Material:
-        """The sum of the reflectances, of materials with the same channels."""
+        """Returns the sum of the reflectances. Both materials must have the same channels."""
         if not isinstance(other, Material):
             return NotImplemented
         return Material._of(self._optics.plus(other._optics))
@@ -161,31 +162,33 @@ class Material:
         return result
 
     def eval(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None = None) -> Floats:
-        """f_r in 1/sr, without cosine: (..., channels) of wi (..., 3) and wo (..., 3), which broadcast.
+        """Returns f_r in 1/sr, without cosine: (..., channels) for wi (..., 3) and wo (..., 3), which broadcast.
 
-        Unit vectors (within 1e-4 of the squared length, else InputError); 0 below the horizon, finite everywhere.
-        float32 where both are float32 (the forms' stated accuracy in float), else float64, the bits of `brdf eval`.
-        No array of float64 or float32 is copied, whatever its strides. `out` is written to and returned.
+        Directions are unit vectors (squared length within 1e-4, otherwise InputError). Values are 0 below the horizon and
+        finite everywhere. The result is float32 if both inputs are float32 (with the stated accuracy of the form in
+        float), otherwise float64 and bit-identical to `brdf eval`. Arrays of float64 or float32 are not copied, for any
+        strides. `out`, if given, receives the result and is returned.
         """
         return self._evaluated(wi, wo, out, False)
 
     def eval_cos(self, wi: ArrayLike, wo: ArrayLike, out: Floats | None = None) -> Floats:
-        """f_r cos_i in 1/sr (`brdf eval --cos`); otherwise as eval."""
+        """Returns f_r cos_i in 1/sr (`brdf eval --cos`); otherwise the same as eval."""
         return self._evaluated(wi, wo, out, True)
 
     def eval_degrees(self, theta_i: ArrayLike, phi_i: ArrayLike, theta_o: ArrayLike, phi_o: ArrayLike, *,
                      cos: bool = False) -> Array:
-        """f_r in 1/sr (cos: times cos_i) of angles in degrees, which broadcast: (..., channels)."""
+        """Returns f_r in 1/sr (cos: times cos_i) for angles in degrees, which broadcast: (..., channels)."""
         f = self._evaluated(directions(theta_i, phi_i), directions(theta_o, phi_o), None, cos)
         return f.astype(np.float64, copy=False)
 
     def sample(self, wo: ArrayLike, u: ArrayLike) -> Array:
-        """Random directions wi (..., 3) about as bright as the material is seen from wo (..., 3), from numbers u (..., 3)
-        in [0, 1); wo and u broadcast. A direction may lie below the horizon: its value is 0. Sums take a term at random."""
+        """Returns random directions wi (..., 3), distributed approximately as f_r cos_i for wo (..., 3), from numbers
+        u (..., 3) in [0, 1); wo and u broadcast. A direction may be below the horizon, where the value is 0. For a sum a
+        term is chosen at random."""
         return self._rows(_brdf.sample, "wo", numbers("wo", wo), "u", numbers("u", u))
 
     def pdf(self, wi: ArrayLike, wo: ArrayLike) -> Array:
-        """The density of `sample` at wi (..., 3), seen from wo (..., 3), in 1/sr: (...)."""
+        """Returns the density of `sample` at wi (..., 3) for wo (..., 3), in 1/sr: (...)."""
         return self._rows(_brdf.pdf, "wi", numbers("wi", wi), "wo", numbers("wo", wo))
 
     def _rows(self, call: Callable[[_brdf.Optics, Array, Array], Array], name: str, a: Array, other: str,
@@ -198,11 +201,11 @@ class Material:
 
     def albedo(self, theta: ArrayLike, phi: float = 0.0, *, fixed: str = "i", tolerance: float = 1e-6,
                rule: str = "automatic") -> Albedo:
-        """Directional albedo with one direction fixed at theta (any shape) and phi, in degrees (`brdf albedo`).
+        """Returns the directional albedo with one direction fixed at theta (any shape) and phi, in degrees (`brdf albedo`).
 
-        fixed: "i", the light, or "o", the viewer. tolerance: relative error aimed at, 1e-14 to 1. rule: automatic, pole,
-        slope or adaptive. Arrays of theta's shape and the channels, each with the integral's error bound and, of a
-        fitted material, the fit's 95 % interval.
+        fixed: "i", the incident direction, or "o", the viewing direction. tolerance: requested relative error, 1e-14 to 1.
+        rule: automatic, pole, slope or adaptive. Arrays have the shape of theta, followed by the channels. The result has
+        the error bound of each integral and, for a fitted material, the 95 % interval of the fit.
         """
         angles = numbers("theta", theta)
         rows = self._optics.albedo([finite("--theta", t) for t in angles.reshape(-1).tolist()], finite("--phi", phi), fixed,
@@ -217,23 +220,23 @@ class Material:
                       converged=column(3, np.bool_), rule=column(4, np.str_), low=column(5), high=column(6))
 
     def validate(self, **options: Any) -> Judgement:
-        """The checks of `brdf.validate` on this material."""
+        """Returns the checks of `brdf.validate` for this material."""
         from .judging import validate
 
         return validate(self, **options)
 
     def export(self, to: str, output: Path | None = None, *, include: bool = False, name: str = "") -> str:
-        """Its shader source: to "glsl" or "glsl-es" (`brdf export`). Written to `output` where given."""
+        """Returns the shader source for "glsl" or "glsl-es" (`brdf export`), and writes it to `output` if given."""
         from .making import export
 
         return export(self, to, output, include=include, name=name)
 
     def plot(self, theta_i: Iterable[float] = (0, 30, 60), table: Table | None = None, axes: Any = None) -> Any:
-        """Slices of the plane of incidence by matplotlib, with a table's values as points; returns its axes."""
+        """Plots slices of the plane of incidence with matplotlib, with the values of a table as points. Returns the axes."""
         return plot_slices(self, table, list(theta_i), axes)
 
     def picture(self, side: int = SIDE) -> bytes:
-        """A PNG of `side` by `side` pixels: a sphere under one light. InputError where channels are no colours."""
+        """Returns a PNG of `side` by `side` pixels: a sphere under one light. Raises InputError if channels are not colours."""
         if self._optics.obstacle:
             raise InputError(self._optics.obstacle)
         return self._optics.sphere(whole("side", side, 8, 4096))
@@ -267,10 +270,10 @@ def _remade(text: str) -> Material:
 
 
 def material(form: str, *, channels: Sequence[str] | None = None, **set: Values) -> Material:
-    """A form with these parameters, the others at their defaults: `brdf.material("ward", kd=[.3, .2, .1], alpha=.1)`.
+    """Returns a form with these parameters, others at their defaults: `brdf.material("ward", kd=[.3, .2, .1], alpha=.1)`.
 
-    As many channels as the longest list has (three are r, g, b; one is fr), or as `channels` names. InputError on an
-    unknown form or parameter, a value out of range (`brdf.form(name)` has the ranges), or a wrong count.
+    The number of channels is the length of the longest list (three are r, g, b; one is fr), or of `channels`. Raises
+    InputError for an unknown form or parameter, a value out of range (`brdf.form(name)` has the ranges), or a wrong count.
     """
     words = [setting(name, v) for name, v in set.items()]
     return Material._of(_brdf.material_of_form(form, words, None if channels is None else list_of(channels)))

@@ -1,4 +1,4 @@
-"""The verbs that need the whole program (a renderer, a window, minutes of measuring): run beside the interpreter."""
+"""The verbs that need the whole program (a renderer, a window, minutes of measuring). They run as a separate process."""
 from __future__ import annotations
 
 import functools
@@ -20,19 +20,19 @@ BAD_INPUT, ENVIRONMENT = 2, 3
 
 @functools.lru_cache(maxsize=None)
 def verbs() -> dict[str, Any]:
-    """names.json: what every verb and option of the program is called here."""
+    """Returns the content of names.json: the Python name of every verb and option of the program."""
     found: dict[str, Any] = json.loads((pathlib.Path(__file__).parent / "names.json").read_text(encoding="utf-8"))["verbs"]
     return found
 
 
 def executable() -> str:
-    """The program: $BRDF_PROGRAM, that of the same installation or build, or the one in PATH."""
+    """Returns the program: $BRDF_PROGRAM, the program of the same installation or build, or the one in PATH."""
     above = pathlib.Path(_brdf.__file__).resolve().parents  # BUILD/python/brdf, PREFIX/lib/python3/dist-packages/brdf
     beside = [*(folder / "brdf" for folder in above[2:3]), *(folder / "bin" / "brdf" for folder in above[1:6])]
     for candidate in [os.environ.get("BRDF_PROGRAM"), *beside, shutil.which("brdf")]:
         if candidate and os.path.isfile(candidate) and os.access(candidate, os.X_OK):
             return str(candidate)
-    raise _brdf.EnvironmentError("the program brdf was not found: it belongs in PATH or in $BRDF_PROGRAM")
+    raise _brdf.EnvironmentError("the program brdf was not found: add it to PATH, or set $BRDF_PROGRAM")
 
 
 def _words(name: str, value: Any) -> list[str]:
@@ -56,13 +56,13 @@ def _joined(value: Any) -> str:
 
 
 class _Files:
-    """Files of the materials and tables that a command is given, in a folder that lasts as long as it runs."""
+    """Files for the materials and tables passed to a command, in a folder that exists while the command runs."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         self._folder, self._count = folder, 0
 
     def of(self, value: Any) -> Any:
-        """Its file; what is no material and no table as it is."""
+        """Returns a file with the value, or the value itself if it is neither a material nor a table."""
         if isinstance(value, Material):
             path = self._new(f"{value.form}.json")
         elif isinstance(value, Table):
@@ -80,12 +80,12 @@ class _Files:
 
 
 def program(verb: str, *arguments: Any, **options: Any) -> Any:
-    """Runs `brdf VERB ARGUMENTS --options` and returns what it prints: parsed where `json=True`, else text.
+    """Runs `brdf VERB ARGUMENTS --options` and returns the output: parsed if `json=True`, otherwise text.
 
-    Arguments and options are as on the command line, or a Material or a Table: the program reads a file of it.
-    Options have the program's names with _ for -: `output="a.png"` is --output, True a flag, a list is joined by
-    commas, {"kd": 0.3} is name=value. InputError and EnvironmentError with the program's sentence. A result that fails
-    (exit code 1) is returned as any other; with json=True it says so itself.
+    Arguments and options are the same as on the command line. A Material or a Table is passed as a temporary file. Options
+    have the names of the program with _ for -: `output="a.png"` is --output, True sets a flag, a list is joined by commas,
+    {"kd": 0.3} is name=value. Raises InputError and EnvironmentError with the message of the program. A result that fails
+    (exit code 1) is returned like any other; the output of json=True contains the failure.
     """
     with tempfile.TemporaryDirectory(prefix="brdf_") as folder:
         files = _Files(pathlib.Path(folder))
@@ -107,7 +107,7 @@ def render(*materials: Any, **options: Any) -> str:
 
 
 def lobes(*materials: Any, **options: Any) -> str:
-    """`brdf lobes MATERIALS`: the lobe of a material as a plot or a body, in the file `output`."""
+    """`brdf lobes MATERIALS`: the lobe of a material as a plot or as a surface in 3D, in the file `output`."""
     return str(program("lobes", *materials, **options))
 
 
@@ -117,7 +117,7 @@ def maps(kind: str, **options: Any) -> str:
 
 
 def parity(**options: Any) -> Any:
-    """`brdf parity`: the deferred renderer against the ray-traced reference; json=True: its rows."""
+    """`brdf parity`: compares the deferred renderer with the ray-traced reference; json=True: returns the rows."""
     return program("parity", **options)
 
 
@@ -127,20 +127,21 @@ def view(*materials: Any, **options: Any) -> str:
 
 
 def study(*samples: Any, **options: Any) -> Any:
-    """`brdf study SAMPLES`: one sample's page, many samples' overview, in the folder `output`; json=True: its rows."""
+    """`brdf study SAMPLES`: a page per sample and an overview, in the folder `output`; json=True: returns the rows."""
     return program("study", *samples, **options)
 
 
 def prove(*materials: Any, **options: Any) -> Any:
-    """`brdf prove`: properties of forms over their whole domain, of materials at their parameters; json=True: its results."""
+    """`brdf prove`: properties of forms over their whole domain, and of materials at their parameters; json=True: returns
+    the results."""
     return program("prove", *materials, **options)
 
 
 def trade(**options: Any) -> Any:
-    """`brdf trade`: speed against accuracy, measured; json=True: its rows."""
+    """`brdf trade`: measures speed against accuracy; json=True: returns the rows."""
     return program("trade", **options)
 
 
 def recommend(**options: Any) -> Any:
-    """`brdf recommend`: the cheapest model that a scene needs; json=True: what is chosen and the candidates."""
+    """`brdf recommend`: the cheapest model that is sufficient for a scene; json=True: returns choice and candidates."""
     return program("recommend", **options)

@@ -1,4 +1,4 @@
-"""Tables of samples: read from any format, made of arrays, handed on to numpy and pandas."""
+"""Tables of samples: read from any format, made from arrays, converted to numpy and pandas."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -23,29 +23,29 @@ IN_PLANE = 0.5  # degrees by which a direction may be out of the plane
 
 
 def _names(count: int) -> list[str]:
-    """The channels' names where none are given: as of a form's material."""
+    """Returns the default names of channels, the same as for a material."""
     return {1: ["fr"], 3: ["r", "g", "b"]}.get(count, [f"c{k}" for k in range(count)])
 
 
 def _columns(values: ArrayLike, shape: tuple[int, ...], what: str) -> Array:
-    """Values of shape `shape` or `shape + (channels,)` as (pairs, channels)."""
+    """Returns values of shape `shape` or `shape + (channels,)` as (pairs, channels)."""
     array = numbers(what, values)
     if array.shape == shape:
         return array.reshape(-1, 1)
     if array.ndim == len(shape) + 1 and array.shape[:-1] == shape:
         return array.reshape(-1, array.shape[-1])
-    raise InputError(f"{what}: shape {array.shape}: must be {shape}, or that and the number of channels")
+    raise InputError(f"{what}: shape {array.shape}: must be {shape}, or this shape followed by the number of channels")
 
 
 class Table:
     """Measured or computed values of f_r in 1/sr, one row per pair of directions.
 
-    wi, wo: (..., 3), broadcast against each other: directions of any length above 0, to the light and to the viewer.
-    values: the pairs' shape, or that and the number of channels: f_r in 1/sr. sigma: the same, standard deviations;
-    NaN throughout a channel where they are not known. channels: names (default "fr", or "r", "g", "b").
-    metadata: comments for the head of a CSV. InputError where a rule of tables is broken (docs/formats.md).
+    wi, wo: (..., 3), which broadcast: directions of any length above 0, to the light and to the viewer. values: f_r in 1/sr
+    with the shape of the pairs, or this shape followed by the number of channels. sigma: standard deviations of the same
+    shape; all NaN in a channel without known deviations. channels: names (default "fr", or "r", "g", "b"). metadata:
+    comments for the head of a CSV. Raises InputError if a rule of tables is broken (docs/formats.md).
 
-    Rows keep polar angles in degrees, as files do; `from_degrees` makes a table of those without rounding.
+    Rows store polar angles in degrees, as files do; `from_degrees` makes a table from such angles without rounding.
     """
 
     _samples: _brdf.Samples
@@ -65,13 +65,13 @@ class Table:
     def from_degrees(cls, theta_i: ArrayLike, phi_i: ArrayLike, theta_o: ArrayLike, phi_o: ArrayLike,
                      values: ArrayLike, *, sigma: ArrayLike | None = None, channels: Sequence[str] | None = None,
                      metadata: Mapping[str, str] | None = None) -> Table:
-        """The same of polar angles and azimuths in degrees, which are broadcast against each other."""
+        """Returns a table for polar angles and azimuths in degrees, which broadcast."""
         angles = together(ANGLES, [numbers(name, a) for name, a in zip(ANGLES, (theta_i, phi_i, theta_o, phi_o))])
         return cls._of(_made([a.reshape(-1) for a in angles], angles[0].shape, values, sigma, channels, metadata))
 
     @classmethod
     def from_pandas(cls, frame: pandas.DataFrame, *, metadata: Mapping[str, str] | None = None) -> Table:
-        """A frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, and sigma_CHANNEL."""
+        """Returns a table from a frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, sigma_CHANNEL."""
         columns = {str(name): frame[name] for name in frame.columns}
         if len(columns) != len(frame.columns):
             raise InputError("frame: two columns have the same name")
@@ -95,7 +95,7 @@ class Table:
 
     @classmethod
     def from_csv(cls, text: str, name: str = "text", *, quantity: str = "", mirror_side: str = "auto") -> Table:
-        """The table that a file of this content would be; options as of `read`."""
+        """Returns the table of a file with this content. The options are the same as in `read`."""
         return cls._of(_brdf.read_text(text, name, quantity, mirror_side))
 
     @classmethod
@@ -104,22 +104,22 @@ class Table:
 
     @property
     def theta_i(self) -> Array:
-        """(rows,) polar angle of the light in degrees; a read-only view of the table's own memory, as the next three."""
+        """(rows,) angle of incidence in degrees. This and the next three are read-only views of the table's memory."""
         return self._samples.theta_i
 
     @property
     def phi_i(self) -> Array:
-        """(rows,) azimuth of the light in degrees."""
+        """(rows,) azimuth of the incident direction in degrees."""
         return self._samples.phi_i
 
     @property
     def theta_o(self) -> Array:
-        """(rows,) polar angle of the viewer in degrees."""
+        """(rows,) viewing angle in degrees."""
         return self._samples.theta_o
 
     @property
     def phi_o(self) -> Array:
-        """(rows,) azimuth of the viewer in degrees."""
+        """(rows,) azimuth of the viewing direction in degrees."""
         return self._samples.phi_o
 
     @property
@@ -134,23 +134,23 @@ class Table:
 
     @property
     def values(self) -> Array:
-        """(rows, channels) f_r in 1/sr, a copy; `table["r"]` is a view."""
+        """(rows, channels) f_r in 1/sr as a copy; `table["r"]` is a view."""
         return self._samples.values
 
     @property
     def sigma(self) -> Array | None:
-        """(rows, channels) standard deviations in 1/sr, NaN in channels without; None where no channel has any."""
+        """(rows, channels) standard deviations in 1/sr, NaN in channels without; None if no channel has standard deviations."""
         known = any(self._samples.has_sigma(c) for c in range(len(self.channels)))
         return self._samples.sigma if known else None
 
     def __getitem__(self, channel: str) -> Array:
-        """(rows,) f_r of one channel in 1/sr: a read-only view of the table's own memory."""
+        """(rows,) f_r of one channel in 1/sr, a read-only view of the table's memory."""
         if channel not in self.channels:
             raise KeyError(channel)
         return self._samples.column(self.channels.index(channel))
 
     def __iter__(self) -> Iterator[str]:
-        """The channels' names, as a data frame has its columns'; `"r" in table`."""
+        """Iterates over the names of the channels, as a data frame does over its columns; `"r" in table`."""
         return iter(self.channels)
 
     def __len__(self) -> int:
@@ -162,12 +162,12 @@ class Table:
 
     @property
     def metadata(self) -> list[tuple[str, str]]:
-        """The comments above the header, in order; free text has the key ""."""
+        """The comments above the header, in order. Free text has the key ""."""
         return self._samples.metadata
 
     @property
     def source(self) -> str:
-        """The file that it was read from; "" of one that was made."""
+        """The file from which the table was read; "" for a table made otherwise."""
         return self._samples.source
 
     @property
@@ -177,20 +177,20 @@ class Table:
 
     @property
     def warnings(self) -> list[str]:
-        """What the reader left out or repaired, a sentence each."""
+        """Rows that the reader left out and repairs that it made, one sentence each."""
         return self._samples.warnings
 
     def save(self, path: Path) -> list[str]:
-        """Writes .csv, .binary (MERL) or .exr. Returns what is lost, a phrase each."""
+        """Writes .csv, .binary (MERL) or .exr. Returns the losses, one phrase each."""
         return self._samples.write(path_of(path))
 
     def to_csv(self) -> str:
-        """The text of its CSV, which reads back to exactly the same table; of rows that repeat a direction with the same values
-        (azimuths of 0 and 360 degrees, any azimuth along the normal) one is read."""
+        """Returns the text of the CSV, which reads back to exactly the same table, except that rows that repeat a direction
+        with the same values (azimuths of 0 and 360 degrees, any azimuth along the normal) are read once."""
         return self._samples.csv()
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A frame with the columns of its CSV."""
+        """Returns a frame with the columns of the CSV."""
         import pandas
 
         columns = {name: getattr(self, name) for name in ANGLES}
@@ -200,9 +200,9 @@ class Table:
         return pandas.DataFrame(columns)
 
     def in_plane(self, theta_i: float) -> tuple[Array, Array]:
-        """The rows in the plane of incidence with the light at theta_i, to half a degree.
+        """Returns the rows in the plane of incidence at incidence theta_i, to half a degree.
 
-        Returns the viewer's polar angle in degrees, positive towards the mirror direction, and (rows, channels) values.
+        The result is the viewing angle in degrees, positive on the mirror side, and the values (rows, channels).
         """
         turned = (self.phi_o - self.phi_i) % 360
         across = np.minimum(turned, 360 - turned)  # 180: on the mirror's side
@@ -213,7 +213,7 @@ class Table:
         return where[order], self.values[chosen][order]
 
     def plot(self, theta_i: Iterable[float] = (0, 30, 60), axes: Any = None) -> Any:
-        """Slices of the plane of incidence by matplotlib; returns its axes."""
+        """Plots slices of the plane of incidence with matplotlib. Returns the axes."""
         return plot_slices(None, self, list(theta_i), axes)
 
     def __repr__(self) -> str:
@@ -257,18 +257,18 @@ def _remade(angles: list[Array], values: Array, sigma: Array | None, channels: l
 
 
 def read_directions(path: Path) -> tuple[Array, Array]:
-    """The directions of a CSV of angles, as `brdf eval` takes it: (rows, 3) unit vectors wi to the light and wo to the
-    viewer. InputError names file, line and column."""
+    """Returns the directions of a CSV of angles, the input of `brdf eval`: (rows, 3) unit vectors wi to the light and wo to
+    the viewer. InputError names file, line and column."""
     pairs = _brdf.read_directions(path_of(path))
     return pairs.wi, pairs.wo
 
 
 def read(path: Path, *, quantity: str = "", mirror_side: str = "auto") -> Table:
-    """Reads samples in any format that the program reads, told by their content: CSV, MERL .binary, RGL or lens-design
-    .bsdf, ASTM E1392. InputError names file, line and column.
+    """Reads samples in any format of the program: CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392. The format is
+    detected from the content. InputError names file, line and column.
 
     quantity: the quantity of the values if the file does not state it: "BRF", "BRF %", "f_r*cos_o", ... (docs/formats.md);
-    they become f_r. mirror_side: of a table of two signed angles, the sign of the viewer's angle on the mirror side,
-    "positive" or "negative" (default "auto": the side of the largest values). `warnings` says what was decided.
+    the values are converted to f_r. mirror_side: the sign of the viewing angle on the mirror side in a table of two signed
+    angles, "positive" or "negative" (default "auto": the side of the largest values). `warnings` reports the decisions.
     """
     return Table._of(_brdf.read(path_of(path), quantity, mirror_side))

@@ -1,4 +1,4 @@
-"""Python's values as the words of the command line, which the library parses: one parser, the same sentences."""
+"""Conversion of Python values to words of the command line, so that one parser gives the same messages for both."""
 from __future__ import annotations
 
 import math
@@ -21,17 +21,17 @@ SEEDS = 2**64 - 1  # the largest
 
 
 def path_of(path: Path) -> bytes:
-    """A file's name as the system has it."""
+    """Returns the name of a file in the encoding of the system."""
     return os.fsencode(path)
 
 
 def number(value: float) -> str:
-    """The shortest digits that read back to the same double."""
+    """Returns the shortest digits that read back to the same double."""
     return repr(float(value))
 
 
 def finite(option: str, value: float) -> float:
-    """An option's number."""
+    """Returns the number of an option."""
     try:
         found = float(value)
     except (TypeError, ValueError):
@@ -42,10 +42,10 @@ def finite(option: str, value: float) -> float:
 
 
 def whole(option: str, value: int, low: int, high: int) -> int:
-    """An option's whole number within its range."""
+    """Returns the whole number of an option, within its range."""
     found = _index(value)
     if found is None or not low <= found <= high:
-        raise InputError(f"{option}: Value {value} not in range {low} to {high}")
+        raise InputError(f"{option} {value}: must be a whole number from {low} to {high}")
     return found
 
 
@@ -64,13 +64,13 @@ def _index(value: int) -> int | None:
 
 
 def setting(name: str, values: Values) -> str:
-    """`name=v` or `name=v,v,v`."""
+    """Returns `name=v` or `name=v,v,v`."""
     try:
         given = np.atleast_1d(np.asarray(values, dtype=np.float64))
     except (TypeError, ValueError):
         given = np.empty((0, 0))
     if given.ndim != 1:
-        raise InputError(f"{name}: {values!r}: must be a number, or one for each channel")
+        raise InputError(f"{name}: {values!r}: must be a number, or one number per channel")
     return f"{name}={','.join(number(v) for v in given)}"
 
 
@@ -84,7 +84,7 @@ def ranges(values: Mapping[str, tuple[float, float]] | None) -> list[str]:
 
 
 def list_of(words: str | Iterable[str] | None) -> list[str]:
-    """One word or several."""
+    """Returns a list of one word or several words."""
     if words is None:
         return []
     return [words] if isinstance(words, str) else list(words)

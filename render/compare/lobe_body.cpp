@@ -229,15 +229,16 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
   };
   const float left = float(pixels);
   line -= 1.5f * float(pixels);
-  text(left, name + ", light at " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
+  text(left, name + ", incidence " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
   line += 1.5f * float(pixels);
-  text(left, "radius: the cube root of f_r; outer circle " + io::short_number(double(largest), 3) + " 1/sr",
+  text(left, "radius: cube root of f_r; outer circle " + io::short_number(double(largest), 3) + " 1/sr",
        kLobeWords);
   if (dots.empty()) return std::move(canvas.picture);
   line += 1.5f * float(pixels);
   draw_dot(canvas.picture, {left + 0.3f * float(pixels), line - 0.35f * float(pixels)}, size, kDots);
   text(2.2f * left,
-       "measured within " + io::short_number(kNearLight) + "° of this light, faint behind the body", kDots);
+       "measured within " + io::short_number(kNearLight) + "° of this incidence, faint behind the lobe",
+       kDots);
   return std::move(canvas.picture);
 }
 

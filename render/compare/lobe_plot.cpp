@@ -152,14 +152,14 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
   centred({origin.x + radius / 2, below}, io::short_number(double(plot.largest) / 8, 3), kLobeWords);
   centred({origin.x + radius, below}, io::short_number(double(plot.largest), 3), kLobeWords);
   centred({origin.x, below}, "0", kLobeWords);
-  centred({origin.x - radius / 2, below}, "f_r in 1/sr, radius its cube root", kLobeWords);
+  centred({origin.x - radius / 2, below}, "radius: cube root of f_r in 1/sr", kLobeWords);
   float left = float(pixels);
   float line = origin.y + 4 * float(pixels);
   const auto word = [&](const std::string& text, ByteColor color) {
     draw_text(out, {left, line}, text, pixels, color);
     left += text_width(text, pixels) + 1.5f * float(pixels);
   };
-  word("light at " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
+  word("incidence " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (is_shown(solo, c)) word(curves[c].name, curves[c].color);
   }

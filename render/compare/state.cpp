@@ -136,7 +136,7 @@ ViewState with_document(ViewState state, const Json& json, const std::filesystem
     object.material = io::material_from_json(place).material;
     object.material_name = file.stem().string();
   } else {
-    throw InputError(file.string() + ": the format \"" + format + "\" cannot be opened");
+    throw InputError(file.string() + ": the format \"" + format + "\" is not supported");
   }
   return state;
 }
@@ -147,7 +147,7 @@ void open_file(ViewState& state, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
   // The state stores only the names of samples and models, which are read again when they are drawn.
   if (!std::filesystem::is_regular_file(file))
-    throw InputError(file.string() + ": is no file that can be read again");
+    throw InputError(file.string() + ": is not a file that can be read again");
   io::Content content = io::read_content(file);
   if (const std::optional<Json> json = json_of(file, content)) {
     state = with_document(state, *json, file);
@@ -194,7 +194,7 @@ std::string left_out_note(const ViewState& state) {
   const std::string what = !state.scene.environment ? "ambient light is"
                            : ambient                ? "ambient light and the environment are"
                                                     : "the environment is";
-  return what + " left out on both sides: samples hold no value for it";
+  return what + " omitted on both sides, because samples have no values for it";
 }
 
 namespace {

@@ -54,11 +54,11 @@ Pixels<Value> decoded(const io::Content& content, int channels, const std::strin
   const auto refuse = [&](const char* reason) {
     throw InputError(content.name + ": " + fault + " (" + reason + ")");
   };
-  if (io::is_png(content.bytes) && !io::is_whole_png(content.bytes)) refuse("the file ends too soon");
+  if (io::is_png(content.bytes) && !io::is_whole_png(content.bytes)) refuse("the file is truncated");
   Pixels<Value> pixels{
       {}, {load(&kCalls, &source, &size.width, &size.height, &in_file, channels), stbi_image_free}};
   if (!pixels.values) refuse(stbi_failure_reason());
-  if (source.ran_out()) refuse("the file ends too soon");
+  if (source.ran_out()) refuse("the file is truncated");
   pixels.size = size;
   return pixels;
 }

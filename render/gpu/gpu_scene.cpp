@@ -172,7 +172,8 @@ void GpuScene::update(const PreparedScene& scene) {
   const GpuFrame frame = gpu_frame(scene);
   std::vector<GpuItem> items;
   if (scene.layers.size() * scene.meshes.size() > kMostItems) {
-    throw InputError("the renderer draws at most " + std::to_string(kMostItems) + " objects, terms counted");
+    throw InputError("the renderer draws at most " + std::to_string(kMostItems) +
+                     " objects; each term of a sum counts as one");
   }
   for (const auto& layer : scene.layers) {
     for (const Item& item : layer) {

@@ -19,7 +19,7 @@ void require_shaders(const PreparedScene& scene) {
 void require_environment(const PreparedScene& scene, const RendererOptions& options) {
   if (!scene.environment) return;
   if (!uses_gbuffer(scene.scene, options))
-    throw InputError("an environment's light needs the shading brdf and the deferred path");
+    throw InputError("an environment needs the shading brdf and the deferred path");
 }
 
 // Checks the size before anything is allocated, so that a picture that cannot fit is refused at once.
@@ -37,11 +37,11 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
       "a picture of " + size);
   const std::size_t items = scene.layers.size() * scene.meshes.size();
   if (options.gbuffer_bits == 8 && items > 255) {
-    throw InputError("8-bit targets tell at most 255 objects and terms apart, the scene has " +
+    throw InputError("8-bit targets distinguish at most 255 objects and terms; the scene has " +
                      std::to_string(items));
   }
   if (options.path == Path::forward && scene.layers.size() > 1) {
-    throw InputError("the forward path draws materials of one form; the scene has sums");
+    throw InputError("the forward path draws materials with one form, but the scene has sums");
   }
   return device;
 }
@@ -178,8 +178,7 @@ std::vector<float> Renderer::read_color() {
 }
 
 std::vector<float> Renderer::read_target(Target target) {
-  if (!uses_gbuffer(scene_.scene, options_))
-    throw InputError("this scene is drawn without the seven targets");
+  if (!uses_gbuffer(scene_.scene, options_)) throw InputError("this scene has no seven targets");
   if (scene_.layers.size() > 1) {  // later layers have overwritten the first
     device_->run([&](VkCommandBuffer commands) { deferred_->record_geometry(commands, scene_, gpu_, 0); });
   }

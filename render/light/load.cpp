@@ -52,15 +52,15 @@ Radiances read_exr_pixels(const io::Content& content) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
-    throw InputError(file + ": is no OpenEXR picture that can be read: " + error.what());
+    throw InputError(file + ": is not a readable OpenEXR picture: " + error.what());
   }
 }
 
 Radiances read_hdr_pixels(const io::Content& content) {
   const auto size = picture_size(content);
-  if (!size) throw InputError(content.name + ": is no Radiance picture that can be read: it has no size");
+  if (!size) throw InputError(content.name + ": is not a readable Radiance picture: the size is missing");
   require_size(size->width, size->height, content.name);
-  const Pixels<float> pixels = decoded_radiance(content, 3, "is no Radiance picture that can be read");
+  const Pixels<float> pixels = decoded_radiance(content, 3, "is not a readable Radiance picture");
   Radiances out{pixels.size.width, pixels.size.height, {}};
   const float* value = pixels.values.get();
   for (std::size_t k = 0; k < std::size_t(out.width) * std::size_t(out.height); ++k, value += 3)

@@ -170,7 +170,7 @@ void clean(Mesh& mesh, const std::string& source) {
     if (glm::length(glm::cross(q - p, r - p)) > 0) kept.insert(kept.end(), {a, b, c});
   }
   mesh.indices = std::move(kept);
-  if (mesh.indices.empty()) throw InputError(source + ": no triangle with an area");
+  if (mesh.indices.empty()) throw InputError(source + ": has no triangle with an area above 0");
 }
 
 Mesh flat_shaded(const Mesh& mesh) {

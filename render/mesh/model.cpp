@@ -67,7 +67,7 @@ void require_whole_header(const io::Content& content) {
   if (!line.starts_with("ply") && !line.starts_with("PLY")) return;
   while (std::getline(in, line))
     if (line == "end_header" || line == "end_header\r") return;
-  throw InputError(content.name + ": the PLY's header has no line end_header");
+  throw InputError(content.name + ": the header of the PLY file has no line end_header");
 }
 
 // Opens the files of a model, each read at once. Assimp would otherwise treat a read error as a missing

@@ -161,7 +161,7 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) 
     throw InputError("text mesh: " + std::to_string(letters) + " letters; at most " +
                      std::to_string(kMostLetters) + " are drawn");
   auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
-  if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has nothing to draw");
+  if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has no visible letter");
   // The longitude is proportional to x, and the text goes round at most once; the middle of the capitals
   // lies on the equator.
   const double scale = std::min(double(kLatitude), 2 * kPi / width);

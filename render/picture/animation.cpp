@@ -11,14 +11,14 @@ namespace brdf::render {
 namespace {
 
 [[noreturn]] void gave_up(const char* why) {
-  throw EnvironmentError(std::string("the WebP encoder gave up: ") + why);
+  throw EnvironmentError(std::string("the WebP encoder failed: ") + why);
 }
 
 // Frees the memory that the library has allocated for the picture.
 struct EncoderPicture {
   WebPPicture picture;
   EncoderPicture() {
-    if (!WebPPictureInit(&picture)) gave_up("another version of libwebp");
+    if (!WebPPictureInit(&picture)) gave_up("incompatible version of libwebp");
   }
   EncoderPicture(const EncoderPicture&) = delete;
   EncoderPicture& operator=(const EncoderPicture&) = delete;
@@ -43,7 +43,7 @@ Animation::Animation(int width, int height, double frames_per_second, int qualit
                      " pixels on a side, not " + std::to_string(std::max(width, height)));
   WebPAnimEncoderOptions options;
   if (!WebPAnimEncoderOptionsInit(&options) || !WebPConfigInit(&encoder_->config))
-    gave_up("another version of libwebp");
+    gave_up("incompatible version of libwebp");
   options.anim_params.loop_count = 0;  // endless
   encoder_->config.lossless = quality >= 100;
   encoder_->config.exact = 1;

@@ -59,7 +59,8 @@ std::vector<Item> items_of(const Object& object, const TextureSet& textures) {
     }
     if (info(term.form).mixes_channels) {
       throw InputError("material " + object.material_name + ": shapes per channel of " +
-                       std::string(info(term.form).name) + ", which mixes channels, cannot be rendered");
+                       std::string(info(term.form).name) +
+                       ", a form that combines channels, cannot be rendered");
     }
     for (std::size_t colour = 0; colour < 3; ++colour)
       items.push_back(make_item(term, colours, colour, textures));
@@ -108,7 +109,7 @@ LightMap light_map(const Scene& scene) {
 }
 
 [[noreturn]] void refuse(std::size_t object, const std::string& what, std::size_t most) {
-  throw InputError("$.objects[" + std::to_string(object) + "]: with it the scene has more than " +
+  throw InputError("$.objects[" + std::to_string(object) + "]: with this object the scene has more than " +
                    std::to_string(most) + " " + what);
 }
 

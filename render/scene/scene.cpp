@@ -9,9 +9,9 @@ namespace brdf::render {
 
 io::ChannelColours require_colours(const std::vector<std::string>& channels, const std::string& what) {
   if (const auto colours = io::channel_colours(channels)) return *colours;
-  throw InputError(what + ": has " + std::to_string(channels.size()) +
-                   " channels; a picture takes 1 or 3, or three of more that are named r, g, b or by their "
-                   "wavelengths (465nm)");
+  throw InputError(
+      what + ": has " + std::to_string(channels.size()) +
+      " channels; a picture needs 1 or 3 channels, or three named r, g, b or by wavelength (465nm)");
 }
 
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials) {

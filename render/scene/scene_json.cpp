@@ -55,7 +55,8 @@ Camera read_camera(const JsonPlace& place) {
   read(place, "width", camera.width, 1, 16384);
   read(place, "height", camera.height, 1, 16384);
   if (!(glm::length(glm::cross(camera.target - camera.position, camera.up)) > 1e-6f)) {
-    place.fail("needs a target away from its position and an up direction across the view");
+    place.fail(
+        "needs a target different from its position and an up direction that is not parallel to the view");
   }
   return camera;
 }
@@ -81,7 +82,7 @@ Environment read_environment(const JsonPlace& place) {
   Environment environment;
   environment.picture = place.at("picture").text();
   if (environment.picture.empty())
-    place.at("picture").fail("must be a file's name or one of " + known_names<Formula>());
+    place.at("picture").fail("must be the name of a file or one of " + known_names<Formula>());
   read(place, "rotation", environment.rotation, -360, 360);
   read(place, "intensity", environment.intensity, 0, 1e6);
   return environment;
@@ -125,7 +126,7 @@ Object read_object(const JsonPlace& place, const std::filesystem::path& folder) 
     read(place, "scale", object.scale);
   }
   if (!(std::abs(object.scale.x * object.scale.y * object.scale.z) > 1e-12f)) {
-    place.at("scale").fail("must not be zero along any axis");
+    place.at("scale").fail("must not be 0 along any axis");
   }
   return object;
 }

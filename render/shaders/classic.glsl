@@ -1,10 +1,10 @@
 // The articles' shading modes (shaders/classic.vert, classic.frag): a renderer's own colours, no BRDF.
 layout(constant_id = 0) const int kShading = 1;
-layout(constant_id = 1) const bool kAsCoded = false;  // with the articles' slips
+layout(constant_id = 1) const bool kAsCoded = false;  // with the errors of the articles
 layout(constant_id = 2) const bool kPerVertex = false;  // phong_blinn: colours, lookup: coordinates per vertex
 const float kExponent = 20.0;
 
-// The article holds the view direction constant; otherwise it goes to the camera.
+// The article keeps the view direction constant; otherwise the direction points to the camera.
 vec3 view_from(vec3 position) {
   return kAsCoded ? -normalize(frame.forward.xyz) : normalize(frame.camera.xyz - position);
 }
@@ -26,7 +26,7 @@ vec3 lit(vec3 object_color, vec3 position, vec3 n, bool highlight) {
     const vec3 l = direction_to(light, position);
     const vec3 irradiance = irradiance_of(light, position);
     color += object_color * irradiance * max(dot(n, l), 0.0);
-    // The article's half vector adds a light vector of the length it was given with.
+    // The half vector of the article adds a light vector that is not normalised.
     const vec3 h = normalize(v + (kAsCoded ? l * light.irradiance.w : l));
     if (highlight) color += irradiance * pow(max(dot(n, h), 0.0), kExponent);
   }

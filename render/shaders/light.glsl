@@ -1,4 +1,4 @@
-// The environment's picture and the distributions that its directions are drawn from: render/light/light_map.h.
+// The picture of the environment and the distributions for sampling its directions: render/light/light_map.h.
 layout(set = 2, binding = 0) uniform sampler2D light_texels;   // rgb: radiance, a: density per solid angle
 layout(set = 2, binding = 1) uniform sampler2D light_columns;  // ends of the cells of each row
 layout(set = 2, binding = 2) uniform sampler2D light_rows;
@@ -13,7 +13,7 @@ vec3 from_picture(vec3 w) {
   return vec3(e.x * w.x + e.y * w.z, w.y, e.x * w.z - e.y * w.x);
 }
 
-// The first cell whose end lies above u.
+// The first cell with an end above u.
 int cell_of_row(float u, int count) {
   int low = 0, high = count - 1;
   while (low < high) {
@@ -31,10 +31,10 @@ int cell_of_column(float u, int row, int count) {
   return low;
 }
 
-// Where u lies between both ends of its cell.
+// The position of u between the two ends of its cell.
 float within(float u, float low, float high) { return clamp((u - low) / max(high - low, 1e-30), 0.0, 1.0); }
 
-// A direction of the picture; `texel` is what shines from there.
+// A direction of the picture; `texel` is the radiance from this direction.
 vec3 light_sample(float u1, float u2, out vec4 texel) {
   const ivec2 size = textureSize(light_texels, 0);
   const int y = cell_of_row(u1, size.y);
@@ -44,7 +44,7 @@ vec3 light_sample(float u1, float u2, out vec4 texel) {
   const float down = within(u1, top, texelFetch(light_rows, ivec2(0, y), 0).r);
   const float across = (float(x) + within(u2, left, texelFetch(light_columns, ivec2(x, y), 0).r)) / float(size.x);
   texel = texelFetch(light_texels, ivec2(x, y), 0);
-  // Even in the cosine. From the half angles: near the poles the cosine itself has no digits left for the sine.
+  // Uniform in the cosine. Half angles are used because near the poles the cosine has too few digits for the sine.
   const float upper = sin(kPi * 0.5 * float(y) / float(size.y)), lower = sin(kPi * 0.5 * float(y + 1) / float(size.y));
   const float half_sine2 = mix(upper * upper, lower * lower, down);
   const float cosine = 1.0 - 2.0 * half_sine2, sine = 2.0 * sqrt(half_sine2 * max(1.0 - half_sine2, 0.0));

@@ -1,4 +1,4 @@
-// The points of environment light: render/light/points.h has the same and says what they are.
+// The sample points of environment light, the same as in render/light/points.h, which describes them.
 uint mixed_bits(uint x) {
   x = (x ^ (x >> 16)) * 0x7feb352du;
   x = (x ^ (x >> 15)) * 0x846ca68bu;

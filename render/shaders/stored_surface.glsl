@@ -1,5 +1,5 @@
-// The surface that the targets hold under a fragment. The shader has kForm, kBits, kSingle and push.item; fragments
-// that another form covers are discarded.
+// The surface that the targets store under a fragment. The shader defines kForm, kBits, kSingle and push.item; fragments
+// covered by another form are discarded.
 layout(set = 1, binding = 0) uniform sampler2D targets[kTargetCount];  // in the order of gbuffer.frag
 
 struct StoredSurface {
@@ -45,12 +45,12 @@ StoredSurface stored_surface() {
     normal.xyz += (specular.a * tangent.xyz + s.shape.a * bitangent.xyz) * (1.0 / kRemainderScale);
   }
   if (kBits != 8 && (items[id].form.y & kFourthShape) != 0) s.shape.a = normal.a;
-  // Repair the frame: rounding took its unit lengths and right angles; the bitangent still says which hand it is.
+  // Repairs the frame: rounding changed lengths and right angles; the bitangent gives the handedness.
   s.normal = normalize(normal.xyz);
   s.tangent = normalize(tangent.xyz - s.normal * dot(s.normal, tangent.xyz));
   s.bitangent = cross(s.normal, s.tangent);
   if (dot(s.bitangent, bitangent.xyz) < 0.0) s.bitangent = -s.bitangent;
-  // The pixel says where its surface point lies but for the depth: rounding of the position takes digits of that alone.
+  // The pixel determines the surface point except for the depth, so rounding of the position affects the depth only.
   s.ray = ray_through(gl_FragCoord.xy);
   s.position = items[id].model[3].xyz + relative;
   if (kBits != 32)

@@ -29,7 +29,7 @@ vec4 bilinear(int slot) {
 
 bool has_map(Item item, int slot) { return (item.weight_rules.w >> slot & 1) != 0; }
 
-// The frame about another normal; it keeps its hand.
+// The frame about another normal, with the same handedness.
 void turn_to(vec3 n, inout SurfaceHit s) {
   const float hand = sign(dot(cross(s.normal, s.tangent), s.bitangent));
   s.tangent = normalize(s.tangent - n * dot(n, s.tangent));

@@ -67,7 +67,7 @@ const std::vector<double>* Beside::residuals(const Session& session) {
 void Beside::fit(const Session& session) {
   if (task_.running()) return;
   if (!solver_.fit) throw InputError("this build cannot fit");
-  if (!table_) throw InputError("nothing to fit to: open samples first");
+  if (!table_) throw InputError("there are no samples: open samples first");
   object_ = session.state().selected;
   task_.start(solver_, selected(session), *table_);
 }

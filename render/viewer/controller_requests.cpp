@@ -33,11 +33,11 @@ void Controller::request(Request asked) {
       went(session_.undo(), "undone: ", "nothing to undo");
       break;
     case Request::redo:
-      went(session_.redo(), "done again: ", "nothing to do again");
+      went(session_.redo(), "redone: ", "nothing to redo");
       break;
     case Request::revert:
       session_.revert();
-      went("all as it was opened", "", "");
+      went("restored the state of the opened file", "", "");
       break;
     case Request::help:
       panels_.show_help();
@@ -48,7 +48,7 @@ void Controller::request(Request asked) {
     case Request::fit_here:
       messages_.attempt([&] {
         beside_.fit(session_);
-        messages_.say("fitting; ctrl+x stops, the best so far stays");
+        messages_.say("fitting; ctrl+x stops and keeps the best values so far");
       });
       break;
     case Request::stop_fit:

@@ -119,7 +119,7 @@ class TermSliders {
   }
 
   void apart_box(const ReflectanceInfo& form, bool apart) {
-    if (!ImGui::Checkbox("along and across apart", &apart)) return;
+    if (!ImGui::Checkbox("separate along and across", &apart)) return;
     ImGui::GetStateStorage()->SetBool(ImGui::GetID("apart"), apart);
     if (!apart) join_axes(form);
   }
@@ -149,7 +149,7 @@ class TermSliders {
 
   void tangent() {
     constexpr ParameterInfo kTurned{"tangent", -90, 90, 0, 90, "deg", false, "azimuth of the tangent"};
-    ImGui::TextUnformatted("turned by, degrees");
+    ImGui::TextUnformatted("rotation, degrees");
     double shown = term_.tangent_phi.degrees();
     SliderMarks marks;
     if (in_file_) marks.in_file = in_file_->tangent_phi.degrees();
@@ -238,7 +238,7 @@ void edit_lights(Scene& scene) {
   }
   if (!scene.lights.empty()) {
     ImGui::SameLine();
-    if (ImGui::Button("remove the last")) scene.lights.pop_back();
+    if (ImGui::Button("remove the last light")) scene.lights.pop_back();
   }
   ImGui::ColorEdit3("ambient", &scene.ambient.x, ImGuiColorEditFlags_Float);
 }

@@ -47,7 +47,7 @@ std::string what_differs(const ViewState& a, const ViewState& b) {
   if (materials_of(a) != materials_of(b)) parts.emplace_back("the material");
   if (shapes_of(a) != shapes_of(b)) parts.emplace_back("the objects");
   if (lights_of(a) != lights_of(b)) parts.emplace_back("the lights");
-  if (comparison_of(a) != comparison_of(b)) parts.emplace_back("what is compared");
+  if (comparison_of(a) != comparison_of(b)) parts.emplace_back("the comparison");
   if (differ(a, b,
              [](const ViewState& s) { return std::pair(s.scene.camera.position, s.scene.camera.target); }))
     parts.emplace_back("the camera");

@@ -79,12 +79,12 @@ void picture_section(ViewState& state, const PanelInfo& info) {
 void fit_section(Session& session, const PanelInfo& info, Buttons buttons) {
   if (info.error) {
     if (info.error_before && *info.error_before != *info.error)
-      ImGui::TextWrapped("at the samples off by %.2f %% (median), was %.2f %%", 100 * *info.error,
+      ImGui::TextWrapped("median error at the samples %.2f %%, before %.2f %%", 100 * *info.error,
                          100 * *info.error_before);
     else
-      ImGui::TextWrapped("at the samples off by %.2f %% (median)", 100 * *info.error);
+      ImGui::TextWrapped("median error at the samples %.2f %%", 100 * *info.error);
   } else if (session.state().samples.empty()) {
-    ImGui::TextDisabled("open samples to compare with them");
+    ImGui::TextDisabled("open samples for a comparison");
   }
   if (!info.can_fit) return;
   if (info.fitting < 0) return buttons.add("fit from here");

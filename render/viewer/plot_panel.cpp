@@ -21,7 +21,7 @@ void draw_lobes(const LobePlot& plot, float width) {
     return ImVec2(corner.x + width / 2 + radius * p.x, corner.y + radius + 4 - radius * p.y);
   };
   draw_plot(plot, 2.5f, place);
-  ImGui::TextWrapped("largest f_r %s 1/sr (radius: cube root)",
+  ImGui::TextWrapped("largest f_r %s 1/sr (radius: cube root of f_r)",
                      io::short_number(double(plot.largest), 4).c_str());
 }
 
@@ -50,11 +50,11 @@ void plot_panel(Session& session, const PanelInfo& info, bool room) {
   const auto theta = double(state.plot_theta);
   const std::vector<LobeDot> dots = info.samples ? lobe_dots(*info.samples, theta) : std::vector<LobeDot>{};
   draw_lobes(lobe_plot(curves, theta, state.plot_solo, dots), ImGui::GetContentRegionAvail().x);
-  if (!state.kept.empty() && ImGui::SmallButton("forget the last kept")) state.kept.pop_back();
+  if (!state.kept.empty() && ImGui::SmallButton("remove the last kept")) state.kept.pop_back();
   if (!dots.empty()) {
-    ImGui::TextWrapped("dots: measured, within %.1f° of the plane", io::kInPlane);
+    ImGui::TextWrapped("dots: measurements within %.1f° of the plane", io::kInPlane);
   } else if (info.samples) {
-    ImGui::TextWrapped("nothing measured within %.0f° of this light", kNearLight);
+    ImGui::TextWrapped("no measurements within %.0f° of this incidence", kNearLight);
     if (ImGui::SmallButton("nearest")) state.plot_theta = float(nearest_light(*info.samples, theta));
   }
   const ImGuiTreeNodeFlags open = room ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;

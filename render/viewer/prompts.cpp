@@ -94,11 +94,11 @@ void Prompts::file_list(Answers& answers) {
     else
       answers.open = name;
   };
-  if (!recent_.empty()) ImGui::TextDisabled("opened before");
+  if (!recent_.empty()) ImGui::TextDisabled("recent files");
   for (const std::string& name : recent_) choose(name);
   ImGui::TextDisabled("in this folder");
   for (const std::string& name : names_) choose(name);
-  if (names_.empty()) ImGui::TextDisabled("nothing that begins like this");
+  if (names_.empty()) ImGui::TextDisabled("no file begins like this");
 }
 
 void Prompts::file(Answers& answers) {
@@ -116,7 +116,7 @@ void Prompts::material(Answers& answers) {
   const bool entered = text_line();
   const bool there = std::filesystem::exists(text_.data());
   if (there && replace_)
-    ImGui::TextColored(ImVec4(1, 0.45f, 0.4f, 1), "is there already: Enter again replaces it");
+    ImGui::TextColored(ImVec4(1, 0.45f, 0.4f, 1), "the file exists: press Enter again to replace it");
   else
     ImGui::TextDisabled("Tab completes, Enter saves, Esc closes");
   if (!entered || text_[0] == '\0') return;
@@ -125,7 +125,7 @@ void Prompts::material(Answers& answers) {
 }
 
 void Prompts::leave(Answers& answers) {
-  ImGui::TextUnformatted("Something was changed and not saved.");
+  ImGui::TextUnformatted("There are unsaved changes.");
   const int letter = std::exchange(letter_, 0);
   if (ImGui::Button("Save the state and leave (s)") || letter == GLFW_KEY_S) answers.save_and_leave = true;
   if (ImGui::Button("Leave without saving (x)") || letter == GLFW_KEY_X) answers.leave = true;

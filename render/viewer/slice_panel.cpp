@@ -52,11 +52,11 @@ void slice_section(Session& session, const PanelInfo& info) {
   const SlicePlot plot =
       slice_plot(lobe_curves(state, theta), state.plot_solo, lobe_dots(*info.samples, theta));
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::TextWrapped("light at %s°, f_r from 1e%d to 1e%d 1/sr", io::short_number(theta, 3).c_str(), plot.low,
-                     plot.high);
+  ImGui::TextWrapped("incidence %s°, f_r from 1e%d to 1e%d 1/sr", io::short_number(theta, 3).c_str(),
+                     plot.low, plot.high);
   const Field field(width, kHigh * width);
   draw_plot(plot, 2, [&](const glm::vec2& p) { return field.place(p); });
-  ends("-90°", "viewer at 90°");
+  ends("-90°", "viewing angle 90°");
 }
 
 void residual_section(const std::vector<double>& cells) {

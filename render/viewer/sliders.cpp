@@ -63,9 +63,9 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     std::string words = std::string(p.name) + ": " + std::string(p.doc);
     if (marks.known)
-      words += "\n95 % between " + io::short_number(marks.known->first, 4) + " and " +
+      words += "\n95 % interval: " + io::short_number(marks.known->first, 4) + " to " +
                io::short_number(marks.known->second, 4);
-    words += "\nCtrl-click types a number, right-click: default and file's value";
+    words += "\nCtrl-click: type a number; right-click: default and value of the file";
     ImGui::SetTooltip("%s", words.c_str());
   }
   bool chosen = false;

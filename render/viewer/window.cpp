@@ -75,7 +75,8 @@ VkSurfaceFormatKHR pick_format(VkPhysicalDevice physical, VkSurfaceKHR surface) 
 }  // namespace
 
 Window::Window(int width, int height, const std::string& title) {
-  if (!glfwInit()) throw EnvironmentError("no display: a window cannot be opened (" + glfw_message() + ")");
+  if (!glfwInit())
+    throw EnvironmentError("a window cannot be opened, because there is no display (" + glfw_message() + ")");
   if (!glfwVulkanSupported()) {
     glfwTerminate();
     throw EnvironmentError("no Vulkan driver that can draw into windows");

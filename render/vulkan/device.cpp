@@ -195,8 +195,8 @@ bool Device::has_memory(std::uint64_t bytes) const {
 
 void Device::require_memory(std::uint64_t bytes, const std::string& what) const {
   if (has_memory(bytes)) return;
-  throw InputError(what + " needs " + megabytes(memory_used_ + bytes) + " of device memory, the limit is " +
-                   megabytes(memory_limit_) + " (--memory-limit)");
+  throw InputError(what + " needs " + megabytes(memory_used_ + bytes) +
+                   " of device memory, but the limit is " + megabytes(memory_limit_) + " (--memory-limit)");
 }
 
 VkDeviceMemory Device::allocate(const VkMemoryAllocateInfo& info) {
@@ -218,7 +218,7 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags f
   for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i) {
     if ((allowed >> i & 1) && (properties.memoryTypes[i].propertyFlags & flags) == flags) return i;
   }
-  throw EnvironmentError("the Vulkan device has no memory of the kind needed");
+  throw EnvironmentError("the Vulkan device has no memory of the required kind");
 }
 
 }  // namespace brdf::render

@@ -125,17 +125,16 @@ Ending ending_of(int status, bool in_time) {
   if (WIFSIGNALED(status))
     return {Ending::Kind::crashed,
             "signal " + std::to_string(WTERMSIG(status)) + ", " + strsignal(WTERMSIG(status))};
-  return {Ending::Kind::crashed, "it gives no answer"};
+  return {Ending::Kind::crashed, "without an answer"};
 }
 
 [[noreturn]] void refuse(const Source& source, const Ending& ending) {
-  const std::string advice = "; leave out of the file what the reflectance does not need";
+  const std::string advice = "; remove the parts of the file that the reflectance does not need";
   if (ending.kind == Ending::Kind::slow)
     throw InputError(source.name + ": the shader compiler needs more than " + std::to_string(kSeconds) +
-                     " s for this text: it is too slow" + advice);
+                     " s for this text" + advice);
   if (ending.kind == Ending::Kind::large)
-    throw InputError(source.name +
-                     ": the shader compiler needs more than 1 GiB for this text: it is too large" + advice);
+    throw InputError(source.name + ": the shader compiler needs more than 1 GiB for this text" + advice);
   throw InputError(source.name + ": the shader compiler crashes on this text (" + ending.how + ")" + advice);
 }
 
@@ -171,7 +170,8 @@ Compiled compile_somehow(const Source& source, AttemptWith&& attempt) {
     if (std::optional<Compiled> compiled = compiled_of(answer)) {
       if (places == Places::none)
         compiled->notes.push_back(
-            "the shader compiler crashes where it is asked for the lines of this text, so none are named");
+            "the shader compiler crashes when it reports lines of this text, so messages have no line "
+            "numbers");
       return *std::move(compiled);
     }
     if (places == Places::scopes) first = ending;

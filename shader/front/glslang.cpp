@@ -106,7 +106,7 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   glslang::TIntermediate& tree = *program.getIntermediate(parse.stage());
   if (const auto call = call_without_body(tree)) {
     const std::string log = "ERROR: " + call->file + ":" + std::to_string(call->line) + ": calls " +
-                            call->function + "(), which has no body in what is read";
+                            call->function + "(), which has no body in the files that were read";
     take_messages(out, files, source, log, out.missing);
     return out;
   }
@@ -121,7 +121,7 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   out.spirv.assign(words.begin(), words.end());
   out.note = attempt.note;
   if (!out.missing.empty())
-    out.note += (out.note.empty() ? "" : "; ") + no_files(out.missing, source) + ", and left away";
+    out.note += (out.note.empty() ? "" : "; ") + no_files(out.missing, source) + "; omitted";
   out.whole = preprocessed(files, source, attempt);
   return out;
 }

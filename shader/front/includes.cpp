@@ -133,8 +133,8 @@ Includer::IncludeResult* Includer::include(const std::string& name, const std::s
 }
 
 std::string no_files(const std::vector<std::string>& names, const Source& source) {
-  return io::joined(names) + (names.size() > 1 ? " are no files" : " is no file") +
-         " of the shader's own folder" + (source.include_folders.empty() ? "" : " or of those of -I");
+  return io::joined(names) + (names.size() > 1 ? " are not files" : " is not a file") +
+         " of the shader's own folder" + (source.include_folders.empty() ? "" : " or of a folder of -I");
 }
 
 std::vector<std::string> asked_macros(const Files& files, const Source& source) {

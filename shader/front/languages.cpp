@@ -151,17 +151,18 @@ std::optional<Foreign> foreign_language(std::string_view bare, std::string_view 
     return Foreign{language, shown_tokens(tokens, at, count), tokens[at].line};
   };
   if (const std::size_t metal = bare.find("metal_stdlib"); metal != bare.npos)
-    return Foreign{"Metal's language", "metal_stdlib",
+    return Foreign{"Metal Shading Language", "metal_stdlib",
                    std::uint32_t(1 + std::count(bare.begin(), bare.begin() + long(metal), '\n'))};
   for (std::size_t k = 0; k < tokens.size(); ++k) {
     const At t(tokens, k);
     if (t.are("fn") && t.name(1) && (t[2] == "(" || t[2] == "<"))
-      return found(k, wgsl ? "WGSL" : "a language whose functions begin with fn (WGSL or Rust)", 3);
+      return found(k, wgsl ? "WGSL" : "a language with the keyword fn (WGSL or Rust)", 3);
     if (is_wgsl(t)) return found(k, "WGSL", 3);
-    if (t.are("using", "namespace", "metal")) return found(k, "Metal's language", 3);
+    if (t.are("using", "namespace", "metal")) return found(k, "Metal Shading Language", 3);
     if (is_osl(t)) return found(k, "Open Shading Language", 3);
     if (is_mdl(t)) return found(k, "MDL", 3);
-    if (t.first() && t.are("shader_type") && t.name(1) && t[2] == ";") return found(k, "Godot's language", 3);
+    if (t.first() && t.are("shader_type") && t.name(1) && t[2] == ";")
+      return found(k, "Godot's shading language", 3);
     if (is_slang(t)) {
       const bool of_hlsl = t.are("interface");
       return found(k, of_hlsl ? "Slang (or HLSL with interfaces)" : "Slang", 3);
@@ -174,7 +175,7 @@ std::optional<Foreign> foreign_language(std::string_view bare, std::string_view 
   if (late) return late;
   for (const auto& [end, language] :
        {std::pair(".slang", "Slang"), std::pair(".wgsl", "WGSL"), std::pair(".osl", "Open Shading Language"),
-        std::pair(".mdl", "MDL"), std::pair(".metal", "Metal's language"), std::pair(".rs", "Rust")})
+        std::pair(".mdl", "MDL"), std::pair(".metal", "Metal Shading Language"), std::pair(".rs", "Rust")})
     if (suffix == end) return Foreign{language, std::string(suffix), 1};
   return std::nullopt;
 }
@@ -184,11 +185,10 @@ std::string refusal_of(const Foreign& foreign) {
       "is " + foreign.language + " (`" + io::printable(foreign.construct) + "`), which is not read: ";
   if (foreign.newer)
     return begin +
-           "write the function in HLSL 5.1 (`c ? a : b` for select(), a function for each type for a "
-           "template, "
-           "one with a name for an operator, constants for an enum) or in GLSL";
+           "write the function in HLSL 5.1 (`c ? a : b` for select(), one function per type for a template, "
+           "a named function for an operator, constants for an enum) or in GLSL";
   return begin +
-         "write the function in GLSL or HLSL, as `vec3 brdf(vec3 L, vec3 V, vec3 N, float k) { ... }`";
+         "write the function in GLSL or HLSL, such as `vec3 brdf(vec3 L, vec3 V, vec3 N, float k) { ... }`";
 }
 
 }  // namespace brdf::shader

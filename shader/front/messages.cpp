@@ -135,7 +135,7 @@ bool take_recursion(Translated& out, const Files& files, const std::string& log)
         out.messages =
             file.shown + ":" + std::to_string(out.line) + ": " + caller + "() " +
             (caller == callee ? "calls itself" : "calls " + callee + "(), which leads back to it") +
-            ": shaders have no recursion; write a loop";
+            ": shaders do not support recursion; use a loop";
         return true;
       }
     }
@@ -147,14 +147,14 @@ std::string advice(const Translated& out, const Source& source) {
   if (const Declared* p = declared_alone(source, out.messages);
       p && std::any_of(std::begin(kUnknown), std::end(kUnknown),
                        [&](const char* said) { return says(out.messages, said); }))
-    return "; line " + std::to_string(p->line) + " says that it is a parameter: declare it, as in `uniform " +
+    return "; line " + std::to_string(p->line) + " makes it a parameter: declare it, as in `uniform " +
            (p->initial.size() > 1 ? "vec3 " : "float ") + p->name + ";`";
   if (says(out.messages, "'#error'") && !out.asked.empty())
-    return "; not defined: " + io::joined(out.asked) + "; --define NAME or NAME=VALUE defines one";
+    return "; not defined: " + io::joined(out.asked) + "; define a macro with --define NAME or NAME=VALUE";
   if (says(out.messages, "Macro redefined"))
     for (const std::string& define : source.defines)
       if (out.messages.ends_with(" " + define.substr(0, define.find('='))))
-        return "; --define " + define + " says otherwise: leave one of the two out";
+        return "; --define " + define + " gives a different value: remove one of the two";
   return "";
 }
 
@@ -187,8 +187,7 @@ void take_messages(Translated& out, const Files& files, const Source& source, co
     if (!type.empty() || std::any_of(std::begin(kUnknown), std::end(kUnknown),
                                      [&](const char* said) { return says(out.messages, said); }))
       hint =
-          "; write what is missing into the file, or put the file that has it into the shader's folder and "
-          "#include it";
+          "; add the missing definition to the file, or #include a file of the shader's folder that has it";
   }
   out.messages += hint;
   if (!missing.empty()) out.messages += " (" + no_files(missing, source) + ")";

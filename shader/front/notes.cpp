@@ -46,10 +46,10 @@ NoteWords read_words(std::span<const std::string_view> words, const std::string&
 
 void check(const Declared& p, const std::string& where) {
   if (p.min && p.max && !(*p.min <= *p.max))
-    throw InputError(where + p.name + ": its least value is above its largest");
+    throw InputError(where + p.name + ": the minimum is above the maximum");
   for (const double value : p.initial)
     if ((p.min && value < *p.min) || (p.max && value > *p.max))
-      throw InputError(where + p.name + ": its default is out of its range");
+      throw InputError(where + p.name + ": the default is outside the range");
   if (p.log_scale && p.max && !(*p.max > 0))
     throw InputError(where + p.name + ": a log scale needs values above 0");
 }
@@ -57,7 +57,9 @@ void check(const Declared& p, const std::string& where) {
 // Reads "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
 KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line,
                               const std::string& where) {
-  if (words.empty()) throw InputError(where + "violates what? The name of a check, as energy or reciprocity");
+  if (words.empty())
+    throw InputError(where +
+                     "violates must be followed by the name of a check, such as energy or reciprocity");
   KnownViolation v{std::string(words[0]), "", 0, line};
   words = words.subspan(1);
   if (words.size() > 1 && words[0] == "at") {
@@ -75,7 +77,7 @@ KnownViolation read_violation(std::span<const std::string_view> words, std::uint
 // as "param NAME bool 0|1" and "param NAME color r g b"), and BRDF Explorer's "float NAME MIN MAX DEFAULT".
 Declared read_declared(std::string_view kind, std::span<const std::string_view> words, std::uint32_t line,
                        const std::string& where) {
-  if (words.empty()) throw InputError(where + "the parameter's name is missing");
+  if (words.empty()) throw InputError(where + "the name of the parameter is missing");
   if (kind == "param" && words.size() > 1 && (words[1] == "color" || words[1] == "bool")) {
     std::vector<std::string_view> rest(words.begin(), words.end());
     rest.erase(rest.begin() + 1);

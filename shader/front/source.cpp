@@ -51,7 +51,7 @@ void read_explorer(Source& source) {
     io::split_blanks(io::trimmed(line), words);
     const std::string where = source.name + ":" + std::to_string(number) + ": ";
     if (!words.empty() && words[0] == "::begin") {
-      if (words.size() < 2) throw InputError(where + "::begin what?");
+      if (words.size() < 2) throw InputError(where + "::begin needs the name of a section");
       block = words[1];
       has_shader = has_shader || block == "shader";
     } else if (!words.empty() && words[0] == "::end") {
@@ -61,14 +61,14 @@ void read_explorer(Source& source) {
     } else if (block == "parameters" && !words.empty() && !words[0].starts_with("#") &&
                !words[0].starts_with("//")) {
       if (words[0] != "float" && words[0] != "bool" && words[0] != "color")
-        throw InputError(where + "a parameter is a float, a bool or a color");
+        throw InputError(where + "a parameter must be a float, a bool or a color");
       std::span<const std::string_view> rest = std::span<const std::string_view>(words).subspan(1);
       for (std::size_t k = 0; k < rest.size(); ++k)
         if (rest[k].starts_with("#") || rest[k].starts_with("//")) rest = rest.first(k);
       source.parameters.push_back(read_declared(words[0], rest, number, where));
       const std::string& name = source.parameters.back().name;
       if (!std::all_of(name.begin(), name.end(), is_word))
-        throw InputError(where + io::shown(name) + " is no name");
+        throw InputError(where + io::shown(name) + " is not a name");
       source.globals.push_back(name);
       glsl += (words[0] == "color" ? "vec3 " : std::string(words[0]) + " ") + name + ";";
     }
@@ -76,7 +76,8 @@ void read_explorer(Source& source) {
   }
   if (!has_shader)
     throw InputError(source.name +
-                     ": has no ::begin shader; a .brdf file has its function BRDF(L, V, N, X, Y) there");
+                     ": has no section ::begin shader, which must contain the function BRDF(L, V, N, X, Y) "
+                     "in a .brdf file");
   source.parameters.insert(source.parameters.end(), noted.begin(), noted.end());
   source.text = std::move(glsl);
   if (!source.entry) source.entry = EntryLine{"BRDF"};
@@ -107,7 +108,7 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
   Stripped bare = stripped(source.text);
   if (!is_unity(kind) && holds_program(bare.text))
     throw InputError(source.name +
-                     ": holds a program of Unity's ShaderLab: give the file the suffix .shader");
+                     ": contains a program of Unity's ShaderLab: rename the file to the suffix .shader");
   source.language = language_of(bare.text, kind);
   std::uint32_t number = 1;
   std::size_t counted = 0;

@@ -99,15 +99,16 @@ std::vector<Attempt> attempts(const Files& files, const Source& source, const st
              std::to_string(s.line) + ": " + s.name + "()";
   }
   std::string note =
-      named.empty() ? ""
-                    : named + " shadows the built-in function of that name; here the file's own is called";
+      named.empty()
+          ? ""
+          : named + " shadows the built-in function of the same name; the function of the file is used";
   const std::string base = common_preamble(source);
   const Usual known = usual_of(whole, source.language);
   if (!known.names.empty())
     note += (note.empty() ? "" : "; ") + io::joined(known.names) +
             (known.names.size() > 1 ? ", which the file does not define, are"
                                     : ", which the file does not define, is") +
-            " taken as usual";
+            " given the usual definition";
   std::vector<Attempt> out;
   for (const int v : versions) out.push_back({v, base + renames + known.preamble, note});
   if (!renames.empty())

@@ -66,8 +66,8 @@ Slot Lowering::emit(Op op, Slot a, Slot b, Slot c) {
 
 void Lowering::emit_to(Op op, Slot r, Slot a, Slot b, Slot c) {
   if (++steps_ > options_.most_steps || program_.numbers > kMostSlots || program_.integers > kMostSlots)
-    refuse("the function with all that it calls is larger than " + std::to_string(options_.most_steps) +
-           " operations");
+    refuse("the function, with all functions that it calls, has more than " +
+           std::to_string(options_.most_steps) + " operations");
   program_.takes_bits = program_.takes_bits || op == Op::bits_of || op == Op::from_bits;
   program_.stretches.back().steps.push_back({op, r, a, b, c, line_});
 }
@@ -199,7 +199,7 @@ void Lowering::end(Frame& frame, const spirv::Block& block, const spirv::Instruc
     case spv::OpReturnValue:
       return leave(frame, value(frame, word(0)), last);
     case spv::OpKill:
-      refuse("discards the pixel; return 0 where nothing is reflected");
+      refuse("discards the pixel; return 0 instead");
     default:  // OpUnreachable: a function that should return a value ends without one
       if (module_.type(frame.function->type).kind == spirv::Kind::nothing) return leave(frame, {}, last);
       return leave(frame, undefined_value(frame.function->type, Unset::no_return), last);
@@ -282,7 +282,7 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
   for (const ResultPart& part : parts) {
     const auto to = written.find(part.argument);
     const bool is_returned = part.argument < 0;
-    if (!is_returned && to == written.end()) refuse("an argument that it writes is not there");
+    if (!is_returned && to == written.end()) refuse("an output argument is missing");
     const Id type = is_returned ? entry.type : to->second.type;
     const Slots all = is_returned ? returned : load(to->second);
     const std::vector<bool> integer = kinds(type);
@@ -323,10 +323,10 @@ Program Lowering::run(const spirv::Function& entry) {
     const spirv::Type& type = module_.type(given);
     const std::string name = module_.name(entry.parameters[k]);
     line_ = entry.line;
-    if (type.kind == spirv::Kind::opaque) refuse("the argument " + name + " is no number");
+    if (type.kind == spirv::Kind::opaque) refuse("the argument " + name + " is not a number");
     if (type.kind == spirv::Kind::pointer) {
       if (module_.type(type.element).kind == spirv::Kind::opaque)
-        refuse("the argument " + name + " is a texture; give its value as a parameter");
+        refuse("the argument " + name + " is a texture; use a parameter for its value");
       Variable& variable = new_variable(type.element);
       arguments.push_back({Pointer{&variable, type.element}, {}});
       if (options_.written.contains(int(k))) {

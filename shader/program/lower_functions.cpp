@@ -84,7 +84,7 @@ std::uint32_t Lowering::whole_exponent(Slot slot) const {
 }
 
 Slots Lowering::function(Frame& frame, const spirv::Instruction& i) {
-  if (i.words.size() < 3 || i.words[0] != module_.extended) refuse("calls a function that is not known here");
+  if (i.words.size() < 3 || i.words[0] != module_.extended) refuse("calls an unknown function");
   const std::uint32_t which = i.words[1];
   const auto found = componentwise().find(which);
   if (found == componentwise().end()) return geometric(frame, i, which);
@@ -187,7 +187,7 @@ Slots Lowering::geometric(Frame& frame, const spirv::Instruction& i, std::uint32
       return scaled(of(0), number(which == GLSLstd450Radians ? kTurn : 1 / kTurn));
     }
     default:
-      refuse("calls " + spirv::function_name(which) + "(), which is not computed here; write its formula");
+      refuse("calls " + spirv::function_name(which) + "(), which is not supported; write its formula");
   }
 }
 

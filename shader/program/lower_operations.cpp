@@ -120,7 +120,7 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
     }
     case spv::OpFunctionCall: {
       const auto called = module_.functions.find(word(0));
-      if (called == module_.functions.end()) refuse("calls a function that is not there");
+      if (called == module_.functions.end()) refuse("calls a function that does not exist");
       std::vector<std::pair<std::optional<Pointer>, Slots>> arguments;
       for (std::size_t k = 1; k < i.words.size(); ++k) {
         const Id id = i.words[k];
@@ -139,7 +139,7 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
       break;
   }
   if (i.result == 0)
-    refuse("writes to an image, a buffer or another pixel; a reflectance only returns a value");
+    refuse("writes to an image, a buffer or another pixel; a reflectance may only return a value");
   Slots out = operation(frame, i);
   if (out.size() != module_.scalars(i.type)) refuse("a value has two types");
   frame.values[i.result] = {i.type, std::move(out)};
@@ -200,16 +200,16 @@ Slots Lowering::operation(Frame& frame, const spirv::Instruction& i) {
       return load({&variable, i.type, 0, index});
     }
     case spv::OpQuantizeToF16:
-      refuse("rounds to half precision, which is not known here");
+      refuse("rounds to half precision, which is not supported");
     case spv::OpDPdx:
     case spv::OpDPdy:
     case spv::OpFwidth:
-      refuse("takes derivatives across the screen; a reflectance depends on directions and parameters alone");
+      refuse("uses screen-space derivatives; a reflectance depends on directions and parameters only");
     default:
       break;
   }
   if (i.code >= spv::OpSampledImage && i.code <= spv::OpImageQuerySamples)
-    refuse("reads a texture; give what it holds as a parameter");
+    refuse("reads a texture; use a parameter for its value");
   return matrix(frame, i);
 }
 
@@ -266,7 +266,7 @@ Slots Lowering::matrix(Frame& frame, const spirv::Instruction& i) {
       return out;
     }
     default:
-      refuse("uses what a reflectance has no need of (SPIR-V operation " + std::to_string(i.code) + ")");
+      refuse("uses an unsupported operation (SPIR-V " + std::to_string(i.code) + ")");
   }
 }
 

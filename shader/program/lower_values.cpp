@@ -78,7 +78,7 @@ void Lowering::make_input(Variable& variable, Id type, const std::string& name, 
   const std::size_t count = module_.scalars(type);
   for (std::size_t k = 1; k < count; ++k)
     if (variable.integer[offset + k] != variable.integer[offset])
-      refuse(name + " is " + module_.spelled(type) + ": parameters are numbers and vectors");
+      refuse(name + " is " + module_.spelled(type) + ": parameters must be numbers or vectors");
   Input input{name, module_.spelled(type), {}, variable.integer[offset], argument};
   for (std::size_t k = 0; k < count; ++k) {
     const Slot slot = variable.integer[offset + k] ? program_.integers++ : program_.numbers++;
@@ -95,9 +95,9 @@ Lowering::Variable& Lowering::global_variable(Id id) {
   const spirv::Instruction& i = found->second.instruction;
   const spirv::Type& pointer = module_.type(i.type);
   const std::string name = module_.name(id);
-  if (pointer.kind != Kind::pointer) refuse("a variable is no variable");
+  if (pointer.kind != Kind::pointer) refuse("a pointer is not a variable");
   if (module_.type(pointer.element).kind == Kind::opaque)
-    refuse("reads the texture " + name + "; give what it holds as a parameter");
+    refuse("reads the texture " + name + "; use a parameter for its value");
   Variable& v = new_variable(pointer.element);
   globals_[id] = &v;
   if (pointer.storage == spv::StorageClassUniformConstant || pointer.storage == spv::StorageClassUniform ||
@@ -144,13 +144,13 @@ Slots Lowering::constant(Id id) {
       return {integer_constant(0)};
     case spv::OpConstant:
     case spv::OpSpecConstant:
-      if (kinds(i.type).size() != 1) refuse("a constant is no number");
+      if (kinds(i.type).size() != 1) refuse("a constant is not a number");
       return {kinds(i.type)[0] ? integer_constant(word(0)) : number_constant(as_written(word(0)))};
     case spv::OpConstantComposite:
     case spv::OpSpecConstantComposite:
       for (const Id part : i.words) {
         // Parts are declared earlier, with smaller numbers.
-        if (part >= id) refuse("a constant holds itself");
+        if (part >= id) refuse("a constant contains itself");
         const Slots inner = constant(part);
         out.insert(out.end(), inner.begin(), inner.end());
       }
@@ -163,7 +163,7 @@ Slots Lowering::constant(Id id) {
       out = undefined_value(i.type, Unset::no_return);
       break;
     default:
-      refuse("has a constant that is computed when a driver compiles it");
+      refuse("has a specialisation constant that is computed by the driver");
   }
   if (out.size() != module_.scalars(i.type)) refuse("a value has two types");
   return out;
@@ -194,7 +194,7 @@ std::pair<std::size_t, Id> Lowering::part(Id type, std::span<const std::uint32_t
   for (const std::uint32_t index : path) {
     const spirv::Type& t = module_.type(type);
     if (t.kind == Kind::structure) {
-      if (index >= t.members.size()) refuse("a struct has no such member");
+      if (index >= t.members.size()) refuse("a struct has no member of this number");
       for (std::size_t k = 0; k < index; ++k) offset += module_.scalars(t.members[k]);
       type = t.members[index];
     } else {
@@ -221,7 +221,7 @@ Lowering::Pointer Lowering::chain(Frame& frame, const spirv::Instruction& i) {
       continue;
     }
     if (t.kind != Kind::vector && t.kind != Kind::matrix && t.kind != Kind::array)
-      refuse("indexes what has no elements");
+      refuse("indexes a value without elements");
     // Outside the array the interpreter takes the last element; no language guarantees that.
     const Slot index = emit(Op::index, scalar(frame, i.words[k]), integer_constant(t.count - 1));
     const Slot by = emit(Op::imul, index, integer_constant(std::uint32_t(module_.scalars(t.element))));

@@ -15,7 +15,7 @@ class Parser {
 
   Module run() {
     if (words_.size() < 5 || words_.size() > kMostWords || words_[0] != spv::MagicNumber)
-      fail("is no SPIR-V module");
+      fail("is not a SPIR-V module");
     for (std::size_t at = 5; at < words_.size();) {
       const std::uint32_t length = words_[at] >> 16, code = words_[at] & 0xffff;
       if (length == 0 || length > words_.size() - at) fail("ends within an instruction");
@@ -193,7 +193,7 @@ class Parser {
 
   void in_function(std::uint32_t code, Words w) {
     if (code == spv::OpFunction) {
-      if (function_) fail("a function within a function");
+      if (function_) fail("functions are nested");
       const Instruction i = instruction(code, w);
       function_ = &module_.functions[i.result];
       *function_ = {i.result, i.type, name_of(i.result)};
@@ -259,7 +259,7 @@ std::size_t Module::scalars(Id id) const {
       for (const Id member : t.members) sum += scalars(member);
       break;
     default:
-      throw InputError("has a value that is no number, vector, matrix, array or struct of 32-bit numbers");
+      throw InputError("has a value that is not a number, vector, matrix, array or struct of 32-bit numbers");
   }
   if (sum > kMostScalars)
     throw InputError("has a value of more than " + std::to_string(kMostScalars) + " numbers");
@@ -293,7 +293,7 @@ std::string Module::spelled(Id id) const {
     case Kind::structure:
       return name(id);
     default:
-      return "something that is no number";
+      return "a type that is not a number";
   }
 }
 

@@ -64,7 +64,7 @@ TEST(ParameterRow, RefusesWhatIsNoRangeOfAParameter) {
   EXPECT_THAT(message("alpha=a:1"), HasSubstr("'a' is not a finite number"));
   EXPECT_THAT(message("alpha=0.1:3"), HasSubstr("3 must be between"));
   EXPECT_THAT(message("rho=0:1"),
-              HasSubstr("no such parameter (known: kd, ks, alpha_x, alpha_y, alpha, tangent_phi)"));
+              HasSubstr("unknown parameter (known: kd, ks, alpha_x, alpha_y, alpha, tangent_phi)"));
 }
 
 }  // namespace

@@ -59,7 +59,8 @@ TEST_F(MeasuredTables, PolarisedAndRepeatedRowsBecomeWhatIsAskedFor) {
   for (const char* verb : {"fit p.csv --form lambert", "convert p.csv o.csv"}) {
     const Outcome refused = run(std::string(verb) + " --polarisation pp");
     EXPECT_EQ(refused.exit_code, 2) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("p.csv: --polarisation pp: not told by what is there of 'fr': s, p"));
+    EXPECT_THAT(refused.err,
+                HasSubstr("p.csv: --polarisation pp: cannot be computed from the channels of 'fr': s, p"));
   }
 }
 
@@ -77,7 +78,7 @@ TEST_F(MeasuredTables, StartFromATableOfRefractiveIndices) {
   EXPECT_EQ(run("fit s.csv --form cook_torrance --start f0=nk.csv").exit_code, 0);
   for (const auto& [option, said] :
        {std::pair{"--start f0=none.yml", "none.yml is neither a number nor a file"},
-        std::pair{"--start kd=nk.csv", "tells f0, n and k, and this is none of them"},
+        std::pair{"--start kd=nk.csv", "gives values of f0, n and k only"},
         std::pair{"--start f0=s.csv", "s.csv, line "}}) {
     const Outcome refused = run(std::string("fit s.csv --form cook_torrance ") + option);
     EXPECT_EQ(refused.exit_code, 2) << option;
@@ -133,7 +134,7 @@ TEST_F(MeasuredTables, FitRepeatsACosineThatTheSheetFinds) {
     for (std::size_t k = 0; k < table.rows(); ++k) values[k] *= std::cos(degrees(table.theta_o[k]).radians());
   write("c.csv", table);
   EXPECT_THAT(run("fit c.csv --form oren_nayar").out,
-              HasSubstr("the samples: cosine_factor fails: " + found));
+              HasSubstr("the measurements: cosine_factor fails: " + found));
   const io::Json json = io::Json::parse(run("fit c.csv --form oren_nayar --json").out);
   EXPECT_THAT(json["samples"]["fault"].get<std::string>(), HasSubstr(found));
   EXPECT_THAT(run("validate c.csv").out, HasSubstr(found));
@@ -177,7 +178,7 @@ TEST_F(MeasuredTables, ATableByWavelengthBecomesAMerlFileWithRedInRed) {
   write("w.csv", table);
   const Outcome converted = run("convert w.csv w.binary");
   ASSERT_EQ(converted.exit_code, 0);
-  EXPECT_THAT(converted.err, HasSubstr("channels 630nm, 525nm, 465nm are taken for red, green, blue"));
+  EXPECT_THAT(converted.err, HasSubstr("channels 630nm, 525nm, 465nm are used as red, green, blue"));
   EXPECT_NEAR(read("w.binary").values[0][0], 0.3 / kPi, 1e-6);
   table.channels = {"x", "y", "z"};
   write("x.csv", table);

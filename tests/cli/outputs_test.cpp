@@ -74,8 +74,8 @@ TEST_F(Outputs, AnInputIsNotReplaced) {
 }
 
 TEST_F(Outputs, TwoOutputsAreTwoFiles) {
-  expect_refused("fit s.csv --form lambert -o x.json --report x.json", "is written by -o too");
-  expect_refused("trade --quick -o x.json -o ./x.json", "is written by -o too");
+  expect_refused("fit s.csv --form lambert -o x.json --report x.json", "is also the output of -o");
+  expect_refused("trade --quick -o x.json -o ./x.json", "is also the output of -o");
 }
 
 TEST_F(Outputs, WhatCannotBeWrittenIsRefusedBeforeTheWork) {

@@ -45,7 +45,7 @@ TEST(OwnFindings, TheLightIsTurnedWhereNothingShowsThatItMayStay) {
   const Judged j = judged(folder, with_body("return L.y < -0.4 ? -0.3 : 0.15 * p;"));
   EXPECT_EQ(j.verdict.at("non_negative"), "fail");
   EXPECT_EQ(j.verdict.at("isotropy"), "fail");
-  EXPECT_THAT(j.statement.at("isotropy"), HasSubstr("though it reads no tangent"));
+  EXPECT_THAT(j.statement.at("isotropy"), HasSubstr("although the shader reads no tangent"));
   const Judged bright = judged(folder, with_body("return (0.3 + 2.0 * L.x * L.x) / 3.14159265;"));
   EXPECT_EQ(bright.verdict.at("energy"), "fail");
   const Judged sound =
@@ -66,7 +66,8 @@ TEST(OwnFindings, UndefinedValuesAreTheirOwnFindingAndVoidTheOthers) {
   const Judged normal =
       judged(folder, with_body("return 0.1 + 0.05 * p * sin(2.0 * atan(L.y, L.x)) * (1.0 - L.z);"));
   EXPECT_EQ(normal.verdict.at("undefined"), "fail");
-  EXPECT_THAT(normal.statement.at("undefined"), HasSubstr("coincide, mirror each other or are the normal"));
+  EXPECT_THAT(normal.statement.at("undefined"),
+              HasSubstr("coincide, are mirror directions or include the normal"));
   EXPECT_EQ(normal.verdict.at("finite"), "pass");
   // `finite` must not fail for a value that is only undetermined.
   EXPECT_NE(judged(folder, with_body("return p * pow(V.z - 3.0, 2.0);")).verdict.at("finite"), "fail");
@@ -126,8 +127,9 @@ TEST(OwnFindings, EnergyOfCodeThatIsNotReciprocalIsToldForBothDirections) {
   io::TemporaryFolder folder;
   const Judged j = judged(folder, with_body("return p * 1.5 * V.z / 3.14159265;"));
   EXPECT_EQ(j.verdict.at("energy"), "fail");
-  EXPECT_THAT(j.statement.at("energy"), HasSubstr("with the light fixed reflects at most 1"));
-  EXPECT_THAT(j.statement.at("energy"), HasSubstr("with the viewer fixed reflects up to 1.5"));
+  EXPECT_THAT(j.statement.at("energy"), HasSubstr("at fixed incidence: directional albedo at most 1"));
+  EXPECT_THAT(j.statement.at("energy"),
+              HasSubstr("at fixed viewing direction: directional albedo up to 1.5"));
   EXPECT_THAT(judged(folder, with_body("return 0.002 * p;")).statement.at("energy"),
               HasSubstr("nearly all light is lost"));
 }
@@ -145,7 +147,7 @@ TEST(OwnFindings, ASearchThatIsCutShortPassesNothing) {
   const Judged j = judged(folder, sound, "--seconds 1e-9");
   for (const char* check : {"finite", "undefined", "non_negative", "reciprocity", "energy", "continuity"}) {
     EXPECT_EQ(j.verdict.at(check), "undecided") << check;
-    EXPECT_THAT(j.statement.at(check), HasSubstr("points seen; with more --seconds it goes further"))
+    EXPECT_THAT(j.statement.at(check), HasSubstr("points examined; a larger --seconds examines more"))
         << check;
   }
   EXPECT_EQ(judged(folder, sound, "--seconds 1e-9 --require energy").exit_code, 1);

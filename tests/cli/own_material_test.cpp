@@ -121,7 +121,7 @@ TEST_F(OwnMaterial, IsRefusedWhereItsShaderHasChangedOrIsMissing) {
     const Outcome o = run(verb);
     EXPECT_EQ(o.exit_code, 2) << verb;
     EXPECT_THAT(o.err, HasSubstr("m.json: $.shader.sha256")) << verb;
-    EXPECT_THAT(o.err, HasSubstr("has changed since this material was made: bring the old text back, or fit"))
+    EXPECT_THAT(o.err, HasSubstr("has changed since this material was made: restore the old text, or fit"))
         << verb;
   }
   write("glow.glsl", kGlow);
@@ -133,7 +133,7 @@ TEST_F(OwnMaterial, IsRefusedWhereItsShaderHasChangedOrIsMissing) {
   fs::remove(folder() / "glow.glsl");
   const Outcome o = run("albedo --material m.json --theta 0");
   EXPECT_EQ(o.exit_code, 2);
-  EXPECT_THAT(o.err, HasSubstr("m.json: $.shader.file: \"glow.glsl\" is not there"));
+  EXPECT_THAT(o.err, HasSubstr("m.json: $.shader.file: \"glow.glsl\" does not exist"));
   EXPECT_THAT(o.err, HasSubstr("--embed"));
 }
 
@@ -151,7 +151,7 @@ TEST_F(OwnMaterial, HoldsItsTextWhereThatIsAskedFor) {
   changed["shader"]["text"] = text + " ";
   write("changed.json", changed.dump());
   EXPECT_THAT(run("eval --material changed.json pairs.csv").err,
-              HasSubstr("is not that of the text beside it: one of them was changed"));
+              HasSubstr("does not match the text: one of the two was changed"));
 }
 
 TEST_F(OwnMaterial, IsRefusedBeforeTheSearch) {
@@ -159,7 +159,7 @@ TEST_F(OwnMaterial, IsRefusedBeforeTheSearch) {
   EXPECT_THAT(run("fit s.csv --form lambert --embed -o m.json").err,
               HasSubstr("--embed: has no effect without --shader"));
   write("latin.glsl", std::string(kGlow) + "// gr\xfcn\n");
-  EXPECT_THAT(run("fit s.csv --shader latin.glsl --embed -o m.json").err, HasSubstr("is no UTF-8"));
+  EXPECT_THAT(run("fit s.csv --shader latin.glsl --embed -o m.json").err, HasSubstr("is not UTF-8"));
   const Outcome own = run("fit s.csv --shader glow.glsl -o glow.glsl");
   EXPECT_EQ(own.exit_code, 2);
   EXPECT_EQ(file_text(folder() / "glow.glsl"), kGlow);
@@ -196,7 +196,7 @@ TEST_F(OwnMaterial, SaysHowItsShaderWasChosen) {
   fs::remove_all(folder() / "parts");
   EXPECT_EQ(run("eval --material e.json pairs.csv").exit_code, 0);
   EXPECT_THAT(run("eval --material m.json pairs.csv").err,
-              HasSubstr("$.shader.include_folders[0]: \"parts\" is no folder"));
+              HasSubstr("$.shader.include_folders[0]: \"parts\" is not a folder"));
 }
 
 TEST_F(OwnMaterial, IsATermOfASum) {

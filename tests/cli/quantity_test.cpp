@@ -67,7 +67,7 @@ TEST_F(QuantityCli, IsSuppliedByAnOptionToEveryVerb) {
     EXPECT_LE(outcome.exit_code, 1) << command << outcome.err;
     EXPECT_THAT(outcome.err,
                 AllOf(HasSubstr("column '550nm' is a reflectance factor in percent: divided by 100 pi"),
-                      HasSubstr("negative angles of the viewer are on the mirror side, as asked")))
+                      HasSubstr("negative viewing angles are on the mirror side, as requested")))
         << command;
   }
 }
@@ -79,8 +79,8 @@ TEST_F(QuantityCli, ThatContradictsTheFileIsRefusedWithBoth) {
     const std::string out = *verb == 'c' ? " o.csv" : "";
     const Outcome named = run(std::string(verb) + "brf.csv --quantity f_r" + out);
     EXPECT_EQ(named.exit_code, 2);
-    EXPECT_THAT(named.err,
-                AllOf(HasSubstr("column 'BRF' is a reflectance factor"), HasSubstr("--quantity says 'f_r'")));
+    EXPECT_THAT(named.err, AllOf(HasSubstr("column 'BRF' is a reflectance factor"),
+                                 HasSubstr("--quantity gives 'f_r'")));
     const Outcome stated = run(std::string(verb) + "stated.csv --quantity BRF" + out);
     EXPECT_EQ(stated.exit_code, 2);
     EXPECT_THAT(stated.err, HasSubstr("line 1: quantity 'f_r*cos_o' contradicts --quantity 'BRF'"));

@@ -133,16 +133,17 @@ TEST_F(ReadingCli, HostileTextIsRefusedInOneLineThatATerminalCanShow) {
        {"eval d.csv --material ", "albedo --theta 0 --material ", "export --to glsl --material "}) {
     expect_refused(std::string(verb) + "deep.json", "is nested more than 100 deep");
     expect_refused(std::string(verb) + "large.json",
-                   "large.json: $.version: '1e400' is beyond the range of numbers");
+                   "large.json: $.version: '1e400' exceeds the range of numbers");
   }
   expect_refused("fit m.json", "m.json: is a material, not a table of samples");
   write("p.png", "\x89PNG\r\n");
   expect_refused("validate p.png", "p.png: is a picture (PNG), not a table of samples");
   write("f.json", "{\"ranking\": []}");
-  expect_refused("validate f.json",
-                 "f.json: is the result of a fit (fit --json); the material is what its -o wrote");
-  expect_refused("fit escape.csv", "channel '\\x1b[31mred' must not hold control characters");
-  expect_refused("fit merl.binary", "merl.binary: the MERL file has 1012 bytes where");
+  expect_refused(
+      "validate f.json",
+      "f.json: is the result of a fit (fit --json), not a material; use the file written by fit -o");
+  expect_refused("fit escape.csv", "channel '\\x1b[31mred' must not contain control characters");
+  expect_refused("fit merl.binary", "merl.binary: the MERL file has 1012 bytes, but");
   const Outcome outcome = run("fit '\x1b[31m.csv'");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("\\x1b[31m.csv: cannot be read"), Not(HasSubstr("\x1b"))));

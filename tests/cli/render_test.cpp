@@ -135,7 +135,7 @@ TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
   expect_refused("render m.json --environment '' -o x.png", 2, "brdf: '': cannot be used: Invalid argument");
   expect_refused("render m.json --environment " + std::string(300, 'a') + " -o x.png", 2,
                  ": cannot be used: File name too long");
-  expect_refused("render m.json --hard-light --rotate 30 -o x.png", 2, "--rotate turns an environment");
+  expect_refused("render m.json --hard-light --rotate 30 -o x.png", 2, "--rotate rotates an environment");
   expect_refused("render m.json --environment studio --forward -o x.png", 2, "the deferred path");
   expect_refused("render m.json --environment studio --shading phong -o x.png", 2, "needs the shading brdf");
 }
@@ -145,8 +145,8 @@ TEST_F(RenderCli, OptionsWithoutEffectAreRefused) {
        {std::pair{"--balls 3", "--balls requires --over"},
         std::pair{"--fps 30", "--fps requires --turntable"},
         std::pair{"--quality 9", "--quality requires --turntable"},
-        std::pair{"--per-vertex", "--per-vertex: is of the articles' shadings"},
-        std::pair{"--as-coded", "--as-coded: is of the articles' shadings"},
+        std::pair{"--per-vertex", "--per-vertex: applies to the shadings of the articles"},
+        std::pair{"--as-coded", "--as-coded: applies to the shadings of the articles"},
         std::pair{"--set ks=0.1", "--set: has no effect without --shader"},
         std::pair{"--split-at 0.4",
                   "--split-at: has no effect on a picture without --compare, --measured and --state"}})
@@ -174,7 +174,7 @@ TEST_F(RenderCli, TheOldSpellingsOfLobesAndMapsSayTheNewOnes) {
 
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
   expect_refused("render m.json --hard-light --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
-                 "a picture of 16384 x 16384 needs 19456 MiB of device memory, the limit is 1024 MiB");
+                 "a picture of 16384 x 16384 needs 19456 MiB of device memory, but the limit is 1024 MiB");
   expect_refused("render m.json --memory-limit 1M -o x.png", 2, "the limit is 1 MiB");
 }
 
@@ -191,7 +191,7 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render m.json --probe 600,2", 2, "outside the picture of 512 x 512");
   expect_refused("lobes m.json --solo 'A q' -o x.png", 2, "must be one of A r, A g, A b");
   expect_refused("render --state m.json -o x.png", 2, "must be \"brdf-view\"");
-  expect_refused("render --state m.json m.json -o x.png", 2, "give nothing beside it");
+  expect_refused("render --state m.json m.json -o x.png", 2, "give no other input with it");
   expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
   expect_refused("render m.json --exposure 21 -o x.png", 2, "not in range -20 to 20");
   expect_refused("render m.json --supersample 0 -o x.png", 2, "Value 0 not in range 1 to 16");
@@ -358,8 +358,8 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
   EXPECT_NE(picture("m.json --body --width 200 --theta 40", "body.png"),
             picture("m.json --measured s.csv --body --width 200 --theta 40", "body_points.png"));
   expect_refused("lobes m.json --measured s.csv --theta 30 -o x.png", 2,
-                 "no row whose light stands within 1 degree of --theta 30; the nearest stands at 20");
-  expect_refused("lobes s.csv -o x.png", 2, "give one beside the samples");
+                 "no row with incidence within 1 degree of --theta 30; the nearest is 20");
+  expect_refused("lobes s.csv -o x.png", 2, "a lobe plot needs a MATERIAL in addition to the samples");
   expect_refused("render s.csv s.csv -o x.png", 2, "a second table of samples");
   // Samples can be rendered alone. Light that is left out is reported.
   const Outcome alone = run("render s.csv --width 32 --height 32 -o alone.png");

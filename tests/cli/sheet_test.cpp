@@ -78,7 +78,7 @@ TEST_F(SheetCli, OneLightsGainIsNoCosineToAnyVerb) {
         [](io::SampleTable& t) { multiply(t, [&](std::size_t k) { return t.theta_i[k] == 70 ? 3 : 1; }); });
   for (const char* verb : {"validate gain.csv", "fit gain.csv --form cook_torrance"}) {
     const std::string said = run(verb).out;
-    EXPECT_THAT(said, HasSubstr("values under the light at 70 degrees are")) << verb;
+    EXPECT_THAT(said, HasSubstr("values at incidence 70 degrees are")) << verb;
     EXPECT_THAT(said, Not(HasSubstr("quantity: f_r*"))) << verb;
   }
 }
@@ -86,7 +86,7 @@ TEST_F(SheetCli, OneLightsGainIsNoCosineToAnyVerb) {
 TEST_F(SheetCli, AFitRepeatsThatAPlaneLooksLikeABrf) {
   write("factor.csv", kMatt, [](io::SampleTable& t) { multiply(t, [](std::size_t) { return kPi; }); });
   EXPECT_THAT(run("fit factor.csv --form lambert").out,
-              HasSubstr("quantity is in doubt: the values look like the reflectance factor pi f_r (BRF)"));
+              HasSubstr("quantity is undecided: the values look like the reflectance factor pi f_r (BRF)"));
   EXPECT_THAT(run("fit clean.csv --form lambert").out, Not(HasSubstr("BRF")));
 }
 

@@ -103,8 +103,8 @@ TEST_F(ShownText, OfContentHoldsNoRawByte) {
       expect_safe(std::string(verb) + file + (*verb == 'c' ? " out.csv" : ""), 2);
   EXPECT_THAT(run("convert cell.csv o.csv").err, HasSubstr("'a\\u202eb' is not a number"));
   EXPECT_THAT(run("convert channel.csv o.csv").err,
-              HasSubstr("channel 'f\\u202e' must not hold control characters or marks of direction"));
-  EXPECT_THAT(run("convert aside.csv o.csv").err, HasSubstr("column 'remark x\\u202e' is set aside"));
+              HasSubstr("channel 'f\\u202e' must not contain control characters or direction marks"));
+  EXPECT_THAT(run("convert aside.csv o.csv").err, HasSubstr("column 'remark x\\u202e' is ignored"));
 }
 
 TEST_F(ShownText, OfJsonIsEscapedAsJson) {

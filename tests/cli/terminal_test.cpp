@@ -109,11 +109,12 @@ TEST_F(Terminal, NamesThatWereMeantAreSuggested) {
   EXPECT_EQ(says("fitt"), "brdf: 'fitt' is no verb (did you mean fit? see brdf --help)\n");
   EXPECT_EQ(says("fit --fom"),
             "brdf: --fom is no option of brdf fit (did you mean --form? see brdf fit --help)\n");
-  EXPECT_THAT(says("models blin"),
-              StartsWith("brdf: 'blin' is no form (did you mean blinn_phong? known: lambert, "));
+  EXPECT_THAT(
+      says("models blin"),
+      StartsWith("brdf: 'blin' is not the name of a form (did you mean blinn_phong? known: lambert, "));
   EXPECT_THAT(says("models ggx"), HasSubstr("did you mean cook_torrance? "));
   EXPECT_THAT(says("models Beckmann"), HasSubstr("did you mean cook_torrance_beckmann? "));
-  EXPECT_THAT(says("models qqqqqq"), HasSubstr("'qqqqqq' is no form (known: lambert"));
+  EXPECT_THAT(says("models qqqqqq"), HasSubstr("'qqqqqq' is not the name of a form (known: lambert"));
   ASSERT_EQ(run("synth --form lambert -o copper.csv").exit_code, 0);
   EXPECT_THAT(says("eval --form phong --set exponnt=1 copper.csv"),
               HasSubstr("(did you mean exponent? known: kd, ks, "));
@@ -126,9 +127,9 @@ TEST_F(Terminal, SamplesAndMaterialsAreToldApart) {
   ASSERT_EQ(run("synth --form lambert -o copper.csv").exit_code, 0);
   ASSERT_EQ(run("fit copper.csv --form lambert -o copper.json").exit_code, 0);
   EXPECT_THAT(says("albedo --theta 0 --material copper.csv"),
-              HasSubstr("is no material, which is JSON; `brdf fit` makes"));
+              HasSubstr("is not a material, because a material is JSON; use `brdf fit` to make"));
   EXPECT_THAT(says("fit copper.json"),
-              HasSubstr("is a material, not a table of samples; `brdf synth` measures"));
+              HasSubstr("is a material, not a table of samples; use `brdf synth` to compute"));
 }
 
 }  // namespace

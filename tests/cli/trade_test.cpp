@@ -81,7 +81,7 @@ TEST_F(Trade, MeasuresWhatTheLedgerLacks) {
   ASSERT_EQ(o.exit_code, 0) << o.err;
   const io::Json json = io::Json::parse(o.out);
   const std::string now = json.at("measured_now");
-  EXPECT_EQ(now.find("old.json lacks these, so their costs were measured now: "), 0u) << now;
+  EXPECT_EQ(now.find("old.json lacks some costs, which were measured now: "), 0u) << now;
   for (const io::Json& c : json.at("candidates")) {
     const auto of_form = [&](const io::Json& row) { return row["choice"] == c.at("form"); };
     const bool kept = std::any_of(rows.begin(), rows.end(), of_form);
@@ -94,7 +94,7 @@ TEST_F(Trade, MeasuresWhatTheLedgerLacks) {
 TEST_F(Trade, SaysNoneWithExitCodeOne) {
   const Outcome o = run(kCloseUp + "--tolerance 1e-9");
   EXPECT_EQ(o.exit_code, 1) << o.err;
-  EXPECT_THAT(o.out, StartsWith("none meets the tolerance 1e-09; the best is ward"));
+  EXPECT_THAT(o.out, StartsWith("no candidate meets the tolerance 1e-09; the best candidate is ward"));
   EXPECT_EQ(run("recommend --tolerance 0.1").exit_code, 2);
 }
 

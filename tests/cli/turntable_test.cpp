@@ -93,7 +93,7 @@ TEST_F(Turntable, RefusesOtherNamesBeforeItDraws) {
   for (const char* name : {"turn.exr", "turn.png", "turn%s.png", "turn%d%d.png", "%99d/turn.png"}) {
     const Outcome outcome = run(std::string(kGold) + "--turntable 3 -o '" + name + "'");
     EXPECT_EQ(outcome.exit_code, 2) << name;
-    EXPECT_THAT(outcome.err, HasSubstr("with the frame's number as %d")) << name;
+    EXPECT_THAT(outcome.err, HasSubstr("with %d or %04d for the number of the frame")) << name;
   }
   EXPECT_EQ(run(std::string(kGold) + "--turntable 3 --show gbuffer -o turn.webp").exit_code, 2);
   EXPECT_EQ(run(std::string(kGold) + "--turntable 3 -o absent/turn.webp").exit_code, 2);

@@ -155,7 +155,7 @@ TEST_F(BatchOfFiles, AFileWithoutASolutionIsARowAndNoMaterial) {
   std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,0,1e180\n10,0,30,0,2e180\n";
   options_.metric = Metric::cosine_l2;
   const auto rows = run();
-  EXPECT_EQ(rows[1].error, "no start gave a finite cost");
+  EXPECT_EQ(rows[1].error, "the cost was not finite at any starting point");
   EXPECT_FALSE(fs::exists(batch_.folder / "s1.json"));
   EXPECT_TRUE(fs::exists(batch_.folder / "s2.json"));
 }

@@ -52,9 +52,8 @@ TEST(Constraints, MayComeFromATableOfRefractiveIndices) {
   const int eta = parameter_index(dielectric.terms()[0].info->shape, Role::index);
   ASSERT_GE(eta, 0);
   EXPECT_NEAR(dielectric.constraints().terms[0].shape[std::size_t(eta)].fixed[0], (1.5 + 1.6 + 2) / 3, 1e-15);
-  EXPECT_THAT(
-      refusal({"ward"}, starting({{"kd", {}, glass}})),
-      HasSubstr("--start kd: a table of refractive indices tells f0, n and k, and this is none of them"));
+  EXPECT_THAT(refusal({"ward"}, starting({{"kd", {}, glass}})),
+              HasSubstr("--start kd: a table of refractive indices gives values of f0, n and k only"));
   EXPECT_THAT(refusal({"cook_torrance_dielectric"}, starting({{"eta", {}, glass}})),
               HasSubstr("glass.yml: channel 'r' is not named by a wavelength"));
 }
@@ -66,7 +65,8 @@ TEST(Constraints, OfTheAzimuthNeedTwoWidths) {
   EXPECT_THAT(refusal({"ward"}, fixing({{"tangent_phi", {181}}}, true)),
               HasSubstr("181 is outside -180 to 180"));
   EXPECT_THAT(refusal({"ward"}, fixing({{"tangent_phi", {10, 20, 30}}}, true)), HasSubstr("takes one value"));
-  EXPECT_THAT(refusal({"lambert"}, fixing({{"tangent_phi", {30}}}, true)), HasSubstr("no such parameter"));
+  EXPECT_THAT(refusal({"lambert"}, fixing({{"tangent_phi", {30}}}, true)),
+              HasSubstr("no parameter of this name"));
   FitOptions bounded = bounding({{"tangent_phi", 0, 30}});
   bounded.anisotropic = true;
   EXPECT_THAT(refusal({"ward"}, bounded), HasSubstr("--bounds tangent_phi: has no effect"));
@@ -98,7 +98,8 @@ TEST(Constraints, EveryValueMustLieInRange) {
 TEST(Constraints, OfWhatIsHeldOrTwiceNamedAreRefused) {
   FitOptions options = fixing({{"alpha", {0.1}}});
   options.bounds = {{"alpha", 0.1, 0.2}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--bounds alpha: has no effect on what --fix holds"));
+  EXPECT_THAT(refusal({"ward"}, options),
+              HasSubstr("--bounds alpha: has no effect, because --fix holds this parameter"));
   options.bounds.clear();
   options.start = {{"alpha", {0.1}}};
   EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--start alpha: has no effect"));
@@ -109,7 +110,7 @@ TEST(Constraints, OfWhatIsHeldOrTwiceNamedAreRefused) {
 
 TEST(Constraints, OfASecondDiffusePartAreRefused) {
   EXPECT_THAT(refusal({"oren_nayar", "ward"}, bounding({{"kd", 0.1, 0.2}})),
-              HasSubstr("--bounds kd: is held at 0: another term of the sum has the diffuse part"));
+              HasSubstr("--bounds kd: is held at 0, because another term of the sum has the diffuse part"));
   EXPECT_THAT(refusal({"ward", "ward"}, starting({{"terms[1].kd", {0.2}}})), HasSubstr("is held at 0"));
   EXPECT_EQ(refusal({"ward", "ward"}, bounding({{"kd", 0.1, 0.2}})), "");
   EXPECT_EQ(refusal({"oren_nayar", "ward"}, fixing({{"kd", {0.1}}})), "");
@@ -117,10 +118,10 @@ TEST(Constraints, OfASecondDiffusePartAreRefused) {
 
 TEST(Constraints, OfUnknownNamesAreRefused) {
   EXPECT_THAT(refusal({"lambert"}, fixing({{"alpha", {0.1}}})),
-              HasSubstr("--fix alpha: lambert has no such parameter"));
+              HasSubstr("--fix alpha: lambert has no parameter of this name"));
   EXPECT_THAT(refusal({"oren_nayar", "ward"}, starting({{"terms[0].alpha", {0.1}}})),
-              HasSubstr("oren_nayar+ward has no such parameter"));
-  EXPECT_THAT(refusal({"ward"}, bounding({{"exponent", 1, 2}})), HasSubstr("no such parameter"));
+              HasSubstr("oren_nayar+ward has no parameter of this name"));
+  EXPECT_THAT(refusal({"ward"}, bounding({{"exponent", 1, 2}})), HasSubstr("no parameter of this name"));
 }
 
 // The two widths can be exchanged if the tangent turns by 90 degrees. The fit must not exchange them here,

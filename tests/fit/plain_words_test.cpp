@@ -46,7 +46,7 @@ TEST(PlainWords, AWellDeterminedFitIsGood) {
   EXPECT_TRUE(weakly_determined(f).empty());
   EXPECT_EQ(mark_of(f), io::Mark::good);
   EXPECT_EQ(verdict_sentence(f),
-            "cook_torrance describes the samples: half of them within 2 %, as near as they scatter.");
+            "cook_torrance fits the measurements: median error 2 %, consistent with the measurement noise.");
 }
 
 TEST(PlainWords, WeakParametersAreNamedWithTheirChannelsAndTurnTheMark) {
@@ -64,22 +64,22 @@ TEST(PlainWords, LackOfFitWidensTheIntervalThatCounts) {
   EXPECT_TRUE(weakly_determined(f).empty());
   f.lack_of_fit.beyond_scatter = true;
   EXPECT_EQ(weakly_determined(f), std::vector<std::string>{"ks (r)"});
-  EXPECT_EQ(
-      verdict_sentence(f),
-      "cook_torrance follows the samples roughly: half of them within 2 %, in some directions by more than "
-      "they scatter.");
+  EXPECT_EQ(verdict_sentence(f),
+            "cook_torrance fits the measurements only roughly: median error 2 %; the residuals are larger "
+            "than the measurement noise in some directions.");
 }
 
 TEST(PlainWords, EnergyTurnsTheMarkAndAnUnusableFitIsBad) {
   FormFit f = fitted();
-  f.findings = {"reflects more light than falls on it: 147 % at 85 degrees (g)"};
+  f.findings = {"violates energy conservation: directional albedo 147 % at 85 degrees (g)"};
   EXPECT_EQ(mark_of(f), io::Mark::warn);
   ASSERT_EQ(remarks_on(f).size(), 2u);
   EXPECT_EQ(remarks_on(f)[0].mark, io::Mark::warn);
-  EXPECT_EQ(remarks_on(f)[0].text, "Reflects more light than falls on it: 147 % at 85 degrees (g).");
-  f.findings = {"f0 is at its upper bound 1 in r", "kd, ks and alpha are not identified: too few"};
+  EXPECT_EQ(remarks_on(f)[0].text,
+            "Violates energy conservation: directional albedo 147 % at 85 degrees (g).");
+  f.findings = {"f0 is at its upper bound 1 in r", "kd, ks and alpha are not identifiable: too few"};
   EXPECT_EQ(remarks_on(f)[0].text, "f0 is at its upper bound 1 in r.");
-  EXPECT_EQ(remarks_on(f)[1].text, "kd, ks and alpha are not identified: too few.");
+  EXPECT_EQ(remarks_on(f)[1].text, "kd, ks and alpha are not identifiable: too few.");
   f.verdict = Verdict::misfit;
   EXPECT_EQ(mark_of(f), io::Mark::bad);
 }
@@ -104,7 +104,7 @@ TEST(FitPage, CurvesAreSmoothAndNothingIsSaidTwice) {
   const std::string html = html_report(result, table, {});
   // The steps of the grid are several degrees; the steps of the curve are half a degree, which gives more
   // than 100 points.
-  const std::size_t line = html.find("\"light at ");
+  const std::size_t line = html.find("\"incidence at ");
   ASSERT_NE(line, std::string::npos);
   const std::size_t x = html.find("\"x\":[", line), end = html.find(']', x);
   EXPECT_GT(std::count(html.begin() + std::ptrdiff_t(x), html.begin() + std::ptrdiff_t(end), ','), 100);

@@ -174,11 +174,11 @@ std::string refusal(Do&& what) {
 TEST(Smooth, IsRefusedWhereThereIsNoWavelength) {
   const io::SampleTable rgb = measured(make_material(*find_form("ward")));
   EXPECT_THAT(refusal([&] { fit_one(rgb, {"ward"}, smooth(2)); }),
-              HasSubstr("--shape smooth: channel 'r' says no wavelength (as 465nm does)"));
+              HasSubstr("--shape smooth: channel 'r' has no wavelength in its name (such as 465nm)"));
   EXPECT_THAT(refusal([&] { fit_one(measured(metal()), {"ward"}, smooth(5)); }), HasSubstr("accepted"));
   Material two = make_material(*find_form("ward"), {"450nm", "650nm"});
   EXPECT_THAT(refusal([&] { fit_one(measured(two), {"ward"}, smooth(2)); }),
-              HasSubstr("needs 3 wavelengths at least; the samples have 2"));
+              HasSubstr("needs at least 3 wavelengths; the table has 2"));
 }
 
 TEST(Smooth, WordsSayWhichShapes) {

@@ -48,7 +48,7 @@ TEST(Determined, IsAPredictionWhoseSplitIsNot) {
     return (e.name == "f0" || e.name == "ks") && e.status == Status::unidentified;
   }));
   EXPECT_EQ(estimate(f, "alpha_x").status, Status::free);
-  EXPECT_THAT(f.findings, Contains(testing::AllOf(HasSubstr("is determined"), HasSubstr("--tie f0"),
+  EXPECT_THAT(f.findings, Contains(testing::AllOf(HasSubstr("are well determined"), HasSubstr("--tie f0"),
                                                   HasSubstr("--physical"), HasSubstr("grazing"))));
   ASSERT_TRUE(f.prediction_error);
   EXPECT_LT(*f.prediction_error, kDetermined);
@@ -111,7 +111,7 @@ TEST(TwoWidths, WithoutATurnOfTheSampleAreNotBelieved) {
     EXPECT_EQ(f.verdict, Verdict::not_identifiable);
     EXPECT_EQ(estimate(f, "alpha_y").status, Status::unidentified);
     EXPECT_EQ(estimate(f, "tangent_phi").status, Status::unidentified);
-    EXPECT_THAT(f.findings, Contains(HasSubstr("the sample was never turned")));
+    EXPECT_THAT(f.findings, Contains(HasSubstr("the sample was never rotated")));
   }
   const FormFit half = fit_one(at_azimuths(brushed(), {0, 180}), {"ward"}, options);
   EXPECT_EQ(estimate(half, "alpha_y").status, Status::unidentified);  // half a turn shows nothing
@@ -180,12 +180,12 @@ TEST(Energy, BeyondAllLightIsSaidWithItsNumber) {
   EXPECT_GT(truth.value, 1.2);
   EXPECT_LT(truth.value, 1.7);
   EXPECT_THAT(f.findings,
-              Contains(testing::AllOf(HasSubstr("more light than falls on it"), HasSubstr("--physical"))));
+              Contains(testing::AllOf(HasSubstr("violates energy conservation"), HasSubstr("--physical"))));
   FitOptions bounded = without_cross_validation();
   bounded.physical = Physical::bounded;
   const FormFit kept = fit_one(measured(gloss(0.3, {0.8, 0.9, 0.6})), {"cook_torrance"}, bounded);
   EXPECT_LE(kept.largest_albedo->value, 1.001);
-  EXPECT_THAT(kept.findings, Not(Contains(HasSubstr("more light than falls"))));
+  EXPECT_THAT(kept.findings, Not(Contains(HasSubstr("violates energy conservation"))));
 }
 
 TEST(Energy, WithinAllLightIsNotMentioned) {

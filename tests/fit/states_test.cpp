@@ -40,45 +40,44 @@ std::vector<Row> rows() {
   const auto verdict = [](Verdict v) { return [v](FormFit& f) { f.verdict = v; }; };
   return {
       {"describes", [](FormFit&) {}, Mark::good, true,
-       "lambert describes the samples: half of them within 2 %, as near as they scatter (3.2 %)."},
+       "lambert fits the measurements: median error 2 %, consistent with the measurement noise (3.2 %)."},
       {"exact", [](FormFit& f) { f.lack_of_fit.exact = true, f.median_relative_error = 1e-13; }, Mark::good,
-       true, "describes the samples to rounding: half of them within 1e-9 %"},
+       true, "fits the measurements to rounding: median error at most 1e-9 %"},
       {"roughly",
        [](FormFit& f) { f.lack_of_fit.beyond_scatter = true, f.lack_of_fit.residual_over_scatter = 4.3; },
        Mark::warn, true,
-       "lambert follows the samples roughly: half of them within 2 %, 4.3 times what they scatter."},
+       "lambert fits the measurements only roughly: median error 2 %; the residuals are 4.3 times the "
+       "measurement noise."},
       {"scatter_unknown", [](FormFit& f) { f.lack_of_fit.residual_over_scatter.reset(); }, Mark::unknown,
        true,
-       "lambert is within 2 % of half of the samples; how much they scatter is not known, so that nothing "
-       "says "
-       "whether that is enough."},
+       "lambert has a median error of 2 %; lack of fit cannot be judged, because the measurement noise is "
+       "not known."},
       {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
-       "that of an interpolated grid"},
+       "was estimated on an interpolated grid"},
       {"misfit, scatter unknown",
        [](FormFit& f) { f.verdict = Verdict::misfit, f.lack_of_fit.residual_over_scatter.reset(); },
-       Mark::bad, false, "lambert does not describe the samples: half of them are off by more than 2 %."},
+       Mark::bad, false, "lambert does not fit the measurements: median error 2 %."},
       {"interpolates", [](FormFit& f) { f.about.held_out = HeldOut::interpolation; }, Mark::warn, true,
-       "describes interpolation only, and does not speak of other incidences"},
+       "describes interpolation only, not the prediction of other incidences"},
       {"few_lights", [](FormFit& f) { f.about.held_out = HeldOut::few, f.about.lights = 3; }, Mark::warn,
-       true, "judged from 3 incidences"},
+       true, "rest on only 3 incidences"},
       {"breaks_energy",
        [](FormFit& f) {
          f.verdict = Verdict::breaks_energy;
          f.largest_measured_albedo = f.largest_albedo = LargestAlbedo{3.68, 0, "f"};
        },
-       Mark::bad, false, "it reflects 368 % of the light at 0 degrees"},
+       Mark::bad, false, "its directional albedo is 368 % at 0 degrees"},
       {"breaks_energy_elsewhere",
        [](FormFit& f) {
          f.largest_albedo = LargestAlbedo{2.04, 85, "f"};
        },
-       Mark::warn, true, "at 85 degrees, where nothing was measured, it would reflect 204 % of the light"},
-      {"at_bound", verdict(Verdict::at_bound), Mark::warn, true, "a parameter is at the end of its range"},
-      {"determined", verdict(Verdict::determined), Mark::warn, true,
-       "elsewhere, and for every parameter, it is not"},
+       Mark::warn, true, "at 85 degrees, without measurements nearby, the directional albedo would be 204 %"},
+      {"at_bound", verdict(Verdict::at_bound), Mark::warn, true, "a parameter is at a bound of its range"},
+      {"determined", verdict(Verdict::determined), Mark::warn, true, "some parameters are not identifiable"},
       {"not_identifiable", verdict(Verdict::not_identifiable), Mark::bad, false,
-       "lambert cannot be determined from these samples."},
+       "lambert is not identifiable from these measurements."},
       {"hidden_highlight", [](FormFit& f) { f.about.hidden_width = 0.03; }, Mark::warn, true,
-       "a highlight narrower than alpha 0.03 (5.7 degrees wide) would lie between the samples"},
+       "a highlight narrower than alpha 0.03 (5.7 degrees wide) would lie between the measured directions"},
       {"few_rows_decide", [](FormFit& f) { f.few_rows_decide = "2 rows decide rho"; }, Mark::warn, true,
        "2 rows decide rho"},
       {"weakly_determined", [](FormFit& f) { f.estimates[0].low = 0.01, f.estimates[0].high = 2; },
@@ -143,8 +142,10 @@ TEST(States, NoSentenceAppearsWithoutItsCondition) {
     row.spoil(result.ranking.front());
     const Condition headline = conditions_of(result.ranking.front()).front();
     if (headline == Condition::describes) continue;
-    EXPECT_THAT(printed(result), testing::Not(HasSubstr("as near as they scatter"))) << row.name;
-    EXPECT_THAT(html_report(result, table, {}, false), testing::Not(HasSubstr("as near as they scatter")))
+    EXPECT_THAT(printed(result), testing::Not(HasSubstr("consistent with the measurement noise")))
+        << row.name;
+    EXPECT_THAT(html_report(result, table, {}, false),
+                testing::Not(HasSubstr("consistent with the measurement noise")))
         << row.name;
   }
 }
@@ -153,7 +154,7 @@ TEST(States, ARefusedStepThatWouldHalveTheErrorSaysSo) {
   Step step{"a lobe", "ward", 0.27, 0.24, 0.1, 0.3, 5, false};
   EXPECT_THAT(in_words(step), testing::Not(HasSubstr("halve")));
   step.difference = 0.28;
-  EXPECT_THAT(in_words(step), HasSubstr("not kept, though it would halve the error"));
+  EXPECT_THAT(in_words(step), HasSubstr("not kept: it would halve the error"));
   step.kept = true;
   EXPECT_THAT(in_words(step), testing::Not(HasSubstr("halve")));
 }
@@ -175,7 +176,7 @@ TEST(States, ANarrowTerminalKeepsTheScatterAndSaysWhatIsMissing) {
     print(text, good(), table, {}, {columns, false});
     EXPECT_THAT(text.str(), HasSubstr("x scatter")) << columns;
     const bool whole = text.str().find("off by 2  ") != std::string::npos;
-    EXPECT_EQ(whole, text.str().find(" more at ") == std::string::npos) << columns;
+    EXPECT_EQ(whole, text.str().find(", shows ") == std::string::npos) << columns;
   }
 }
 

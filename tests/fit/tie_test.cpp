@@ -119,16 +119,17 @@ TEST(Tie, InASumOfEqualFormsTheNarrowLobeComesFirst) {
 TEST(Tie, WithoutEffectIsRefused) {
   EXPECT_THAT(refusal({"cook_torrance"}, tying({"f0"}), {"f"}),
               HasSubstr("--tie f0: has no effect: the samples have one channel"));
-  EXPECT_THAT(refusal({"ward"}, tying({"f0"})), HasSubstr("--tie f0: ward has no such parameter"));
+  EXPECT_THAT(refusal({"ward"}, tying({"f0"})), HasSubstr("--tie f0: ward has no parameter of this name"));
   EXPECT_THAT(refusal({"ward"}, tying({"alpha"})),
               HasSubstr("--tie alpha: has an effect only with --per-channel"));
   EXPECT_THAT(refusal({"ward"}, tying({"ks", "ks"})), HasSubstr("--tie ks: is given twice"));
   FitOptions options = tying({"ks"});
   options.fix = {{"ks", {0.3}}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--tie ks: has no effect on what --fix holds"));
+  EXPECT_THAT(refusal({"ward"}, options),
+              HasSubstr("--tie ks: has no effect, because --fix holds this parameter"));
   options = tying({"ks"});
   options.start = {{"ks", {0.1, 0.2, 0.3}}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--start ks: takes one value with --tie"));
+  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--start ks: takes a single value with --tie"));
   EXPECT_EQ(refusal({"oren_nayar", "cook_torrance"}, tying({"f0"})), "");
 }
 
@@ -181,7 +182,7 @@ TEST(PhysicalWeights, ThatAreNotAtTheirBoundsAreThoseWithoutThem) {
 TEST(PhysicalWeights, OfADielectricHaveAWholeLobe) {
   const Material truth = paint({{0.6, 1, 0.05}, {0.3, 1, 0.05}, {0.1, 1, 0.05}});
   const FormFit f = fit_one(measured(truth, {"hemisphere"}, 0.02), {"cook_torrance"}, physical());
-  EXPECT_THAT(f.findings, Contains(HasSubstr("taken for a dielectric")));
+  EXPECT_THAT(f.findings, Contains(HasSubstr("the material is assumed to be a dielectric")));
   for (std::size_t c = 0; c < 3; ++c) {
     EXPECT_EQ(f.material.terms[0].weights[c][1], 1);
     EXPECT_NEAR(f.material.terms[0].weights[c][0], truth.terms[0].weights[c][0], 0.02);
@@ -194,7 +195,7 @@ TEST(PhysicalWeights, OfADielectricHaveAWholeLobe) {
 TEST(PhysicalWeights, OfWhatIsNoDielectricAddUpToLessThanOne) {
   const Material truth = paint({{0.3, 0.5, 0.5}, {0.2, 0.5, 0.5}, {0.1, 0.5, 0.5}}, 0.3);
   const FormFit f = fit_one(measured(truth, {"hemisphere"}, 0.02), {"cook_torrance"}, physical());
-  EXPECT_THAT(f.findings, Contains(HasSubstr("no dielectric")));
+  EXPECT_THAT(f.findings, Contains(HasSubstr("the material is not assumed to be a dielectric")));
   for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(f.material.terms[0].weights[c][1], 0.5, 0.05);
 }
 
@@ -226,10 +227,10 @@ TEST(PhysicalWeights, ThatCannotBeAreRefused) {
   options.fix = {{"kd", {0.8}}, {"ks", {0.4}}};
   EXPECT_THAT(refusal({"ward"}, options), HasSubstr("add up to 1.2"));
   options.fix = {{"kd", {1}}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("leaves nothing for ks"));
+  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("leave no room for ks"));
   options.fix.clear();
   options.bounds = {{"ks", 0.1, 0.2}};
-  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--bounds ks: does not go with --physical"));
+  EXPECT_THAT(refusal({"ward"}, options), HasSubstr("--bounds ks: cannot be used with --physical"));
   options.fix = {{"kd", {0.5}}};
   EXPECT_EQ(refusal({"ward"}, options), "");
 }

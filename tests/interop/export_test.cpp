@@ -134,7 +134,7 @@ TEST(Export, TurnsTheTangentOrSaysThatTheMeshMust) {
   EXPECT_NEAR(rough * rough, 0.1, 1e-12);
   EXPECT_NEAR(0.1 + 0.9 * strength * strength, 0.3, 1e-12);
   for (const char* program : {"mitsuba", "pbrt"})
-    EXPECT_THAT(refusal(program, m), HasSubstr("lay dp/du at 30 degrees")) << program;
+    EXPECT_THAT(refusal(program, m), HasSubstr("orient dp/du at 30 degrees")) << program;
 }
 
 TEST(Export, RefusesARatioThatNoControlReaches) {
@@ -142,7 +142,7 @@ TEST(Export, RefusesARatioThatNoControlReaches) {
       material("cook_torrance", {"kd=0", "ks=1", "f0=0.9", "alpha_x=0.5", "alpha_y=0.02"});
   EXPECT_THAT(refusal("blender", brushed), HasSubstr("alpha_x/alpha_y 25 is above 10"));
   EXPECT_THAT(refusal("pbrt", material("cook_torrance", {"kd=0", "ks=1", "f0=0.9", "alpha=0.0005"})),
-              HasSubstr("where the program shows a mirror"));
+              HasSubstr("below which the program shows a mirror"));
 }
 
 // The numbers in the text, interpreted like the program does, give the projected material.

@@ -171,12 +171,12 @@ TEST(Pbrt, ShowsSpectraOfColouredIndices) {
   EXPECT_FALSE(gold.exact());
   EXPECT_THAT(gold.text, Not(HasSubstr(": exact")));
   // The values of the form differ from the values of the program.
-  EXPECT_THAT(gold.text, Not(HasSubstr("the same here")));
-  EXPECT_THAT(gold.text, HasSubstr("by channel here, without the program's spectra: brdf eval --form"));
+  EXPECT_THAT(gold.text, Not(HasSubstr("the same values in brdf")));
+  EXPECT_THAT(gold.text, HasSubstr("by channel, without the spectra of the program: brdf eval --form"));
   const Exported grey =
       written("pbrt", chosen("cook_torrance_conductor", {"kd=0.1", "ks=0.6", "n=1.1", "k=6", "alpha=0.2"}));
   EXPECT_TRUE(grey.exact());
-  EXPECT_THAT(grey.text, HasSubstr("the same here: brdf eval --form"));
+  EXPECT_THAT(grey.text, HasSubstr("the same values in brdf: brdf eval --form"));
   // In a yellow metal, the red index is nearly pure extinction. With the program's spectra its red is one
   // eighth brighter along the normal than by channel.
   Material yellow = make_material(find_program("pbrt")->targets[0].target, {"r", "g", "b"});
@@ -231,7 +231,7 @@ TEST(Sums, OfTwoLobesAreTheSumOfTheirParts) {
         export_to(program, two, "two", true);
         ADD_FAILURE() << program.name << " does not refuse";
       } catch (const Refused& e) {
-        EXPECT_THAT(e.what(), HasSubstr("one lobe beside the diffuse part"));
+        EXPECT_THAT(e.what(), HasSubstr("one lobe in addition to the diffuse part"));
       }
       continue;
     }
@@ -276,7 +276,7 @@ TEST(Advice, OnTheTangentGivesTheMaterialWhenItIsFollowed) {
         written(program, at(phi));
         ADD_FAILURE() << program << " does not refuse";
       } catch (const Refused& e) {
-        const std::string said = e.what(), before = "lay dp/du at ";
+        const std::string said = e.what(), before = "orient dp/du at ";
         ASSERT_THAT(said, HasSubstr(before));
         angle = std::stod(said.substr(said.find(before) + before.size()));
       }

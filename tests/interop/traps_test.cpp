@@ -58,8 +58,8 @@ std::vector<Trap> traps() {
   Material three_terms = made("cook_torrance", {"kd=0", "ks=0.3", "f0=0.5", "alpha=0.1"});
   three_terms.terms.push_back(made("cook_torrance", {"kd=0", "ks=0.3", "f0=0.5", "alpha=0.4"}).terms[0]);
   three_terms.terms.push_back(made("lambert", {"rho=0.2"}).terms[0]);
-  const char *const clamped = "is above 1, which the program clamps at",
-                    *const mesh = "lay dp/du at 30 degrees from the surface's x axis";
+  const char *const clamped = "is above 1, the limit at which the program clamps",
+                    *const mesh = "orient dp/du at 30 degrees from the surface's x axis";
   return {{"ks above 1",
            made("blender_glossy", {"kd=0.1", "ks=1.5,0.7,0.3", "alpha=0.3"}),
            {{"blender", clamped},
@@ -81,10 +81,11 @@ std::vector<Trap> traps() {
            {}},
           {"31 channels",
            make_material(*find_form("ward"), std::vector<std::string>(31, "c")),
-           {{"", "31 channels: it takes one or three colours"}}},
+           {{"", "31 channels, but the program takes one colour or three"}}},
           {"three terms",
            three_terms,
-           {{"gltf", "one lobe beside the diffuse part"}, {"three", "one lobe beside the diffuse part"}}},
+           {{"gltf", "one lobe in addition to the diffuse part"},
+            {"three", "one lobe in addition to the diffuse part"}}},
           {"ward_duer", made("ward_duer", {}), {{"", "violates continuity"}}}};
 }
 

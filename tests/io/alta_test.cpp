@@ -62,20 +62,20 @@ TEST(Alta, ThreeValuesAreColoursSegmentsAndTheCosineAreTakenOff) {
   EXPECT_EQ(t.skipped, 1u);
   EXPECT_NEAR(t.values[1][0], 4, 1e-12);
   EXPECT_THAT(t.warnings, ElementsAre(HasSubstr("below the horizon"), HasSubstr("vertical segments"),
-                                      HasSubstr("outgoing direction is divided out")));
+                                      HasSubstr("divided by the cosine of the viewing direction")));
 }
 
 TEST(Alta, WhatIsNotUnderstoodIsRefused) {
   const std::string ok = header("3 1", "RUSIN_TH_TD_PD");
   const std::pair<std::string, const char*> cases[] = {
       {header("2 1", "RUSIN_TH_TD") + "0 0 1\n", "line 3: #PARAM_IN 'RUSIN_TH_TD' does not give both"},
-      {header("2 1", "RUSIN_TH_TD_PD") + "0 0 1\n", "#DIM has 2 angles where RUSIN_TH_TD_PD has 3"},
+      {header("2 1", "RUSIN_TH_TD_PD") + "0 0 1\n", "#DIM has 2 angles, but RUSIN_TH_TD_PD has 3"},
       {header("many", "CARTESIAN"), "line 2: '#DIM <angles> <channels>' expected"},
-      {ok + "0 0 0\n", "line 5: 3 columns where #DIM asks for 4"},
+      {ok + "0 0 0\n", "line 5: 3 columns, but #DIM requires 4"},
       {ok + "0 0 x 1\n", "line 5: column 3: 'x' is not a finite number"},
       {ok, "holds no rows"},
       {ok + "#FORMAT binary\n", "binary tables of ALTA are not read"},
-      {"#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n#PARAM_OUT ENERGY\n0 0 0 1\n", "#PARAM_OUT 'ENERGY' is no f_r"},
+      {"#DIM 3 1\n#PARAM_IN RUSIN_TH_TD_PD\n#PARAM_OUT ENERGY\n0 0 0 1\n", "#PARAM_OUT 'ENERGY' is not f_r"},
   };
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }

@@ -74,14 +74,14 @@ TEST(Polarisation, IsChosen) {
 TEST(Polarisation, ThatIsNotThereIsRefusedWithWhatIs) {
   const std::string row = "\n1,2,3,4,1,2\n";
   EXPECT_THAT(refusal(kAngleColumns + "a,b" + row, Polarisation::s),
-              HasSubstr("file: --polarisation s: no channel's name says a polarisation; found a, b"));
+              HasSubstr("file: --polarisation s: no channel name contains a polarisation; found a, b"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_ss,fr_pp" + row, Polarisation::average),
-              HasSubstr("--polarisation average: not told by what is there of 'fr': ss, pp"));
+              HasSubstr("--polarisation average: cannot be computed from the channels of 'fr': ss, pp"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_p" + row, Polarisation::sp), HasSubstr("of 'fr': s, p"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr_te" + row, Polarisation::s),
               HasSubstr("'fr_s' and 'fr_te' are both s"));
   EXPECT_THAT(refusal(kAngleColumns + "fr_s,fr" + row, Polarisation::s),
-              HasSubstr("channel 'fr' stands beside polarised ones of that name"));
+              HasSubstr("channel 'fr' has the same name as polarised channels"));
   EXPECT_THAT(refusal(kAngleColumns + "s,p\n1,2,3,4,1.7e308,1.7e308\n", Polarisation::average),
               HasSubstr("must be finite"));
 }
@@ -114,7 +114,7 @@ TEST(Repeats, ThatAreCopiesTellNoScatter) {
       arranged(kAngleColumns + "fr\n1,2,3,4,.1\n1,2,3,4,.1\n1,2,3,4,.1\n5,6,7,8,2\n", kAverage);
   EXPECT_EQ(got.values[0][0], .1);
   EXPECT_FALSE(got.has_sigma(0));
-  EXPECT_THAT(got.warnings.back(), HasSubstr("nothing says how they scatter"));
+  EXPECT_THAT(got.warnings.back(), HasSubstr("copies, which give no measurement noise"));
   const std::string once = kAngleColumns + "fr\n1,2,3,4,.1\n5,6,7,8,2\n";
   expect_same(arranged(once, kAverage), read(once));
 }

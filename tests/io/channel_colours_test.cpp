@@ -47,7 +47,7 @@ TEST(ChannelColours, OfASpectrumTheNearestToThePrimariesAreTaken) {
   EXPECT_EQ(names[colours->of[0]], "610nm");
   EXPECT_EQ(names[colours->of[1]], "550nm");
   EXPECT_EQ(names[colours->of[2]], "460nm");
-  EXPECT_NE(colours->note.find("31 bands are shown as they are seen"), std::string::npos) << colours->note;
+  EXPECT_NE(colours->note.find("31 bands are converted to a colour"), std::string::npos) << colours->note;
   // A spectrum that lies entirely on one side of the primaries has no three colours.
   EXPECT_FALSE(channel_colours({"900nm", "1000nm", "1100nm", "1200nm"}));
 }
@@ -88,7 +88,7 @@ TEST(ChannelColours, AMerlFileHasRedInItsRedPlane) {
   EXPECT_NEAR(back.values[0][0], 0.3, 1e-12);
   EXPECT_NEAR(back.values[2][0], 0.1, 1e-12);
   EXPECT_TRUE(std::any_of(lost.begin(), lost.end(), [](const std::string& what) {
-    return what.find("630nm, 525nm, 465nm are taken for red, green, blue") != what.npos;
+    return what.find("630nm, 525nm, 465nm are used as red, green, blue") != what.npos;
   }));
   t.channels.pop_back();
   t.values.pop_back();

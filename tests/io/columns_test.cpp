@@ -67,15 +67,15 @@ INSTANTIATE_TEST_SUITE_P(Units, WavelengthColumn, testing::ValuesIn(kWaves));
 TEST(Wavelengths, WithoutAUnitBelowAHundredAreMicrometresAndSaidSo) {
   const std::string rows = "theta_i,phi_i,theta_o,phi_o,wavelength,fr\n1,2,3,4,";
   EXPECT_THAT(read(rows + "0.55,1\n").warnings,
-              Contains("the wavelengths state no unit and are all below 100: taken for micrometres"));
+              Contains("the wavelengths have no unit and are all below 100: interpreted as micrometres"));
   EXPECT_THAT(read(rows + "550,1\n").warnings, Not(Contains(HasSubstr("micrometres"))));
 }
 
 TEST(Wavelengths, WhoseUnitIsUnknownAreRefused) {
   const std::string rows = ",theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,5,6\n";
-  EXPECT_THAT(message("frequency" + rows), HasSubstr("column 'frequency' does not state its unit"));
+  EXPECT_THAT(message("frequency" + rows), HasSubstr("column 'frequency' has no unit"));
   EXPECT_THAT(message("wavelength (kg)" + rows),
-              HasSubstr("'wavelength (kg)' has the unit 'kg', which is none of"));
+              HasSubstr("'wavelength (kg)' has the unit 'kg', which is not a unit of wavelengths"));
 }
 
 TEST(Wavelengths, EndTheNamesOfChannels) {
@@ -116,7 +116,7 @@ TEST(Metadata, IsSetAsideInOneLine) {
   EXPECT_THAT(t.channels, ElementsAre("fr"));
   EXPECT_THAT(t.values[0], ElementsAre(0.25));
   EXPECT_THAT(t.warnings, ElementsAre(AllOf(HasSubstr("columns 'Temperature (°C)', 'humidity (%)', 'time'"),
-                                            HasSubstr("(15) are set aside: no values of f_r"))));
+                                            HasSubstr("(15) are ignored: not values of f_r"))));
 }
 
 // A column is metadata under any name if its unit belongs to another quantity, or if its cells are not
@@ -127,7 +127,7 @@ TEST(Metadata, IsToldByItsUnitOrItsCells) {
     for (const char* angles : {"theta_i,phi_i,theta_o,phi_o,", "Incidence,phi_i,View angle,phi_o,"}) {
       const SampleTable t = read(angles + std::string(name) + ",BRDF\n1,2,3,4,5,6\n");
       EXPECT_THAT(t.channels, ElementsAre("BRDF")) << name;
-      EXPECT_THAT(t.warnings, Contains("column " + shown(name) + " is set aside: no values of f_r"));
+      EXPECT_THAT(t.warnings, Contains("column " + shown(name) + " is ignored: not values of f_r"));
     }
   const SampleTable text = read("theta_i,phi_i,theta_o,phi_o,what,fr\n1,2,3,4,,5\n1,2,3,5,gold,6\n");
   EXPECT_THAT(text.channels, ElementsAre("fr"));
@@ -136,8 +136,10 @@ TEST(Metadata, IsToldByItsUnitOrItsCells) {
               HasSubstr("(550nm): 'x' is not a number"));
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,what\n1,2,3,4,x\n"),
               HasSubstr("(what): 'x' is not a number"));
-  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,time (s)\n1,2,3,4,5\n"),
-              HasSubstr("no value column beside the four angles; no values are in 'time (s)'"));
+  EXPECT_THAT(
+      message("theta_i,phi_i,theta_o,phi_o,time (s)\n1,2,3,4,5\n"),
+      HasSubstr(
+          "no value column in addition to the four angles; the other columns are not values: 'time (s)'"));
 }
 
 TEST(Metadata, IncludesOtherAnglesAndCosines) {
@@ -174,7 +176,7 @@ TEST(Mueller, TablesGiveFrOfUnpolarisedLight) {
     EXPECT_THAT(t.values[0], ElementsAre(0.3));
     EXPECT_THAT(t.phi_i, ElementsAre(180));
     EXPECT_THAT(t.warnings, AllOf(Contains(HasSubstr("16 elements of a Mueller matrix")),
-                                  Contains(HasSubstr("set aside"))));
+                                  Contains(HasSubstr("ignored"))));
   }
 }
 

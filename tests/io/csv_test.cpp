@@ -99,15 +99,15 @@ TEST_F(Csv, NamesLineAndColumnOfAMalformedRow) {
   EXPECT_THAT(message(header + "0,0,0,0,1 2\n"), HasSubstr("'1 2' is not a number"));
   EXPECT_THAT(message(header + "0,0,0,0,1e999\n"), HasSubstr("is not a number"));
   EXPECT_THAT(message(header + "0,0,0,0,nan\n"), HasSubstr("'nan' is not finite"));
-  EXPECT_THAT(message(header + "0,0,0,0\n"), HasSubstr("line 2: 4 columns where the header has 5"));
+  EXPECT_THAT(message(header + "0,0,0,0\n"), HasSubstr("line 2: 4 columns, but the header has 5"));
   EXPECT_THAT(message(header + "0,0,91,0,1\n"), HasSubstr("'91' is below the horizon"));
 }
 
 TEST_F(Csv, NamesExchangedColumns) {
   const std::string header = "theta_i,phi_i,theta_o,phi_o,fr\n";
   EXPECT_THAT(message(header + "30,180,0,10,1\n30,180,95,10,1\n30,180,270,80,1\n30,180,355,0,1\n"),
-              HasSubstr("theta_o reaches 355 degrees and phi_o only 80: the columns theta_o and phi_o look "
-                        "exchanged"));
+              HasSubstr("theta_o reaches 355 degrees and phi_o only 80: the columns theta_o and phi_o seem "
+                        "to be exchanged"));
   // One angle of many that is too large, or polar angles above 90 degrees with azimuths beyond a quarter
   // turn, are reported as a wrong angle, not as exchanged columns.
   EXPECT_THAT(message(header + "0,0,10,0,1\n0,0,20,0,1\n0,0,30,0,1\n0,0,91,0,1\n"),

@@ -72,7 +72,7 @@ TEST_F(Formats, AstmWithoutAnIncidentAzimuth) {
   const SampleTable t = read(std::string(kAstmHeader) + "VARS theta_i,theta_s,phi_s,Y\n30,45,10,.1\n");
   EXPECT_EQ(t.phi_i[0], 180);
   EXPECT_EQ(t.phi_o[0], 10);
-  EXPECT_THAT(t.warnings, Contains(HasSubstr("phi_i is not in the file: taken as 180")));
+  EXPECT_THAT(t.warnings, Contains(HasSubstr("phi_i is not in the file; assumed 180")));
 }
 
 TEST_F(Formats, AstmErrorsNameLineAndColumn) {
@@ -80,7 +80,7 @@ TEST_F(Formats, AstmErrorsNameLineAndColumn) {
   EXPECT_THAT(message(header + "1,2,3,4,x\n"),
               HasSubstr("file.bsdf, line 6: column 5 (Y): 'x' is not a finite number"));
   EXPECT_THAT(message(header + "1,2,3,4,5\n1,2,3,4\n"),
-              HasSubstr("line 7: 4 columns where the first row has 5"));
+              HasSubstr("line 7: 4 columns, but the first row has 5"));
   EXPECT_THAT(message(header), HasSubstr("no rows after VARS"));
   EXPECT_THAT(message(header + "1,2,95,4,5\n"), HasSubstr("line 6: polar angle 95 is below the horizon"));
 }
@@ -108,10 +108,10 @@ TEST_F(Formats, LensDesignAnglesTurnFromTheMirrorDirectionToTheNormal) {
 
 TEST_F(Formats, LensDesignErrorsNameTheLine) {
   EXPECT_THAT(message(std::string(kLensHeader) + "1\t2\n"),
-              HasSubstr("line 18: 2 numbers where 3 are expected"));
+              HasSubstr("line 18: 2 numbers, but 3 are expected"));
   EXPECT_THAT(message(std::string(kLensHeader) + "1\t2\tz\n"),
               HasSubstr("line 18: column 3: 'z' is not a number"));
-  EXPECT_THAT(message(std::string(kLensHeader) + "1\t2\t3\n"), HasSubstr("ends where"));
+  EXPECT_THAT(message(std::string(kLensHeader) + "1\t2\t3\n"), HasSubstr("ends early"));
   std::string transmission = kLensHeader;
   transmission.replace(transmission.find("BRDF"), 4, "BTDF");
   EXPECT_THAT(message(transmission), HasSubstr("ScatterType 'BTDF' is not read"));

@@ -148,8 +148,9 @@ TEST_F(Refused, MissingAndRepeatedKeysOtherFormatsAndBadSyntax) {
   EXPECT_THAT(message("brdf-material", "brdf-scene"),
               HasSubstr("$.format: \"brdf-scene\" must be \"brdf-material\""));
   EXPECT_THAT(message("\"version\": 1", "\"version\": 2"), HasSubstr("$.version: 2 must be 1"));
-  EXPECT_THAT(message("\"ward\"", "\"wurd\""),
-              HasSubstr("$.form: \"wurd\" is no form (did you mean ward? known: sum, lambert"));
+  EXPECT_THAT(
+      message("\"ward\"", "\"wurd\""),
+      HasSubstr("$.form: \"wurd\" is not the name of a form (did you mean ward? known: sum, lambert"));
   EXPECT_THAT(message("\"channels\"", "channels"), HasSubstr("m.json: parse error at line 1, column 59"));
 }
 

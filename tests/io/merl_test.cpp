@@ -97,7 +97,7 @@ TEST_F(MerlFile, SaysWhatIsLostAndRefusesOtherChannelCounts) {
   SampleTable t = table();
   t.metadata = {{"sample", "x"}};
   const auto lost = write(folder_.path() / "a.binary", t);
-  EXPECT_THAT(lost, testing::Contains(testing::HasSubstr("361784 of 1458000 cells stay without value")));
+  EXPECT_THAT(lost, testing::Contains(testing::HasSubstr("361784 of 1458000 cells have no value")));
   EXPECT_THAT(lost, testing::Contains(testing::HasSubstr("comments")));
   t.channels.pop_back();
   t.values.pop_back();

@@ -61,7 +61,7 @@ TEST(OpticalConstants, AreLinearBetweenTheirRows) {
   EXPECT_NEAR(middle.k, 1.957, 1e-12);
   EXPECT_EQ(gold.at(548.6), (Index{.43, 2.455}));
   EXPECT_THAT(message_of([&] { gold.at(600); }),
-              HasSubstr("gold.yml: 600 nm is outside its 495.9 to 548.6 nm"));
+              HasSubstr("gold.yml: 600 nm is outside the range of this file, 495.9 to 548.6 nm"));
 }
 
 TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
@@ -69,8 +69,8 @@ TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
       "material,wavelength_um,n,k,source\nAg,0.5,.05,3,x\nAu,0.5,1,1.8,y\nAg,0.6,.06,4,z\n";
   EXPECT_THAT(constants(two, "Ag").nm, ElementsAre(500, 600));
   EXPECT_THAT(constants(two, "Au").nm, ElementsAre(500));
-  EXPECT_THAT(refusal(two), HasSubstr("holds several materials: ask for FILE:MATERIAL (there: Ag, Au)"));
-  EXPECT_THAT(refusal(two, "Cu"), HasSubstr("holds no material 'Cu' (there: Ag, Au)"));
+  EXPECT_THAT(refusal(two), HasSubstr("has several materials: give FILE:MATERIAL (there: Ag, Au)"));
+  EXPECT_THAT(refusal(two, "Cu"), HasSubstr("has no material 'Cu' (known: Ag, Au)"));
   EXPECT_THAT(refusal(kRecord, "Au"), HasSubstr("has no column of materials"));
   const io::TemporaryFolder folder;
   const std::string path = (folder.path() / "metals.csv").string();
@@ -80,14 +80,15 @@ TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
 
 TEST(OpticalConstants, ThatCannotBeReadAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal("theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
-              HasSubstr("gold.yml, line 1: is no table of refractive indices"));
+              HasSubstr("gold.yml, line 1: is not a table of refractive indices"));
   EXPECT_THAT(refusal("wl,n\n0.5,1,2\n"), HasSubstr("line 2: 3 columns where 2 are expected"));
   EXPECT_THAT(refusal("wl,n\n0.5,-1\n"), HasSubstr("line 2: n '-1' must be a number from 0 to 1e6"));
   EXPECT_THAT(refusal("wl,n\n0.5,1e92\n"), HasSubstr("line 2: n '1e92' must be a number from 0 to 1e6"));
-  EXPECT_THAT(refusal("wl,n\n0.5,1\n1e-9,2\n"), HasSubstr("line 3: '1e-9' is no wavelength (0.001 to 1e9)"));
-  EXPECT_THAT(refusal("wl,n\n0.5,1\n0.5,2\n"), HasSubstr("the wavelength 500 nm stands twice"));
+  EXPECT_THAT(refusal("wl,n\n0.5,1\n1e-9,2\n"),
+              HasSubstr("line 3: '1e-9' is not a wavelength (0.001 to 1e9)"));
+  EXPECT_THAT(refusal("wl,n\n0.5,1\n0.5,2\n"), HasSubstr("the wavelength 500 nm is listed twice"));
   EXPECT_THAT(refusal("wl,n\n"), HasSubstr("holds no row of wavelength and n"));
-  EXPECT_THAT(refusal("wl,n\n.5,1\nwl,k\n.6,1\n"), HasSubstr("n and k stand at different wavelengths"));
+  EXPECT_THAT(refusal("wl,n\n.5,1\nwl,k\n.6,1\n"), HasSubstr("n and k are given at different wavelengths"));
   EXPECT_THAT(refusal("DATA:\n  - type: formula 2\n    coefficients: 0 1 2\n"),
               HasSubstr("type 'formula 2' is not read"));
 }
@@ -117,7 +118,7 @@ TEST(OpticalConstants, OfGoldGiveItsColour) {
   EXPECT_THAT(message_of([&] {
                 constants(kRecord).reflectances({"r", "g", "b"});
               }),
-              HasSubstr("does not reach from 480 to 620 nm, which colours need"));
+              HasSubstr("does not cover 480 to 620 nm, which colours require"));
   EXPECT_THAT(message_of([&] { constants(kRecord).reflectances({"fr"}); }),
               HasSubstr("channel 'fr' is not named by a wavelength"));
 }

@@ -27,7 +27,7 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
       {"<?xml version=\"1.0\"?>\n<!-- x -->\n<plist/>", "is a web page or XML (root element 'plist')"},
       {"<!DOCTYPE html>\n<html>", "is a web page or XML, not a table"},
       {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n",
-       "the light stands at theta_i = theta_spec, phi_i = phi_spec + 180"},
+       "the incident direction is theta_i = theta_spec, phi_i = phi_spec + 180"},
       {"3 450 550 650\n.1 0 .2 3.1 .3 .4 .5\n.1 0 .4 3.1 .3 .4 .5\n",
        "the numbers look like spectral text of the Cornell laboratory (3 wavelengths"},
       {"# a comment\n1\n650 # nm\n.1 0 .2\n3.1 .3\n",
@@ -42,7 +42,7 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
       {"\x89HDF\r\n", "is an HDF5 file"},
       {"\x93NUMPY\1\0"s, "is an array of NumPy"},
       {R"([{"theta_i": 10, "theta_o": 20, "f": 1}])",
-       "is JSON, but no material: it looks like a table of samples"}};
+       "is JSON, but not a material: the content looks like a table of samples"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 
@@ -50,13 +50,13 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
 TEST(OtherFormats, InJsonAreToldByTheirKeys) {
   const std::pair<const char*, const char*> cases[] = {
       {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",
-       "is JSON, but no material: it looks like a look-up table of ASAM OpenMATERIAL"},
+       "is JSON, but not a material: the content looks like a look-up table of ASAM OpenMATERIAL"},
       {R"({"data": {"theta_i": {"values": [1]}, "theta_r": {"values": [2]}, "BRDF": {"values": [3]}}})",
-       "it looks like a universal BRDF file (BiRD), which is not read: export columns"},
+       "the content looks like a universal BRDF file (BiRD), which is not read: export columns"},
       {R"({"head": {}, "data": {"theta_i": [1], "phi_i": [0], "theta_v": [2], "phi_v": [0], "data": [[1]]}})",
-       "it looks like a BRDF file of BiRD before version 1.0"},
+       "the content looks like a BRDF file of BiRD before version 1.0"},
       {R"({"rows": [{"theta_in": 1, "theta_out": 2, "value": 3}]})",
-       "it looks like a table of samples of another program"}};
+       "the content looks like a table of samples of another program"}};
   for (const auto& [text, expected] : cases) {
     EXPECT_THAT(message(text), HasSubstr(expected)) << text;
     EXPECT_THAT(message_of([&] { read_material(Content{"file", text}); }), HasSubstr(expected)) << text;

@@ -240,7 +240,7 @@ TEST(Output, TargetsAreRefusedBeforeTheWorkWhereTheyCannotBeWritten) {
   EXPECT_THAT(refused(folder.path() / "no" / "b.txt"), testing::HasSubstr("No such file or directory"));
   EXPECT_THAT(refused(folder.path()), testing::HasSubstr("Is a directory"));
   EXPECT_THAT(refused(file / "b.txt"), testing::HasSubstr("Not a directory"));
-  EXPECT_THAT(refused(folder.path() / ""), testing::HasSubstr("is no name of a file"));
+  EXPECT_THAT(refused(folder.path() / ""), testing::HasSubstr("is not the name of a file"));
   EXPECT_THAT(message_of([&] { check_folder_target({"-o", file / "b"}, {}); }), testing::HasSubstr("ot a "));
   check_targets({{"-o", folder.path() / "b.txt"}, {"--report", ""}, {"-o", "/dev/null"}});
   check_folder_target({"-o", folder.path() / "new" / "deep"}, {"b.txt"});
@@ -256,7 +256,7 @@ TEST(Output, AnInputIsNoTargetAndNoTargetIsNamedTwice) {
   for (const fs::path& same : {in, alias, folder.path() / "hard", folder.path() / "." / "in"})
     EXPECT_THAT(message_of([&] { check_targets({{"-o", same}}, {in}); }), testing::HasSubstr("is the input"));
   const std::vector<Target> twice{{"-o", out}, {"--report", folder.path() / "." / "out"}};
-  EXPECT_THAT(message_of([&] { check_targets(twice); }), testing::HasSubstr("is written by -o too"));
+  EXPECT_THAT(message_of([&] { check_targets(twice); }), testing::HasSubstr("is also the output of -o"));
   EXPECT_THAT(message_of([&] {
                 check_folder_target({"-o", folder.path()}, {"in"}, {in});
               }),

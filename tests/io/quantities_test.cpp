@@ -159,7 +159,7 @@ TEST_P(NameOfFr, StaysAsItIsAndNeedsNoWord) {
        {foreign(GetParam().name, GetParam().value), plain(GetParam().name, GetParam().value)}) {
     const SampleTable table = read(text);
     EXPECT_EQ(table.values[0][0], kTruth);
-    EXPECT_THAT(all_notes(table), Not(HasSubstr("taken for f_r")));
+    EXPECT_THAT(all_notes(table), Not(HasSubstr("interpreted as f_r")));
   }
 }
 
@@ -232,13 +232,13 @@ const RefusedName kRefused[] = {
     {"ppm/sr", "--quantity f_r or"},
     {"scatter (1/sr)", "--quantity f_r or"},
     // In these names the unit and the word contradict each other.
-    {"BRDF (%)", "has the unit '%', which its word cannot have"},
+    {"BRDF (%)", "has the unit '%', which does not fit the quantity"},
     {"BRDF (V)", "has the unit 'V'"},
     {"BRF (1/sr)", "has the unit '1/sr'"},
-    {"BRDF x10^-3", "is multiplied by a power of ten below 1"},
+    {"BRDF x10^-3", "has a factor or a unit that is a power of ten below 1"},
     {"-log10 BRDF", "is a negative logarithm"},
-    {"log2 BRDF", "is a logarithm of another base"},
-    {"log10(550nm)", "states a scale, but not of which quantity"},
+    {"log2 BRDF", "is a logarithm with a base other than"},
+    {"log10(550nm)", "gives a scale, but no quantity"},
     {"BRDF / cos", "is divided by a cosine"},
     {"BRF*cos_o", "is multiplied by a cosine"}};
 
@@ -256,14 +256,14 @@ INSTANTIATE_TEST_SUITE_P(Quantities, NameOfAnother, testing::ValuesIn(kRefused))
 TEST(Quantities, OfASetOfColumnsAreToldTogether) {
   const std::string angles = "Incidence,View angle,Relative azimuth,";
   EXPECT_THAT(message(angles + "X,Y,Z\n1,2,3,4,5,6\n"),
-              HasSubstr("column 'X' with X, Y and Z is a tristimulus value"));
+              HasSubstr("column 'X' is, with X, Y and Z, a tristimulus value"));
   const SampleTable stated = read("# quantity: f_r\n" + angles + "X,Y,Z\n1,2,3,4,5,6\n");
   EXPECT_THAT(stated.channels, ElementsAre("X", "Y", "Z"));
   // A column of another quantity next to a column of f_r is not one of the channels.
   const SampleTable beside = read(angles + "counts,BRDF (1/sr),BTDF (1/sr),R (dB)\n1,2,3,4,5,6,7\n");
   EXPECT_THAT(beside.channels, ElementsAre("BRDF"));
   EXPECT_THAT(beside.warnings,
-              Contains("columns 'counts', 'BTDF (1/sr)', 'R (dB)' are set aside: no values of f_r"));
+              Contains("columns 'counts', 'BTDF (1/sr)', 'R (dB)' are ignored: not values of f_r"));
   const SampleTable bands = read(angles + "BRF_450nm,BRF_550nm,sigma_BRF_550nm\n10,20,30,1,2,.3\n");
   EXPECT_THAT(bands.channels, ElementsAre("450nm", "550nm"));
   EXPECT_DOUBLE_EQ(bands.sigma[1][0], .3 / kPi);
@@ -275,13 +275,13 @@ TEST(Quantities, OfASetOfColumnsAreToldTogether) {
 TEST(Quantities, OfNeutralNamesAreFrWithALineInAForeignHeader) {
   for (const char* name : {"r", "550nm", "value", "red", "sample A", "f", "data"}) {
     EXPECT_TRUE(read(plain(name, 1)).warnings.empty()) << name;
-    EXPECT_THAT(
-        read(foreign(name, 1)).warnings,
-        Contains("column " + shown(name) + " is taken for f_r in 1/sr: the column names no quantity"));
+    EXPECT_THAT(read(foreign(name, 1)).warnings,
+                Contains("column " + shown(name) +
+                         " is interpreted as f_r in 1/sr, because its name gives no quantity"));
   }
-  EXPECT_THAT(
-      read("Incidence,View angle,r,g,b\n10,20,1,2,3\n").warnings,
-      Contains("each of the columns 'r', 'g', 'b' is taken for f_r in 1/sr: the column names no quantity"));
+  EXPECT_THAT(read("Incidence,View angle,r,g,b\n10,20,1,2,3\n").warnings,
+              Contains("each of the columns 'r', 'g', 'b' is interpreted as f_r in 1/sr, because its name "
+                       "gives no quantity"));
 }
 
 // Standard deviations are converted by the same factor as their values.
@@ -304,21 +304,23 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
     EXPECT_NEAR(t.sigma[0][0], d.expected, 1e-12) << d.name;
   }
   // A standard deviation under another name belongs to the only channel. With several channels its channel
-  // is unknown, and the column is set aside.
+  // is unknown, and the column is ignored.
   EXPECT_TRUE(read("Incidence,View angle,fr,u(BRDF)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
-              HasSubstr("'std dev' is set aside"));
+              HasSubstr("'std dev' is ignored"));
   EXPECT_TRUE(read("Incidence,View angle,fr,uncertainty (k=1)\n60,45,1,2\n").has_sigma(0));
   EXPECT_THAT(all_notes(read("Incidence,View angle,fr,uncertainty (k=2)\n60,45,1,2\n")),
-              HasSubstr("'uncertainty (k=2)' is set aside"));
+              HasSubstr("'uncertainty (k=2)' is ignored"));
   EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
               HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
-  EXPECT_THAT(message("Incidence,View angle,uncertainty\n60,45,1\n"),
-              HasSubstr("no value column beside the four angles; no values are in 'uncertainty'"));
-  // A relative standard deviation is set aside, too.
+  EXPECT_THAT(
+      message("Incidence,View angle,uncertainty\n60,45,1\n"),
+      HasSubstr(
+          "no value column in addition to the four angles; the other columns are not values: 'uncertainty'"));
+  // A relative standard deviation is ignored, too.
   const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
   EXPECT_FALSE(relative.has_sigma(0));
-  EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is set aside"));
+  EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is ignored"));
 }
 
 TEST(StatedQuantity, CountsInAnySpelling) {
@@ -353,10 +355,10 @@ TEST(StatedQuantity, InACommentOutranksNames) {
   const std::string brf = "Incidence,View angle,BRF\n60,45,1\n";
   const SampleTable f_r = read("# quantity: f_r\n" + brf);
   EXPECT_EQ(f_r.values[0][0], 1);
-  EXPECT_THAT(all_notes(f_r), HasSubstr("quantity 'f_r' is stated (line 1) and outranks the name 'BRF'"));
+  EXPECT_THAT(all_notes(f_r), HasSubstr("quantity 'f_r' (line 1) takes precedence over the name 'BRF'"));
   const SampleTable cos = read("# quantity: ARS\nIncidence,View angle,BRDF (1/sr)\n60,45,1\n");
   EXPECT_DOUBLE_EQ(cos.values[0][0], 1 / kCosViewer);
-  EXPECT_THAT(all_notes(cos), HasSubstr("outranks the name 'BRDF (1/sr)'"));
+  EXPECT_THAT(all_notes(cos), HasSubstr("takes precedence over the name 'BRDF (1/sr)'"));
   // A scale that only the name states is applied nevertheless.
   EXPECT_DOUBLE_EQ(read("# quantity: BRF\nIncidence,View angle,Reflectance (%)\n60,45,100\n").values[0][0],
                    1 / kPi);
@@ -382,11 +384,11 @@ TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
   EXPECT_EQ(refusal("# quantity: f_r\n" + neutral, "BRF"),
             "file, line 1: quantity 'f_r' contradicts --quantity 'BRF'");
   EXPECT_EQ(refusal(replaced(neutral, "550nm", "BRF"), "f_r"),
-            "file, line 1: column 'BRF' is a reflectance factor, but --quantity says 'f_r': if the name is "
+            "file, line 1: column 'BRF' is a reflectance factor, but --quantity gives 'f_r': if the name is "
             "wrong, write "
             "'# quantity: f_r' above the header row");
-  EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity says 'f_r'"));
-  EXPECT_EQ(refusal(kLens, "BRF"), "file: --quantity BRF: the format states f_r");
+  EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity gives 'f_r'"));
+  EXPECT_EQ(refusal(kLens, "BRF"), "file: --quantity BRF: values of this format are f_r");
   EXPECT_EQ(refusal(neutral, "BTDF"),
             "--quantity 'BTDF' is of transmitted light, not f_r: only reflected light is read: export the "
             "reflection");
@@ -402,7 +404,8 @@ TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
       "(°C),x,sigma_BRF\n1,2,3,4,5,6,7,8,9\n");
   EXPECT_THAT(table.channels, ElementsAre("BRF", "reflectance (%)", "temperature (°C)", "x"));
   EXPECT_EQ(table.values[0][0], 5);
-  EXPECT_THAT(all_notes(table), HasSubstr("outranks the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
+  EXPECT_THAT(all_notes(table),
+              HasSubstr("takes precedence over the names 'BRF', 'reflectance (%)', 'temperature (°C)'"));
   expect_same(read(written(table)), table);
   // A standard deviation belongs to the channel with exactly that name.
   const SampleTable alike =
@@ -417,7 +420,7 @@ TEST(StatedQuantity, MayBeInATitle) {
   const SampleTable titled = read("BRF Values\nTile 7, polished\nOperator: N. N.\n" + rows);
   EXPECT_DOUBLE_EQ(titled.values[0][0], 1 / kPi);
   EXPECT_THAT(all_notes(titled), AllOf(HasSubstr("column '450nm' is a reflectance factor: divided by pi"),
-                                       HasSubstr("3 lines above the header row: taken for titles")));
+                                       HasSubstr("3 lines above the header row interpreted as titles")));
   EXPECT_EQ(titled.find_metadata("Operator"), "N. N.");
   EXPECT_EQ(read("A table of BRDF values\n" + rows).values[0][0], 1);
   EXPECT_DOUBLE_EQ(read("Instrument 5\nMeasured reflectance factors (%)\n" + rows).values[0][0], .01 / kPi);
@@ -438,10 +441,9 @@ TEST(StatedQuantity, OfFreeTextIsAHint) {
   const std::string rows = "theta_i,phi_i,theta_o,phi_o,450nm\n60,0,45,180,1\n";
   const SampleTable t = read("# BRF values\n" + rows);
   EXPECT_EQ(t.values[0][0], 1);
-  EXPECT_THAT(
-      t.warnings,
-      ElementsAre("the comment in line 1 names a reflectance factor, but states nothing: if the values "
-                  "are no f_r, write '# quantity: ...'"));
+  EXPECT_THAT(t.warnings,
+              ElementsAre("the comment in line 1 names a reflectance factor, but is not a statement of the "
+                          "quantity: if the values are not f_r, write '# quantity: ...'"));
   EXPECT_TRUE(read("# BRF values\n# quantity: f_r\n" + rows).warnings.empty());
   EXPECT_TRUE(read("# BRDF values\n# sample: BRF tile\n" + rows).warnings.empty());
 }

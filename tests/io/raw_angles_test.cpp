@@ -63,7 +63,7 @@ TEST(Astm, ScansNearTheNormalAreInDegrees) {
   const SampleTable t =
       read("VARS theta_i,phi_i,theta_s,phi_s,Y\n0,0,.3,180,60\n0,0,.9,180,20\n0,0,1.3,180,9\n");
   EXPECT_THAT(t.theta_o, ElementsAre(.3, .9, 1.3));
-  EXPECT_THAT(t.warnings, ElementsAre("angles taken for degrees"));
+  EXPECT_THAT(t.warnings, ElementsAre("angles are assumed to be in degrees"));
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ TEST(Encoding, TextThatIsNotUtf8IsTakenForLatin1AndSaidSo) {
       read("# Probe: gr\xfcn, 20 \xb0\x43\n" + replaced(kHeader, ",f", ",gr\xfcn") + kRow);
   EXPECT_THAT(table.channels, ElementsAre("gr\xc3\xbcn"));
   EXPECT_EQ(table.find_metadata("Probe"), "gr\xc3\xbcn, 20 \xc2\xb0\x43");
-  EXPECT_THAT(table.warnings, ElementsAre("line 1 is not UTF-8: the text is taken for Latin-1"));
+  EXPECT_THAT(table.warnings, ElementsAre("line 1 is not UTF-8: the text is read as Latin-1"));
   expect_same(read(written(table)), table);
   EXPECT_THAT(read("# gr\xc3\xbcn\n" + std::string(kHeader) + kRow).warnings, ElementsAre());
 }
@@ -111,7 +111,7 @@ TEST(Encoding, WhatIsNoTextIsRefusedWithItsLine) {
   EXPECT_EQ(message(kHeader + std::string("# \x93quoted\x94\n") + kRow),
             "file, line 2: is neither UTF-8 nor Latin-1 text (save the file as UTF-8)");
   EXPECT_EQ(message(kHeader + std::string("1\0,2", 4)),
-            "file, line 2: holds a NUL byte: neither text nor a binary format that is read");
+            "file, line 2: contains a NUL byte: neither text nor a supported binary format");
   EXPECT_THAT(json_message("{\"a\": \"gr\xfcn\"}"), HasSubstr("m.json: parse error at line 1"));
 }
 
@@ -132,12 +132,12 @@ TEST(JsonText, IsNestedAHundredDeepAtMost) {
 
 TEST(JsonText, NamesThePlaceOfANumberBeyondTheRange) {
   EXPECT_EQ(json_message("{\"a\": [0, {\"b\": [1, 2, 1e400]}]}"),
-            "m.json: $.a[1].b[2]: '1e400' is beyond the range of numbers");
-  EXPECT_EQ(json_message("-1e999"), "m.json: $: '-1e999' is beyond the range of numbers");
+            "m.json: $.a[1].b[2]: '1e400' exceeds the range of numbers");
+  EXPECT_EQ(json_message("-1e999"), "m.json: $: '-1e999' exceeds the range of numbers");
 }
 
 TEST(JsonText, HoldsNoNulByte) {
-  EXPECT_EQ(json_message(std::string("{}\n\0garbage", 11)), "m.json, line 2: holds a NUL byte");
+  EXPECT_EQ(json_message(std::string("{}\n\0garbage", 11)), "m.json, line 2: contains a NUL byte");
 }
 
 TEST(Messages, CutLongTokensAndShowNoControlCharacters) {

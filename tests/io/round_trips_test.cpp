@@ -56,11 +56,11 @@ TEST_F(RoundTrips, AstmSaysWhatItCannotHold) {
   SampleTable table =
       read("# free text\n# a key: b\n# kept: yes\n# : quantity: counts\n" + kAngles + "fr\n1,2,3,4,5\n");
   const SampleTable back = again(table, ".astm");
-  EXPECT_THAT(lost_, ElementsAre("3 comments that are no keyword with a value"));
+  EXPECT_THAT(lost_, ElementsAre("3 comments that are not a keyword with a value"));
   table.metadata = {{"kept", "yes"}};
   expect_same(back, table);
   EXPECT_THAT(refusal(read("# quantity: f_r\n" + kAngles + "theta_s\n1,2,3,4,5\n"), ".astm"),
-              HasSubstr("channel 'theta_s' is an angle's name in ASTM E1392"));
+              HasSubstr("channel 'theta_s' is the name of an angle in ASTM E1392"));
   SampleTable many = read(kAngles + "fr\n1,2,3,4,5\n");
   for (int k = 0; k < 2000; ++k) many.add_comment("key" + std::to_string(k), "value");
   EXPECT_EQ(again(many, ".astm").rows(), 1u);
@@ -134,30 +134,34 @@ TEST_F(RoundTrips, LensDesignTextHoldsAScanInThePlaneOfIncidence) {
   for (double& phi : turned.phi_i) phi -= 180;
   for (double& phi : turned.phi_o) phi = phi == 0 ? 180 : 0;
   EXPECT_EQ(sorted_rows(again(turned, ".zemax")), sorted_rows(table));
-  EXPECT_THAT(lost_, ElementsAre("the azimuth of the light, 0 degrees: all azimuths are turned to its 180"));
+  EXPECT_THAT(
+      lost_,
+      ElementsAre("the azimuth of incidence, 0 degrees: all azimuths are rotated so that it is 180 degrees"));
 }
 
 TEST_F(RoundTrips, LensDesignTextSaysWhatItCannotHold) {
   const std::string rows = "30,180,30,0,1,.1\n30,180,40,0,2,.1\n30,180,50,0,0,.1\n30,180,90,0,4,.1\n";
   again(read("# free text\n" + kAngles + "Y,sigma_Y\n" + rows), ".zemax");
-  EXPECT_THAT(lost_, ElementsAre("1 row at 90 degrees", "1 row with the value 0, which means 'not measured'",
-                                 "1 comment outside the form of a short key with a value",
+  EXPECT_THAT(lost_, ElementsAre("1 row at 90 degrees",
+                                 "1 row with the value 0, which the format defines as 'not measured'",
+                                 "1 comment that cannot be written as a short key with a value",
                                  "the channel's name", "standard deviations"));
   again(read(kAngles + "fr\n30,180,40.12345678901,0,1\n"), ".zemax");
   EXPECT_THAT(lost_, ElementsAre(HasSubstr("directions beyond ")));
   EXPECT_THAT(refusal(read(kAngles + "r,g,b\n1,2,3,4,5,6,7\n"), ".zemax"),
-              HasSubstr("lens-design text holds one channel, or X, Y and Z; the table has r, g, b"));
+              HasSubstr("lens-design text stores one channel, or X, Y and Z; the table has r, g, b"));
   EXPECT_THAT(refusal(read(kAngles + "fr\n30,180,40,0,1\n30,180,40,0,2\n"), ".zemax"),
-              HasSubstr("holds a direction once: file, line 2 and file, line 3 have the same"));
+              HasSubstr("stores each direction once: file, line 2 and file, line 3 have the same"));
   EXPECT_THAT(refusal(read(kAngles + "fr\n30,180,40,0,0\n"), ".zemax"),
               HasSubstr("needs a value that is not 0"));
   std::string hemisphere = kAngles + "fr\n";
   for (int theta = 10; theta < 80; theta += 10)
     for (int phi = 0; phi < 360; phi += 20)
       hemisphere += "30,180," + std::to_string(theta) + "," + std::to_string(phi) + ",1\n";
-  EXPECT_THAT(refusal(read(hemisphere), ".zemax"),
-              HasSubstr("holds directions on a grid round the mirror direction: the "
-                        "126 rows stand at 1 incidences, "));
+  EXPECT_THAT(
+      refusal(read(hemisphere), ".zemax"),
+      HasSubstr(
+          "stores directions on a grid around the mirror direction: the 126 rows require 1 incidences, "));
 }
 
 // f_r = 1/pi everywhere reflects all light.
@@ -230,7 +234,8 @@ TEST_F(RoundTrips, OpenExrLeavesOutWhatIsNotFinite) {
   const SampleTable back = again(read(kAngles + "fr\n1,2,3,4,5\n1,2,3,4,1e300\n1,2,3,5,6\n"), ".exr");
   EXPECT_THAT(back.values[0], ElementsAre(5, 6));
   EXPECT_EQ(back.skipped, 1u);
-  EXPECT_THAT(back.warnings, ElementsAre("1 of 3 pixels hold a number that is not finite: left out"));
+  EXPECT_THAT(back.warnings,
+              ElementsAre("1 of 3 pixels left out, because they have a value that is not finite"));
 }
 
 TEST_F(RoundTrips, OpenExrThatIsNoTableIsRefused) {
@@ -238,11 +243,11 @@ TEST_F(RoundTrips, OpenExrThatIsNoTableIsRefused) {
   again(table, ".exr");
   std::string bytes = read_content(folder_.path() / "file.exr").bytes;
   EXPECT_THAT(message(bytes.substr(0, bytes.size() / 2)),
-              HasSubstr("is no OpenEXR picture that can be read: its header is damaged or cut off"));
+              HasSubstr("is not a readable OpenEXR picture: the header is damaged or truncated"));
   std::string long_one = bytes;
   const std::size_t size = long_one.find(std::string("columns") + '\0' + "string" + '\0') + 15;
   long_one.replace(size, 4, "\xff\xff\xff\x7f");
-  EXPECT_THAT(message(long_one), HasSubstr("its header is damaged or cut off"));
+  EXPECT_THAT(message(long_one), HasSubstr("the header is damaged or truncated"));
   for (std::size_t at = bytes.find("phi_o"); at != bytes.npos; at = bytes.find("phi_o", at + 1))
     bytes[at] = 'q';
   EXPECT_THAT(message(bytes),

@@ -80,7 +80,7 @@ TEST(Spectrum, IsToldByTheNamesOfItsChannels) {
   const auto colours = channel_colours(names_of(every(10, 400, 700)));
   ASSERT_TRUE(colours);
   EXPECT_EQ(colours->by, ChannelColours::By::spectrum);
-  EXPECT_THAT(colours->note, HasSubstr("31 bands are shown as they are seen"));
+  EXPECT_THAT(colours->note, HasSubstr("31 bands are converted to a colour"));
 }
 
 // A material of bands that share a shape equals the sum of its bands in every pair of directions. This

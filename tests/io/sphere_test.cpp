@@ -160,13 +160,13 @@ TEST(SpherePage, IsSelfContainedAndBringsItsScriptOnce) {
 
 TEST(SpherePage, ShowsTheStillPictureThatItIsGiven) {
   EXPECT_THAT(page_of({.title = "m", .fitted = make_material(ward{}), .still = "a picture"}),
-              HasSubstr("<img class=\"still\" alt=\"m on a sphere: as its formula says\" "
+              HasSubstr("<img class=\"still\" alt=\"m on a sphere: computed from the formula\" "
                         "src=\"data:image/png;base64,YSBwaWN0dXJl\">"));
 }
 
 TEST(SpherePage, RefusesWhatShadersCannotHave) {
   const Material spectral = make_material(ward{}, {"a", "b", "c", "d"});
-  EXPECT_EQ(obstacle(spectral), "its channels are no colours");
+  EXPECT_EQ(obstacle(spectral), "its channels are not colours");
   EXPECT_EQ(obstacle(make_material(ward{})), "");
   HtmlReport report("a page");
   EXPECT_THROW(add(report, {.title = "m", .fitted = spectral}), InputError);

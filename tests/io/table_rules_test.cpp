@@ -22,9 +22,8 @@ using testing::HasSubstr;
 using testing::Pair;
 
 TEST(Values, ThatTheCosineMakesInfiniteAreRefused) {
-  EXPECT_EQ(
-      message("# quantity: f_r*cos_o\n" + std::string(kHeader) + "30,180,89.99999999999999,0,1e300\n"),
-      "file, line 3: 1e+300 divided by the cosine 2.4802620430283604e-16 is beyond the range of numbers");
+  EXPECT_EQ(message("# quantity: f_r*cos_o\n" + std::string(kHeader) + "30,180,89.99999999999999,0,1e300\n"),
+            "file, line 3: 1e+300 divided by the cosine 2.4802620430283604e-16 exceeds the range of numbers");
 }
 
 // Names that could not be read back from a header row.
@@ -36,12 +35,12 @@ TEST(ChannelNames, AreOneRuleInEveryReaderAndTheWriter) {
       {"12", "must not be a number"},
       {"inf", "must not be a number"},
       {"sigma_Y", "must not begin with sigma_"},
-      {"a,b", "must not hold a comma"},
-      {"a\nb", "must not hold control characters"},
-      {"\x1b[31m", "must not hold control characters"},
+      {"a,b", "must not contain a comma"},
+      {"a\nb", "must not contain control characters"},
+      {"\x1b[31m", "must not contain control characters"},
       {"\xc2\x9b"
        "1m",
-       "must not hold control characters"},
+       "must not contain control characters"},
       {" a", "must not begin or end with a blank"},
       {"\xff", "must be UTF-8"},
       {repeated("x", 201), "must have at most 200 bytes"},
@@ -114,12 +113,12 @@ TEST(Tensor, ArraysBeyondTheFilesEndAreRefused) {
   EXPECT_EQ(message(TensorBytes().bytes()), "accepted");
   const std::string whole = TensorBytes().bytes();
   EXPECT_THAT(message(whole.substr(0, whole.size() - 1)),
-              HasSubstr("field 'rgb' reaches beyond the file's end"));
+              HasSubstr("field 'rgb' extends beyond the end of the file"));
   // Products of the shape wrap around 64 bits: to 0, and to something small.
   for (const std::uint64_t size : {std::uint64_t{1} << 32, (std::uint64_t{1} << 32) + 1}) {
     TensorBytes tensor;
     tensor.field("ndf").shape = {size, size};
-    EXPECT_THAT(message(tensor.bytes()), HasSubstr("field 'ndf' reaches beyond the file's end"));
+    EXPECT_THAT(message(tensor.bytes()), HasSubstr("field 'ndf' extends beyond the end of the file"));
   }
   TensorBytes unknown;
   unknown.field("sigma").type = 77;
@@ -137,7 +136,7 @@ TEST(Tensor, NumbersThatAreNoneAreRefused) {
     }
   TensorBytes equal;
   equal.field("theta_i").data = TensorBytes::floats({0.5f, 0.5f});
-  EXPECT_THAT(message(equal.bytes()), HasSubstr("sizes do not belong together"));
+  EXPECT_THAT(message(equal.bytes()), HasSubstr("the sizes of the fields are inconsistent"));
 }
 
 // Found by fuzzing: an array without values was copied from and to a null pointer.
@@ -145,7 +144,7 @@ TEST(Tensor, ArraysOfNoValuesAreRefused) {
   TensorBytes tensor;
   tensor.field("theta_i").shape = {0};
   tensor.field("theta_i").data.clear();
-  EXPECT_THAT(message(tensor.bytes()), HasSubstr("sizes do not belong together"));
+  EXPECT_THAT(message(tensor.bytes()), HasSubstr("the sizes of the fields are inconsistent"));
 }
 
 TEST(Tensor, DirectionsWithoutAValueAreLeftOutAndCounted) {
@@ -156,7 +155,7 @@ TEST(Tensor, DirectionsWithoutAValueAreLeftOutAndCounted) {
   const SampleTable table = read(tensor.bytes());
   EXPECT_GT(table.rows(), 0u);
   EXPECT_GT(table.skipped, 0u);
-  EXPECT_THAT(table.warnings.back(), HasSubstr("directions left out: their value is undefined"));
+  EXPECT_THAT(table.warnings.back(), HasSubstr("directions left out, because the value is undefined"));
   expect_same(read(written(table)), table);
 }
 
@@ -167,19 +166,19 @@ TEST(Merl, DamagedFilesAreRefusedAsWhatTheyAre) {
   EXPECT_EQ(message(whole), "accepted");
   EXPECT_THAT(
       message(whole.substr(0, whole.size() - 1)),
-      HasSubstr("file: the MERL file has 34992011 bytes where its 90 x 90 x 180 x 3 cells take 34992012"));
-  EXPECT_THAT(message(whole + "x"), HasSubstr("the MERL file has 34992013 bytes where"));
-  EXPECT_THAT(message(header(cells)), HasSubstr("the MERL file has 12 bytes where"));
+      HasSubstr("file: the MERL file has 34992011 bytes, but 90 x 90 x 180 x 3 cells require 34992012"));
+  EXPECT_THAT(message(whole + "x"), HasSubstr("the MERL file has 34992013 bytes, but"));
+  EXPECT_THAT(message(header(cells)), HasSubstr("the MERL file has 12 bytes, but"));
   EXPECT_THAT(message(header(other) + whole),
               HasSubstr("the MERL file has 90 x 90 x 360 cells, not 90 x 90 x 180"));
-  EXPECT_THAT(message(header(cells).substr(0, 11)), HasSubstr("holds a NUL byte"));
+  EXPECT_THAT(message(header(cells).substr(0, 11)), HasSubstr("contains a NUL byte"));
 }
 
 TEST(Merl, ValuesTooLargeForItsScaleAreRefused) {
   const io::TemporaryFolder folder;
   const SampleTable table = read(replaced(kHeader, ",f", ",r,g,b") + replaced(kRow, "5,1", "5,1,1,1e306"));
   EXPECT_THAT(message_of([&] { merl::write(folder.path() / "m.binary", table); }),
-              HasSubstr("beyond what a MERL file can hold"));
+              HasSubstr("outside the range of a MERL file"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "m.binary"));
 }
 
@@ -188,7 +187,7 @@ TEST(ExrTable, CommentsNamedAsOpenExrsOwnKeepAPrefix) {
   SampleTable table = read(kHeader + replaced(kRow, ",1\n", ",1e300\n"));
   table.metadata = {{"type", "deepscanline"}, {"tiles", "x"}, {"channels", "y"}, {"sample", "z"}};
   const std::vector<std::string> lost = write_exr_table(folder.path() / "t.exr", table);
-  EXPECT_THAT(lost, testing::Contains("1 numbers beyond 3.4e38: infinite in a 32-bit float"));
+  EXPECT_THAT(lost, testing::Contains("1 numbers above 3.4e38, which become infinite in 32-bit float"));
   std::ifstream in(folder.path() / "t.exr", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   for (const char* name : {"comment.type", "comment.tiles", "comment.channels", "sample"})

@@ -54,10 +54,9 @@ TEST(TwoAngles, PositiveOnTheMirrorSide) {
                              "AOI,detector angle,brdf", "Incident_angle,Measure_angle,fr"}) {
     const SampleTable t = read(header + ("\n" + kRows));
     EXPECT_THAT(in_plane_angles(t), ElementsAre(-50, -25, 0, 25, 55, -40, 0, 50, 70)) << header;
-    EXPECT_THAT(
-        t.warnings,
-        Contains("two angles in the plane of incidence: positive angles of the viewer are on the mirror "
-                 "side, where the largest values lie (if not: --mirror-side negative)"));
+    EXPECT_THAT(t.warnings,
+                Contains("two angles in the plane of incidence: positive viewing angles are on the mirror "
+                         "side, because the largest values are there (if not: --mirror-side negative)"));
   }
 }
 
@@ -66,7 +65,7 @@ TEST(TwoAngles, NegativeOnTheMirrorSideAreToldByTheHighlight) {
   EXPECT_THAT(in_plane_angles(t), ElementsAre(-50, -25, 0, 25, 55, -40, 0, 50, 70));
   EXPECT_THAT(t.warnings,
               Contains(HasSubstr(
-                  "negative angles of the viewer are on the mirror side, where the largest values lie")));
+                  "negative viewing angles are on the mirror side, because the largest values are there")));
 }
 
 TEST(TwoAngles, OfNegativeLightsAreOnOneScale) {
@@ -81,9 +80,10 @@ TEST(TwoAngles, OfNegativeLightsAreOnOneScale) {
 TEST(TwoAngles, WithoutAHighlightAreAGuessThatIsAnnounced) {
   const SampleTable t = read("theta_i,theta_o,fr\n30,-40,.3\n30,0,.3\n30,40,.3\n60,-40,.3\n60,50,.3\n");
   EXPECT_THAT(in_plane_angles(t), ElementsAre(-40, 0, 40, -40, 50));
-  EXPECT_THAT(t.warnings,
-              Contains(HasSubstr(
-                  "positive angles of the viewer are taken for the mirror side: the values do not tell")));
+  EXPECT_THAT(
+      t.warnings,
+      Contains(HasSubstr(
+          "positive viewing angles are assumed to be on the mirror side, because the values do not decide")));
 }
 
 TEST(TwoAngles, MayBeToldTheSide) {
@@ -94,9 +94,10 @@ TEST(TwoAngles, MayBeToldTheSide) {
   const auto refusal = [](const std::string& text) {
     return message_of([&] { read_with(text, MirrorSide::positive); });
   };
-  EXPECT_THAT(refusal(std::string(kHeader) + kRow), HasSubstr("--mirror-side is for tables of two angles"));
-  EXPECT_THAT(refusal(kAstm), HasSubstr("--mirror-side is for tables of two angles"));
-  EXPECT_THAT(refusal(kLens), HasSubstr("--mirror-side is for tables of two angles"));
+  EXPECT_THAT(refusal(std::string(kHeader) + kRow),
+              HasSubstr("--mirror-side applies to tables with two angles"));
+  EXPECT_THAT(refusal(kAstm), HasSubstr("--mirror-side applies to tables with two angles"));
+  EXPECT_THAT(refusal(kLens), HasSubstr("--mirror-side applies to tables with two angles"));
 }
 
 TEST(TwoAngles, MayBeRadiansByTheirNames) {
@@ -116,7 +117,7 @@ TEST(TwoAngles, TakeTheQuantityOfTheirNamesOrAComment) {
   EXPECT_THAT(brf.values[0][0], DoubleEq(1));
   const SampleTable unsaid = read("Incident_angle,Measure_angle, 500nm , 600nm\n30,30,3,1\n30,0,1,1\n");
   EXPECT_EQ(unsaid.values[0][0], 3);
-  EXPECT_THAT(unsaid.warnings, Contains(HasSubstr("'500nm', '600nm' is taken for f_r in 1/sr")));
+  EXPECT_THAT(unsaid.warnings, Contains(HasSubstr("'500nm', '600nm' is interpreted as f_r in 1/sr")));
 }
 
 TEST(Matrix, OfIncidencesAlongOrDownIsTheSameTable) {
@@ -130,7 +131,7 @@ TEST(Matrix, OfIncidencesAlongOrDownIsTheSameTable) {
     const SampleTable t = read(matrix);
     ASSERT_EQ(t.rows(), rows.rows()) << matrix;
     EXPECT_EQ(t.skipped, 2u);
-    EXPECT_THAT(t.warnings, Contains("2 empty cells of the matrix: not measured"));
+    EXPECT_THAT(t.warnings, Contains("2 empty cells of the matrix are treated as not measured"));
     std::map<std::pair<double, double>, double> found, expected;
     for (std::size_t k = 0; k < t.rows(); ++k) {
       found[{t.theta_i[k], in_plane_angle(t, k)}] = t.values[0][k];
@@ -147,16 +148,16 @@ TEST(Matrix, TakesTitlesQuantitiesAndRadians) {
   EXPECT_THAT(t.values[0][1], DoubleEq(1));
   EXPECT_THAT(t.raw_angles[0].magnitudes, ElementsAre(0.5235987755982988));
   EXPECT_THAT(read("incidence,-30,0,30\n30,.1,.2,.3\n").warnings,
-              Contains("the values are taken for f_r in 1/sr: the matrix names no quantity"));
+              Contains("the values are interpreted as f_r in 1/sr, because the matrix gives no quantity"));
 }
 
 TEST(Matrix, ThatIsDamagedIsRefusedWithLineAndColumn) {
   EXPECT_THAT(message("theta_o \\ theta_i,10,20\n5,1\n"),
-              HasSubstr("line 2: 2 columns where the header has 3"));
+              HasSubstr("line 2: 2 columns, but the header has 3"));
   EXPECT_THAT(message("theta_o \\ theta_i,10,20\n5,1,x\n"), HasSubstr("line 2: column 3"));
   EXPECT_THAT(message("theta_o \\ theta_i,10,20\n95,1,2\n"), HasSubstr("is below the horizon"));
   EXPECT_THAT(message("reading,10,20\n5,1,2\n"),
-              HasSubstr("in a matrix of two angles the first cell names them"));
+              HasSubstr("in a matrix of two angles the first cell names both angles"));
 }
 
 // Names of angles that are not measured from the normal are refused by name.
@@ -169,11 +170,12 @@ TEST(OtherAngles, AreRefusedByName) {
       {"incidence,aspecular angle,BRF\n10,5,1\n", "is an angle from the mirror direction"},
       {"geometry,500nm\n45as15,.4\n", "is an aspecular geometry (ASTM E2194)"},
       {"wavelength,45as15,45as-15\n500,.4,.5\n", "column '45as15' is an aspecular geometry"},
-      {"incidence,emission,phase,I/F\n30,30,60,.1\n", "column 'phase' is the angle between light and viewer"},
+      {"incidence,emission,phase,I/F\n30,30,60,.1\n",
+       "column 'phase' is the phase angle between the incident and the viewing direction"},
       {"tan gamma \\ beta,0,30\n0,600,600\n", "r-tables of road lighting are not read"},
       {"src_z RF\n30 0.9\n", "column 'theta_o' is missing"},
-      {"src_z RF\n30 0.9\n", "no column holds the polar angle of the viewer"},
-      {"theta_i,fr\n30,.9\n", "no column holds the polar angle of the viewer"}};
+      {"src_z RF\n30 0.9\n", "no column has the viewing angle"},
+      {"theta_i,fr\n30,.9\n", "no column has the viewing angle"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 
@@ -201,7 +203,7 @@ TEST_F(PublishedTables, OfTwoAnglesGiveTheirMeans) {
   EXPECT_NEAR(mean(t, "390nm"), 4.7474997, 1e-6);
   EXPECT_NEAR(mean(t, "550nm"), 5.6551243, 1e-6);
   EXPECT_THAT(t.warnings,
-              Contains(HasSubstr("positive angles of the viewer are on the mirror side, where the largest")));
+              Contains(HasSubstr("positive viewing angles are on the mirror side, because the largest")));
   const SampleTable brf = read_samples(folder_ / "speos_2d_white_tile.csv", {"BRF", MirrorSide::automatic});
   EXPECT_NEAR(mean(brf, "550nm"), 1.8000820, 1e-6);
 }

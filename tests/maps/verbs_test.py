@@ -43,7 +43,7 @@ with tempfile.TemporaryDirectory() as name:
     run(fit + "-o two --jobs 2")
     assert digest("one") == digest("two")
     page = (folder / "maps.html").read_text()
-    assert "kd.r" in page and "The worst texels" in page
+    assert "kd.r" in page and "Worst texels" in page
     summary = json.loads((folder / "one/maps.json").read_text())
     assert summary["usable"] <= summary["fitted"] == 660 and sum(summary["verdicts"].values()) == 660
     assert {p["name"] for p in summary["parameters"]} >= {"alpha_x", "kd.g", "f0.b"}
@@ -70,14 +70,14 @@ with tempfile.TemporaryDirectory() as name:
     alpha = next(p for p in told["parameters"] if p["name"] == "alpha_x")
     assert alpha["low"] == alpha["high"] and alpha["identified"] == 660, alpha
     refused(fit + "--share kd -o maps", "--share kd: must be a shape that is fitted: alpha")
-    refused("fit stack --form lambert --share alpha -o maps", "--share alpha: must be a shape that is fitted: this fit has none")
+    refused("fit stack --form lambert --share alpha -o maps", "--share alpha: must be a shape that is fitted: this fit has no fitted shape")
     refused(fit + "--regions stack/image_00000.exr -o maps", "--regions: has no effect without --share")
     refused(fit + "--share alpha --regions stack/image_00000.exr -o maps", "regions must be one channel of the stack's 66 x 10")
     refused("fit stack/lights.csv --share alpha", "--share: has no effect on one table of samples")
     refused("fit stack --form all -o maps", "--form all: a stack is fitted with one form")
     refused("fit stack --form ward", "a stack needs -o FOLDER")
     refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")
-    refused("fit one --form ward -o maps", "one: no stack")
+    refused("fit one --form ward -o maps", "one: is not a stack")
     refused("fit stack/lights.csv --normals fit", "--normals: has no effect on one table of samples")
     refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: no channel normal.x")
     refused("synth --form ward --lights 3 -o x.csv", "--texels")

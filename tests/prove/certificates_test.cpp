@@ -122,7 +122,7 @@ TEST(AskedCertificate, OfWhatIsProvedShowsIt) {
 TEST(AskedCertificate, WithoutResultsShowsNothing) {
   const std::string text = sealed(Json::array());
   EXPECT_FALSE(judged(text).good);
-  EXPECT_THAT(judged(text).short_of, Contains(HasSubstr("holds no result")));
+  EXPECT_THAT(judged(text).short_of, Contains(HasSubstr("has no result")));
   EXPECT_THAT(judged(text, {Property::energy}).short_of,
               Contains(HasSubstr("energy: the certificate has no such")));
   std::ostringstream said;
@@ -217,7 +217,7 @@ TEST(MaterialCertificate, IsOfThatMaterialAlone) {
       judge({"c", of_material()}, {.properties = {Property::finite}, .materials = {{"here.json", other}}});
   EXPECT_FALSE(j.good);
   EXPECT_THAT(j.short_of,
-              Contains(HasSubstr("here.json: the certificate is of no material with these parameters")));
+              Contains(HasSubstr("here.json: the certificate has no material with these parameters")));
 }
 
 TEST(MaterialCertificate, IsRejectedWhenForged) {

@@ -83,7 +83,7 @@ class Errors(unittest.TestCase):
         brf = brdf.read(plane, quantity="BRF", mirror_side="negative")
         np.testing.assert_allclose(np.sort(brf.values[:, 0]), np.sort(f_r.values[:, 0]) / np.pi)
         self.assertIn("column '550nm' is a reflectance factor: divided by pi", brf.warnings)
-        self.assertIn("column '550nm' is taken for f_r in 1/sr: the column names no quantity", f_r.warnings)
+        self.assertIn("column '550nm' is interpreted as f_r in 1/sr, because its name gives no quantity", f_r.warnings)
         self.assertEqual(brdf.Table.from_csv(plane.read_text(), quantity="BRF", mirror_side="negative").to_csv(), brf.to_csv())
         brdf.convert(plane, f"{self.folder.name}/c.csv", quantity="BRF", mirror_side="negative")
         self.assertEqual(brdf.read(f"{self.folder.name}/c.csv").values.tolist(), brf.values.tolist())
@@ -92,7 +92,7 @@ class Errors(unittest.TestCase):
         brdf.validate(plane, quantity="BRF")
         self.same_sentence(lambda: brdf.read(plane, quantity="BTDF"), "fit", plane, "--quantity", "BTDF")
         self.same_sentence(lambda: brdf.fit(plane, mirror_side="x"), "fit", plane, "--mirror-side", "x")
-        with self.assertRaisesRegex(brdf.InputError, "this table was read before"):
+        with self.assertRaisesRegex(brdf.InputError, "this table is already read"):
             brdf.fit(brf, "lambert", quantity="BRF")
 
     def test_classes(self):
@@ -104,7 +104,7 @@ class Errors(unittest.TestCase):
             TABLE["x"]
         with self.assertRaises(TypeError):
             WARD + 1
-        with self.assertRaisesRegex(brdf.InputError, "a shader is made of a material"):
+        with self.assertRaisesRegex(brdf.InputError, "a shader is made from a material"):
             brdf.export(TABLE, "glsl")
 
     def setUp(self):

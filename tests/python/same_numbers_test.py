@@ -116,7 +116,7 @@ class Same(unittest.TestCase):
             with self.assertRaisesRegex(brdf.InputError, "has changed since this material was made"):
                 brdf.load(made)
             shader.unlink()
-            with self.assertRaisesRegex(brdf.InputError, "is not there"):
+            with self.assertRaisesRegex(brdf.InputError, "does not exist"):
                 brdf.load(made)
 
     def test_albedo(self):

@@ -253,7 +253,7 @@ TEST(Mesh, BrokenModelsAreRefusedInOneLine) {
   for (const std::string end : {"", "end_header0\n"})
     EXPECT_NE(message_of(write("cut.ply",
                                "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n" + end + "0\n"))
-                  .find("cut.ply: the PLY's header has no line end_header"),
+                  .find("cut.ply: the header of the PLY file has no line end_header"),
               std::string::npos);
   EXPECT_NE(message_of(write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).find("not finite"),
             std::string::npos);
@@ -267,8 +267,9 @@ TEST(Mesh, PointsAndLinesAreNotDrawn) {
   for (const auto& [name, text] : {std::pair{"lines.obj", kVertices + std::string("l 1 2\nl 2 3\n")},
                                    {"points.obj", kVertices + std::string("p 1 2 3\n")},
                                    {"cloud.ply", cloud}})
-    EXPECT_NE(message_of(write(name, text)).find(std::string(name) + ": no triangle with an area"),
-              std::string::npos)
+    EXPECT_NE(
+        message_of(write(name, text)).find(std::string(name) + ": has no triangle with an area above 0"),
+        std::string::npos)
         << name << ": " << message_of(write(name, text));
   const Mesh mixed = load_model(write("mixed.obj", kVertices + std::string("f 1 2 3\nl 1 4\np 4\n")));
   EXPECT_EQ(mixed.triangles(), 1u);

@@ -154,8 +154,9 @@ TEST(Scene, TrianglesOfAllObjectsTogetherAreLimited) {
   const std::size_t each = make_mesh("sphere:2000000", "").triangles();
   const auto fit = int(kMostTriangles / each);
   EXPECT_EQ(message_of(scene_of(fit)), "accepted");
-  EXPECT_EQ(message_of(scene_of(fit + 1)),
-            "$.objects[" + std::to_string(fit) + "]: with it the scene has more than 20000000 triangles");
+  EXPECT_EQ(
+      message_of(scene_of(fit + 1)),
+      "$.objects[" + std::to_string(fit) + "]: with this object the scene has more than 20000000 triangles");
 }
 
 TEST(Scene, AnErrorInsideAViewsSceneHasItsWholePlace) {

@@ -208,7 +208,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.pause()
     w.keep("targets")
     desk.press("g", "ctrl+z")
-    # Leaving asks where something was changed.
+    # Leaving leave the window; asks if there are unsaved changes.
     xdnd.drop(desk.display, int(desk.window), [mine])
     w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
     desk.press("n")
@@ -307,8 +307,8 @@ def at_random(desk, folder):
     desk.press("q")
     desk.pause()
     out = desk.finish(w.viewer)
-    refused = ("absent.json: no such file", "an environment's light needs the shading", "nothing to fit to: open samples first",
-               "cannot be fitted: it is not linear")
+    refused = ("absent.json: no such file", "an environment needs the shading", "there are no samples: open samples first",
+               "cannot be fitted, because the form is not linear")
     assert all(any(words in line for words in refused) for line in out.splitlines()), out
     print(f"{options.actions} actions of {len(done)} of {len(commands)} commands in {acted:.0f} s, undone by at most {steps} steps "
           f"in {time.time() - begun - acted:.0f} s")

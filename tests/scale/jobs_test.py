@@ -26,9 +26,9 @@ with tempfile.TemporaryDirectory() as name:
     assert (place.folder / "job/plan.json").read_bytes() == first
     run(plan.replace("-o job", "-o another"))
     assert (place.folder / "another/plan.json").read_bytes() == first, "a plan is decided by what is asked for"
-    refused(plan.replace("16x8", "8x8"), "job: holds another plan")
-    refused(plan + " --max-theta 70", "job: holds another plan")
-    refused(plan.replace("16x8", "12x8"), "--unit-size 12x8: of a stack it must be WIDTHxHEIGHT, both multiples of 8")
+    refused(plan.replace("16x8", "8x8"), "job: contains a plan")
+    refused(plan + " --max-theta 70", "job: contains a plan")
+    refused(plan.replace("16x8", "12x8"), "--unit-size 12x8: must be WIDTHxHEIGHT for a stack, both multiples of 8")
     assert run("collect job --missing", 1).stdout == "0-31\n"
     order = list(range(32))
     random.Random(1).shuffle(order)
@@ -72,15 +72,15 @@ with tempfile.TemporaryDirectory() as name:
     shutil.copy(after[3][0], after[4][0])
     assert run("collect job --missing", 1).stdout == "4\n"
     (place.folder / "job/plan.json").write_bytes(first.replace(b'"form"', b'"from"').replace(b"8,", b"16,", 1))
-    refused("work job", "plan.json: was changed since the work was planned")
-    refused("work stack", "stack: no job")
+    refused("work job", "plan.json: the plan was changed after it was made")
+    refused("work stack", "stack: is not a job")
     refused("work another --unit 32", "--unit 32: the units are 0 to 31")
     lights = place.folder / "stack/lights.csv"
     text = lights.read_text()
     lights.write_text(text + "# more\n")
-    refused("work another --unit 0", "stack/lights.csv: is not what it was when the work was planned")
+    refused("work another --unit 0", "stack/lights.csv: has changed since the work was planned")
     lights.write_text(text.replace("theta_i", "theta_j"))
-    refused("work another --unit 0 --check-inputs", "lights.csv: is not what it was")
+    refused("work another --unit 0 --check-inputs", "lights.csv: has changed")
     lights.write_text(text)
 
     # Wide units, the metric chosen in the plan, normals fitted.
@@ -105,17 +105,17 @@ with tempfile.TemporaryDirectory() as name:
         assert not list((place.folder / f"{verb}_job").glob("brdf_*"))
     table = (place.folder / "fit_out/summary.csv").read_text().splitlines()
     assert len(table) == 8 and sum(",error," in row for row in table) == 1, table
-    refused("plan study measurements/paint_0000.csv --form ward -o one", "one table is no work to divide")
-    refused("plan fit measurements/paint_0000.csv --form auto -o one", "--form auto: chooses by fits one after another")
+    refused("plan study measurements/paint_0000.csv --form ward -o one", "a single table cannot be divided")
+    refused("plan fit measurements/paint_0000.csv --form auto -o one", "--form auto: chooses by consecutive fits")
     refused("plan study measurements --form ward --bootstrap 9 -o one", "--bootstrap: has no effect on study")
     refused("plan fit stack --form ward --bootstrap 9 -o one", "--bootstrap: not for stacks")
     refused("plan fit measurements --form warp -o one", "warp")
-    refused("plan fit measurements --form ward --normals fit -o one", "--normals is for a stack")
-    refused("plan fit stack --form ward --no-pictures -o one", "--no-pictures is for tables")
-    refused("plan fit measurements --form ward --unit-size 8x8 -o one", "--unit-size 8x8: of tables it must be a number")
+    refused("plan fit measurements --form ward --normals fit -o one", "--normals applies to a stack")
+    refused("plan fit stack --form ward --no-pictures -o one", "--no-pictures applies to tables, not to a stack")
+    refused("plan fit measurements --form ward --unit-size 8x8 -o one", "--unit-size 8x8: must be a number of files for tables")
     changed = place.folder / "measurements/paint_0002.csv"
     changed.write_text(changed.read_text().replace(",45,", ",46,", 1))
-    refused("collect fit_job -o fit_out", "paint_0002.csv: is not what it was")
+    refused("collect fit_job -o fit_out", "paint_0002.csv: has changed")
 
     # One table's folds and bootstrap replicates.
     one = "fit measurements/paint_0000.csv --form ward+lambert --bootstrap 20 --seed 5 "

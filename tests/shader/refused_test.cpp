@@ -36,7 +36,7 @@ TEST(Refused, OtherLanguagesByName) {
 TEST(Refused, AParameterThatTheCodeDeclaresNowhere) {
   const std::string note = "//: param shine 0 1 0.5\n";
   EXPECT_THAT(refusal(note + "float brdf(vec3 L, vec3 V) { return shine; }"),
-              HasSubstr("line 1 says that it is a parameter: declare it, as in `uniform float shine;`"));
+              HasSubstr("line 1 makes it a parameter: declare it, as in `uniform float shine;`"));
   EXPECT_THAT(refusal("//: color tint 1 1 1\nvec3 brdf(vec3 L, vec3 V) { return tint; }"),
               HasSubstr("as in `uniform vec3 tint;`"));
   EXPECT_EQ(refusal(note + "uniform float shine;\nfloat brdf(vec3 L, vec3 V) { return shine; }"), "accepted");
@@ -47,10 +47,10 @@ TEST(Refused, WithTheSentenceThatHelps) {
   EXPECT_THAT(refusal(only_main), HasSubstr("test.glsl: has main() and no function brdf"));
   EXPECT_THAT(refusal(only_main), HasSubstr("//: entry NAME"));
   EXPECT_THAT(refusal(only_main, {.file = "", .entry = "main"}),
-              testing::AllOf(HasSubstr("main() takes no directions"), HasSubstr("//: entry NAME")));
+              testing::AllOf(HasSubstr("main() has no directions"), HasSubstr("//: entry NAME")));
   EXPECT_THAT(
       refusal("uniform sampler2D lut;\nfloat brdf(vec3 L, vec3 V) {\n return texture(lut, L.xy).r; }"),
-      HasSubstr("test.glsl:3: reads the texture lut; give what it holds as a parameter"));
+      HasSubstr("test.glsl:3: reads the texture lut; use a parameter for its value"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n if (L.x > 0.1) discard;\n return 1.0; }"),
               HasSubstr("test.glsl:2: discards the pixel"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n return dott(L, V); }"),
@@ -58,9 +58,9 @@ TEST(Refused, WithTheSentenceThatHelps) {
   EXPECT_THAT(refusal("mat3 brdf(vec3 L, vec3 V) { return mat3(1.0); }", {.file = "", .entry = "brdf"}),
               HasSubstr("a reflectance is a float or a vec3"));
   EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"rough=0:1"}}),
-              HasSubstr("--param rough: is no argument, uniform or global variable of"));
+              HasSubstr("--param rough: is not an argument, uniform or global variable of"));
   EXPECT_THAT(refusal(kGgx, {.file = "", .parameters = {"roughness=1:0"}}),
-              HasSubstr("its least value is above its largest"));
+              HasSubstr("the minimum is above the maximum"));
   EXPECT_THAT(refusal(kGgx, {.file = "", .entry = "shade"}), HasSubstr("has no function shade (it has "));
   EXPECT_THAT(refusal(kGgx, {.file = "", .returns = "f*cos"}),
               HasSubstr("must be one of f, f*cos_i, f*cos_o"));
@@ -70,7 +70,7 @@ TEST(Refused, WithTheSentenceThatHelps) {
               HasSubstr("a.brdf:2: must be NAME MIN MAX DEFAULT"));
   EXPECT_THAT(refusal(std::string(300, '(')), HasSubstr("nested too deeply"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) { return dFdx(L.x); }"),
-              HasSubstr("derivatives across the screen"));
+              HasSubstr("screen-space derivatives"));
 }
 
 TEST(Refused, AFileOutsideTheShadersFolder) {
@@ -91,15 +91,15 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
       << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
   const auto without = load_shader(ShaderChoice{(folder / "inside" / "b.glsl").string()});
   EXPECT_EQ(value_at(without, 10, 0, 10, 0), 0.5);
-  EXPECT_THAT(
-      without->function().notes,
-      testing::Contains(HasSubstr("'unneeded.glsl' is no file of the shader's own folder, and left away")));
+  EXPECT_THAT(without->function().notes,
+              testing::Contains(
+                  HasSubstr("'unneeded.glsl' is not a file of the shader's own folder; omitted")));
   for (const std::string name : {"../outside.glsl", "/etc/passwd", "missing.glsl"}) {
     try {
       read(name);
       ADD_FAILURE() << name;
     } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), HasSubstr("is no file of the shader's own folder"));
+      EXPECT_THAT(e.what(), HasSubstr("is not a file of the shader's own folder"));
     }
   }
   std::filesystem::remove_all(folder);

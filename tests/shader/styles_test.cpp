@@ -208,7 +208,7 @@ TEST(Style, KnownViolationsAreDeclared) {
   EXPECT_EQ(shader->info().violations[0].theta, 80);
   EXPECT_EQ(shader->info().violations[0].statement, "twice what arrives");
   EXPECT_THAT(refusal("//: violates\nfloat brdf(vec3 L, vec3 V) { return 0.7; }"),
-              HasSubstr("violates what?"));
+              HasSubstr("violates must be followed by the name of a check"));
 }
 
 TEST(Style, AScriptsShadersStandInBackticks) {

@@ -54,7 +54,7 @@ INSTANTIATE_TEST_SUITE_P(
                     UndefinedCase{"return smoothstep(0.4, 0.9 - c, p);", "smoothstep", 0.6, 0.2},
                     UndefinedCase{"return clamp(p, c, 0.5);", "clamp", 0.7, 0.3},
                     UndefinedCase{"return 0.1 * float(clamp(int(p), int(4.0 * c), 2));", "clamp", 0.9, 0.3},
-                    UndefinedCase{"return max(sqrt(c - 0.5), 0.0);", "no number", 0.2, 0.8},
+                    UndefinedCase{"return max(sqrt(c - 0.5), 0.0);", "NaN", 0.2, 0.8},
                     UndefinedCase{"return 0.1 * float(int(4e9 * c) & 1);", "outside the range", 0.8, 0.2}));
 
 TEST(Undefined, CountsOnlyWhereTheResultDependsOnIt) {

@@ -230,7 +230,7 @@ def one_gain_stands_out(factor):
 
 
 for amount in (1.18, 1.6):
-    @fault(f"gain_{amount}", "its gain differs", one_gain_stands_out(amount))
+    @fault(f"gain_{amount}", "the gain differs", one_gain_stands_out(amount))
     def _(facts, amount=amount):
         return [r.scaled(amount) if round(r.theta_i, 3) == facts.middle_light else r for r in facts.rows]
 

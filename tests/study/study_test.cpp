@@ -98,9 +98,9 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   std::size_t last = 0;
   for (const char* part :
        {"<h1>s0.csv</h1>", "class=\"verdict", "href=\"../index.html\"",
-        ">Measured and fitted in the plane of incidence<", ">Where the fit deviates<", ">Parameters<",
+        ">Measured and fitted in the plane of incidence<", ">Residuals of the fit<", ">Parameters<",
         ">Properties of the fitted material<", ">not applicable: ", ">Albedo, lobes and reciprocity<",
-        ">Every form, best first<", ">The samples<", ">Data sheet<", ">Files and commands<",
+        ">All forms, best first<", ">The samples<", ">Data sheet<", ">Files and commands<",
         "href=\"material.json\"", "href=\"material.glsl\"", "class=\"commands\"",
         " --form ward -o material.json\nbrdf validate material.json\n"}) {
     const std::size_t at = page.find(part, last);
@@ -111,9 +111,9 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   const std::size_t sphere = page.find("<figure class=\"sphere\">");  // with and without a renderer
   EXPECT_LT(sphere, page.find(">Parameters<"));
   EXPECT_THAT(page, Not(HasSubstr("No pictures: ")));
-  const std::size_t lobes = page.find(">The lobe, fitted (body) and measured (dots)<");
+  const std::size_t lobes = page.find(">Lobes: fitted (surface) and measured (dots)<");
   EXPECT_EQ(lobes != std::string::npos, has_lobes());
-  EXPECT_LT(std::min(lobes, sphere), page.find(">Where the fit deviates<"));
+  EXPECT_LT(std::min(lobes, sphere), page.find(">Residuals of the fit<"));
   for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
     EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
 }
@@ -154,9 +154,9 @@ TEST_F(StudyOfFiles, NothingIsWrittenWhereNoSampleCanBeUsed) {
 
 TEST_F(StudyOfFiles, PicturesThatWereLeftOutAreDrawnOnceTheyAreWanted) {
   files_.resize(1);
-  EXPECT_EQ(run()[0].json["no_pictures"], "left out by --no-pictures");
+  EXPECT_EQ(run()[0].json["no_pictures"], "disabled by --no-pictures");
   EXPECT_FALSE(fs::exists(options_.folder / "fitted.png"));
-  EXPECT_THAT(text("index.html"), HasSubstr("No pictures: left out by --no-pictures."));
+  EXPECT_THAT(text("index.html"), HasSubstr("No pictures: disabled by --no-pictures."));
   options_.sample.pictures = true;
   EXPECT_EQ(kept_of(run()), 0u);
   EXPECT_TRUE(fs::exists(options_.folder / "fitted.png"));

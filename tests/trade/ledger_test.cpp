@@ -134,10 +134,11 @@ TEST(Conclusion, IsTheCheapestThatIsAccurateEnough) {
   EXPECT_EQ(cheapest_within(all, 1e-2), &rows[2]);
   EXPECT_EQ(cheapest_within(all, 1e-4), &rows[1]);
   EXPECT_EQ(cheapest_within(all, 1e-6), nullptr);
-  EXPECT_EQ(conclusion(all),
-            "Within a mean error of 0.01 the cheapest is coarse at 0.2 of the exact cost (largest error "
-            "0.1); within 0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
-  EXPECT_EQ(conclusion({all[0], all[3]}), "Nothing cheaper stays within a mean error of 0.01: take exact.");
+  EXPECT_EQ(
+      conclusion(all),
+      "The cheapest choice with a mean error below 0.01 is coarse at 0.2 of the exact cost (largest error "
+      "0.1); within 0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
+  EXPECT_EQ(conclusion({all[0], all[3]}), "No cheaper choice has a mean error below 0.01: use exact.");
 }
 
 TEST(Conclusion, ADifferenceWithinTheNoiseOrWithoutAMeasurementIsNoGain) {
@@ -152,8 +153,7 @@ TEST(LedgerPage, ExactIsAWordAndTheFrontIsToldFromTheRest) {
   ledger.rows = {row("exact", 1, 1e-16, 1e-17), row("fast", 0.2, 0.1, 0.005), row("naive", 1.2, 0.3, 0.1)};
   mark_dominated(ledger.rows);
   const std::string html = to_html(ledger);
-  EXPECT_NE(html.find("In 1 of 1 questions something cheaper stays within a mean error of 0.01"),
-            std::string::npos);
+  EXPECT_NE(html.find("In 1 of 1 questions a cheaper choice has a mean error below 0.01"), std::string::npos);
   EXPECT_NE(html.find("\"bottom_edge\""), std::string::npos);
   EXPECT_EQ(html.find("1e-17"), std::string::npos);
   EXPECT_NE(html.find("<td class=\"good\">on the front</td>"), std::string::npos);

@@ -19,7 +19,7 @@ Finding finding(const char* subject, const char* check, Outcome outcome, const c
 TEST(ValidatePage, EveryCheckSaysWhatItAsks) {
   for (const auto& names : {check_names(), sheet::data_sheet_names()})
     for (const std::string& name : names) EXPECT_TRUE(check_meaning(name).ends_with('.')) << name;
-  EXPECT_EQ(check_meaning("no such check"), "");
+  EXPECT_EQ(check_meaning("unknown check"), "");
 }
 
 TEST(ValidatePage, PicturesHaveALineAndWhatDoesNotApplyIsFolded) {
@@ -29,13 +29,11 @@ TEST(ValidatePage, PicturesHaveALineAndWhatDoesNotApplyIsFolded) {
   content.findings = {finding("/data/matt.material.json", "energy", Outcome::pass, "reflects half"),
                       finding("/data/matt.material.json", "sampling", Outcome::not_applicable, "no sampler")};
   content.pictures = {{"pictures/matt.png", "\x89PNG"}};
-  content.fits = {{"/data/matt.material.json", "half of the samples within 3 %"}};
+  content.fits = {{"/data/matt.material.json", "median error 3 %"}};
   const std::string html = to_html(content);
-  EXPECT_NE(
-      html.find(
-          "<p class=\"title\">matt</p><figcaption class=\"good\">lambert; half of the samples within 3 %; "
-          "every property holds</figcaption>"),
-      std::string::npos);
+  EXPECT_NE(html.find("<p class=\"title\">matt</p><figcaption class=\"good\">lambert; median error 3 %; "
+                      "no violation found</figcaption>"),
+            std::string::npos);
   const std::size_t fold = html.find("<summary>not applicable: 1</summary>");
   ASSERT_NE(fold, std::string::npos);
   EXPECT_LT(html.find(">energy</button>"), fold);
@@ -74,10 +72,10 @@ TEST(ValidatePage, OfManyLightsEightAreShownFromTheFirstToTheLast) {
   io::HtmlReport report("sheet");
   sheet::add_to_report(report, table, sheet::data_sheet(table));
   const std::string html = report.document({});
-  EXPECT_NE(html.find("8 of 16 lights are shown."), std::string::npos);
-  for (const char* light : {"light at 5 degrees", "light at 80 degrees"})
+  EXPECT_NE(html.find("8 of 16 angles of incidence are shown."), std::string::npos);
+  for (const char* light : {"incidence at 5 degrees", "incidence at 80 degrees"})
     EXPECT_NE(html.find(light), std::string::npos) << light;
-  EXPECT_EQ(html.find("light at 10 degrees"), std::string::npos);
+  EXPECT_EQ(html.find("incidence at 10 degrees"), std::string::npos);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::size_t Comparison::apart() const {
 Comparison compare(const Ledger& before, const Ledger& after) {
   if (before.quick != after.quick)
     throw InputError(
-        "one ledger is a quick run's, the other a full one's: their frames and fits are of other sizes");
+        "one ledger is of a quick run, the other of a full run: the sizes of frames and fits differ");
   Comparison c;
   for (const LedgerRow& row : before.rows) {
     const LedgerRow* const other = after.find(row.question, row.choice);

@@ -26,11 +26,11 @@ const LedgerRow* cheapest_within(const std::vector<const LedgerRow*>& rows, doub
 std::string conclusion(const std::vector<const LedgerRow*>& rows) {
   const LedgerRow *coarse = cheapest_within(rows, 1e-2), *fine = cheapest_within(rows, 1e-4);
   const std::string exact = rows.front()->exact;
-  if (!coarse) return "Nothing cheaper stays within a mean error of 0.01: take " + exact + ".";
-  const std::string within = "Within a mean error of 0.01 the cheapest is " + named(*coarse);
-  if (coarse == fine) return within + "; it stays within 0.0001.";
-  return within + "; within 0.0001 " + (fine ? "it is " + named(*fine) : "nothing is cheaper than " + exact) +
-         ".";
+  if (!coarse) return "No cheaper choice has a mean error below 0.01: use " + exact + ".";
+  const std::string within = "The cheapest choice with a mean error below 0.01 is " + named(*coarse);
+  if (coarse == fine) return within + "; its mean error is also below 0.0001.";
+  return within + "; below 0.0001 " +
+         (fine ? "it is " + named(*fine) : "no choice is cheaper than " + exact) + ".";
 }
 
 }  // namespace brdf::trade

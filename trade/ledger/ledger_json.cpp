@@ -106,7 +106,7 @@ std::string csv_text(std::string_view text) {
 
 bool is_current(const JsonPlace& place) {
   if (!place.value().is_object() || !place.has("format") || place.at("format").text() != "brdf-ledger")
-    place.fail("is not a ledger (\"format\": \"brdf-ledger\"), as `brdf trade` writes it");
+    place.fail("is not a ledger of `brdf trade` (\"format\": \"brdf-ledger\")");
   return place.at("version").number() == 1;
 }
 

@@ -35,9 +35,10 @@ io::Plot front_plot(const std::string& question, const std::vector<const LedgerR
   plot.y_label = "mean error (" + std::string(name_of(first.error.measure)) + ") of " + first.quantity;
   plot.log_x = plot.log_y = true;
   plot.bottom_edge = io::BottomEdge{"exact", kExact};
-  plot.caption = "Over " + first.domain + ". Cheaper is left, more accurate is below.";
+  plot.caption =
+      "Domain: " + first.domain + ". Cheaper choices are on the left, more accurate choices are below.";
   plot.command = "brdf trade --only " + io::shell_word(question);
-  io::Series front{"front: nothing is cheaper and as accurate", {}, {}, io::Series::Style::points};
+  io::Series front{"front: no choice is both cheaper and as accurate", {}, {}, io::Series::Style::points};
   io::Series dominated{"dominated", {}, {}, io::Series::Style::faint_points};
   std::vector<const LedgerRow*> by_cost = rows;
   std::ranges::stable_sort(by_cost, {}, &LedgerRow::cost_ratio);
@@ -97,7 +98,7 @@ void add_question(io::HtmlReport& report, const std::string& question,
     add_choices(report, rows);
     report.end_fold();
   }
-  report.begin_fold("Times, and where each is worst");
+  report.begin_fold("Times and worst places");
   std::vector<io::Row> cells;
   for (const LedgerRow* row : rows)
     cells.push_back({{row->choice},
@@ -127,8 +128,8 @@ void add_extremes(io::HtmlReport& report, const Ledger& ledger) {
   const std::vector<std::string> header{"question", "choice", "everyday", "extreme", "where"};
   report.heading("Extremes");
   report.paragraph(
-      "Where parameters or directions are extreme, these err more than ten times as much as in the everyday "
-      "domain.");
+      "At extreme parameters or directions, the errors of these choices are more than ten times those of the "
+      "usual domain.");
   report.table(header, far);
   report.begin_fold("All " + std::to_string(all.size()) + " extremes");
   report.table(header, all, true);
@@ -155,10 +156,11 @@ void add_summary(io::HtmlReport& report, const std::vector<std::string>& questio
                      error_cell(best ? taken.error.mean : 0),
                      error_cell(best ? taken.error.max : 0)});
   }
-  report.verdict(io::Mark::none, "In " + std::to_string(gained) + " of " + std::to_string(questions.size()) +
-                                     " questions something cheaper stays within a mean error of 0.01; in the "
-                                     "others take the exact way.");
-  report.heading("What to take within a mean error of 0.01");
+  report.verdict(
+      io::Mark::none,
+      "In " + std::to_string(gained) + " of " + std::to_string(questions.size()) +
+          " questions a cheaper choice has a mean error below 0.01; in the others use the exact method.");
+  report.heading("Recommended choices for a mean error below 0.01");
   report.table({"question", "choice", "cost", "mean", "max"}, cells, true);
 }
 
@@ -176,7 +178,7 @@ io::Mark mark_of(const Claim& claim) {
 
 void add_claims(io::HtmlReport& report, const Ledger& ledger) {
   if (ledger.claims.empty()) return;
-  report.heading("The documents' claims");
+  report.heading("Claims of the documents");
   std::vector<io::Row> cells;
   for (const Claim& c : ledger.claims)
     cells.push_back({{.text = c.claim, .note = c.source},
@@ -189,25 +191,26 @@ void add_claims(io::HtmlReport& report, const Ledger& ledger) {
 
 std::string to_html(const Ledger& ledger) {
   io::HtmlReport report("Speed against accuracy");
-  report.explain("spread", "Half of the repeated runs lie within this share of the time.");
+  report.explain("spread", "Half of the repeated runs are within this share of the time.");
   std::vector<std::string> all;
   for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit)
     for (const std::string& question : questions_of(ledger, Unit(unit))) all.push_back(question);
   add_summary(report, all, ledger);
   if (!ledger.left_out.empty()) report.remarks({{io::Mark::warn, ledger.left_out}});
-  report.begin_fold("How it was measured");
+  report.begin_fold("Method of measurement");
   report.paragraph(ledger.machine.processor + ", " + ledger.machine.compiler + ", " + ledger.machine.flags +
                    (ledger.quick ? ". A quick run: fewer points." : "."));
   report.paragraph(
-      "Times are lower quartiles of interleaved runs, costs medians of pairs of neighbouring runs; cost 1 is "
-      "the exact way. A choice is dominated where another is not dearer and in no error worse. Errors up to "
-      "1e-14 are called exact: they are the rounding of double precision.");
+      "Times are lower quartiles of interleaved runs; costs are medians of pairs of neighbouring runs, and "
+      "cost 1 is the exact method. A choice is dominated if another choice is not more expensive and no "
+      "error of it is larger. Errors up to 1e-14 are called exact, because they are the rounding of double "
+      "precision.");
   report.end_fold();
   add_claims(report, ledger);
   for (std::size_t unit = 0; unit < kNames<Unit>.size(); ++unit) {
     const std::vector<std::string> questions = questions_of(ledger, Unit(unit));
     if (questions.empty()) continue;
-    report.heading("The price of " + std::string(kNames<Unit>[unit]));
+    report.heading("Cost of " + std::string(kNames<Unit>[unit]));
     for (const std::string& question : questions) add_question(report, question, rows_of(ledger, question));
   }
   add_extremes(report, ledger);

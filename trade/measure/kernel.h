@@ -83,7 +83,7 @@ namespace detail {
 // Returns the columns of a kind of row.
 template <template <class> class R, class T>
 std::array<const T*, kFields<R>> columns_of(const Inputs<T>& in) {
-  if (in.size() != kFields<R>) throw std::logic_error("a kernel is given another question's points");
+  if (in.size() != kFields<R>) throw std::logic_error("a kernel was given the points of another question");
   std::array<const T*, kFields<R>> columns{};
   std::copy(in.begin(), in.end(), columns.begin());
   return columns;

@@ -159,7 +159,7 @@ timing::Options timed_on(render::Device* device, int rounds) {
 }
 
 std::string shader_note(const render::Device& device) {
-  return "three channels, f_r and f_r cos_i; all threads of the driver; per pair of directions; on " +
+  return "three channels, f_r and f_r cos_i; all threads of the driver, per pair of directions; device: " +
          device.name();
 }
 

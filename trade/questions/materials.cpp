@@ -23,7 +23,8 @@ void set_values(std::vector<std::vector<double>>& sets, std::span<const Paramete
 
 Reflectance named_form(std::string_view name) {
   if (const auto form = find_form(name)) return *form;
-  throw InputError("the catalogue has no form '" + std::string(name) + "', which the trade's questions need");
+  throw InputError("the catalogue has no form '" + std::string(name) +
+                   "', which the questions of the ledger need");
 }
 
 Reflectance reference_form() {

@@ -27,7 +27,7 @@ void give_reasons(Recommendation& r, const RecommendOptions& options) {
     Candidate& c = r.candidates[k];
     const double error = judged(c, options.judge);
     if (r.chosen == k)
-      c.reason = "the cheapest that meets the tolerance: error " + number(error);
+      c.reason = "the cheapest choice that meets the tolerance: error " + number(error);
     else if (c.rendered_error && options.judge == Judge::image && *c.rendered_error > options.tolerance &&
              error <= options.tolerance)
       c.reason = "error " + number(*c.rendered_error) + " in the rendered picture is above the tolerance";
@@ -36,7 +36,7 @@ void give_reasons(Recommendation& r, const RecommendOptions& options) {
     else if (options.max_cost_ns > 0 && c.cost_ns > options.max_cost_ns)
       c.reason = "meets the tolerance, but " + number(c.cost_ns) + " ns is above the limit";
     else if (r.chosen)
-      c.reason = "meets the tolerance, but costs " + number(c.cost_ns) + " ns against " +
+      c.reason = "meets the tolerance, but costs " + number(c.cost_ns) + " ns instead of " +
                  number(r.candidates[*r.chosen].cost_ns);
   }
 }
@@ -53,22 +53,24 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   const Coverage& v = r.coverage;
   const auto say = [&](const std::string& text) { r.unneeded.push_back(text); };
   if (v.most_theta_o < 75)
-    say("no pixel sees theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
+    say("no pixel has theta_o above " + number(v.most_theta_o) + " degrees: grazing accuracy is not needed");
   if (v.most_theta_i < 75)
-    say("no lit pixel has theta_i above " + number(v.most_theta_i) + " degrees: grazing light is not shown");
+    say("no lit pixel has theta_i above " + number(v.most_theta_i) +
+        " degrees: grazing incidence does not occur");
   if (v.most_theta_d < 40)
-    say("theta_d stays below " + number(v.most_theta_d) + " degrees: the Fresnel rise is not shown, " +
-        weight_name(Role::f0) + " and " + weight_name(Role::specular) + " cannot be told apart");
+    say("theta_d stays below " + number(v.most_theta_d) +
+        " degrees: the rise of the Fresnel term does not occur, and " + weight_name(Role::f0) + " and " +
+        weight_name(Role::specular) + " cannot be distinguished");
   if (v.least_theta_h > 5)
-    say("no half vector comes closer to the normal than " + number(v.least_theta_h) +
-        " degrees: the highlight's peak is not shown");
+    say("no half vector is closer to the normal than " + number(v.least_theta_h) +
+        " degrees: the peak of the highlight does not occur");
   if (v.most_theta_h < 20)
     say("no half vector is farther from the normal than " + number(v.most_theta_h) +
-        " degrees: the lobe's tail is not shown");
+        " degrees: the tail of the lobe does not occur");
   if (v.azimuth_spread < 30)
     say("half vectors stay within " + number(v.azimuth_spread) + " degrees of azimuth " +
         number(v.azimuth_of_h) +
-        ": the view never leaves one direction of the grain, anisotropy is not identifiable");
+        ": only one direction of the grain is visible, so anisotropy is not identifiable");
   const auto with = [&](auto test) { return best_error(r, options.judge, test); };
   const double diffuse = with(is_diffuse),
                isotropic = with([](const Candidate& c) { return !c.anisotropic; });
@@ -76,15 +78,15 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   if (diffuse <= options.tolerance)
     say("a diffuse model already has error " + number(diffuse) + ": no specular lobe is needed");
   if (r.isotropic_reference)
-    say("the reference does not change when it is turned: anisotropy is not needed");
+    say("the reference does not change under rotation: anisotropy is not needed");
   else if (isotropic <= options.tolerance && anisotropic < 1e300 &&
            !(r.chosen && r.candidates[*r.chosen].anisotropic))
     say("two widths instead of one change the best error from " + number(isotropic) + " to " +
         number(std::min(anisotropic, isotropic)) + ": anisotropy is not needed");
   else if (isotropic <= options.tolerance && r.chosen)
     say("a model of one width has error " + number(isotropic) +
-        " at a higher cost: the two widths of the chosen one make a cheaper formula fit and are no property "
-        "of the reference");
+        " at a higher cost: the two widths of the chosen model allow a cheaper formula and are not a "
+        "property of the reference");
   const auto with_variants = [&](std::initializer_list<Variant> variants) {
     return with([&](const Candidate& c) {
       const std::optional<Variant> variant = find_variant(c.model);
@@ -93,10 +95,11 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   };
   const double no_fresnel = with_variants({Variant::no_fresnel, Variant::hammon_no_fresnel});
   if (no_fresnel <= options.tolerance)
-    say("without any Fresnel term the GGX model has error " + number(no_fresnel) + ": it is not needed");
+    say("without any Fresnel term the GGX model has error " + number(no_fresnel) +
+        ": the Fresnel term is not needed");
   const double no_masking = with_variants({Variant::no_masking});
   if (no_masking <= options.tolerance)
-    say("with masking dropped the GGX model has error " + number(no_masking) + ": it is not needed");
+    say("without masking the GGX model has error " + number(no_masking) + ": masking is not needed");
 }
 
 }  // namespace

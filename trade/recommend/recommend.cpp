@@ -69,12 +69,12 @@ std::optional<Ledger> ledger_of(const RecommendOptions& options) {
 
 std::string measured_now(const Recommendation& r, const RecommendOptions& options, bool has_ledger) {
   if (options.ledger.empty()) return "";
-  if (!has_ledger) return r.costs_from + " is of another version: all costs were measured now";
+  if (!has_ledger) return r.costs_from + " is of another version, so all costs were measured now";
   std::vector<std::string> labels;
   for (const Candidate& c : r.candidates)
     if (c.cost_measured && !c.anisotropic) labels.push_back(c.label());
   if (labels.empty()) return "";
-  return r.costs_from + " lacks these, so their costs were measured now: " + io::joined(labels);
+  return r.costs_from + " lacks some costs, which were measured now: " + io::joined(labels);
 }
 
 // Renders the model's picture and the reference's, and keeps both.
@@ -136,7 +136,7 @@ Recommendation recommend(const RecommendOptions& options) {
   const RgbFunction reference =
       options.made ? rgb_function(*options.made) : read_reference(options.reference);
   const SceneView view = view_of(render::load_scene(options.scene));
-  if (view.points.empty()) throw InputError(options.scene.string() + ": no pixel shows a lit surface");
+  if (view.points.empty()) throw InputError(options.scene.string() + ": the picture shows no lit surface");
   r.coverage = coverage_of(view);
   const std::vector<Reflectance> models = options.models.empty() ? recommendable_models() : options.models;
   for (const Reflectance& model : models)
@@ -154,7 +154,7 @@ Recommendation recommend(const RecommendOptions& options) {
   std::stable_sort(r.candidates.begin(), r.candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
   r.measured_now = measured_now(r, options, ledger.has_value());
-  options.progress(0.9, "rendering both");
+  options.progress(0.9, "rendering model and reference");
   choose(r, options, view, reference);
   explain(r, options);
   options.progress(1, "");

@@ -45,8 +45,8 @@ std::string verdict_of(const Recommendation& r) {
     return shown(r).label() + ": image error " + number(*shown(r).rendered_error) + ", " +
            number(shown(r).cost_ns) + " ns per evaluation";
   const Candidate& best = r.candidates[r.best];
-  return "none meets the tolerance " + number(r.tolerance) + "; the best is " + best.label() +
-         " with error " + number(r.metric == "image" ? best.image_error : best.brdf_error);
+  return "no candidate meets the tolerance " + number(r.tolerance) + "; the best candidate is " +
+         best.label() + " with error " + number(r.metric == "image" ? best.image_error : best.brdf_error);
 }
 
 std::string conclusion(const Recommendation& r) {
@@ -55,9 +55,9 @@ std::string conclusion(const Recommendation& r) {
     return char(std::toupper(static_cast<unsigned char>(sentence[0]))) + sentence.substr(1) + ".";
   }
   const Candidate& c = shown(r);
-  return "Enough: " + c.label() + ". Its picture is off by " + io::percent(*c.rendered_error, 2) +
-         " in the mean, at " + number(c.cost_ns) +
-         " ns per evaluation. Asked for: " + io::percent(r.tolerance, 2) +
+  return "Sufficient: " + c.label() + ". The mean error of its picture is " +
+         io::percent(*c.rendered_error, 2) + ", at " + number(c.cost_ns) +
+         " ns per evaluation. Tolerance: " + io::percent(r.tolerance, 2) +
          (r.metric == "image" ? " of the picture." : " of the BRDF.");
 }
 
@@ -70,7 +70,7 @@ std::vector<io::Remark> remarks_on(const Recommendation& r) {
 // A sentence of `unneeded` has the form "observation: conclusion". The table shows the conclusion first.
 void add_unneeded(io::HtmlReport& report, const Recommendation& r) {
   if (r.unneeded.empty()) return;
-  report.heading("What this scene does not need");
+  report.heading("Features that this scene does not need");
   std::vector<io::Row> rows;
   for (const std::string& sentence : r.unneeded) {
     const std::size_t colon = sentence.rfind(": ");
@@ -97,10 +97,12 @@ io::Plot cost_plot(const Recommendation& r) {
   plot.y_label = "image error";
   plot.log_x = plot.log_y = true;
   plot.bottom_edge = io::BottomEdge{"same", kSamePicture};
-  plot.caption = "Cheaper is left, closer is below. Names of the others: point at them, or see the table.";
+  plot.caption =
+      "Cheaper candidates are on the left, more accurate candidates are below. Point at a candidate for its "
+      "name, or see the table.";
   io::Series chosen{r.chosen ? "chosen" : "best", {}, {}, io::Series::Style::points};
-  io::Series front{"nothing is cheaper and closer", {}, {}, io::Series::Style::points};
-  io::Series others{"the others", {}, {}, io::Series::Style::faint_points};
+  io::Series front{"no other is cheaper and more accurate", {}, {}, io::Series::Style::points};
+  io::Series others{"others", {}, {}, io::Series::Style::faint_points};
   chosen.colour = 1;
   front.colour = 0;
   double least = HUGE_VAL, most = 0;
@@ -125,7 +127,7 @@ io::Plot cost_plot(const Recommendation& r) {
 io::Cell brdf_error_cell(const Candidate& c) {
   constexpr double kBeyondMeasure = 10;
   if (c.brdf_error < kBeyondMeasure) return {number(c.brdf_error)};
-  return {.text = "above 10", .mark = io::Mark::warn, .note = "grows without limit in some direction"};
+  return {.text = "above 10", .mark = io::Mark::warn, .note = "unbounded in some direction"};
 }
 
 void add_candidates(io::HtmlReport& report, const Recommendation& r) {
@@ -209,15 +211,16 @@ void write_recommendation(const std::filesystem::path& folder, const Recommendat
   render::write_png(folder / "model.png", tone(r.picture));
   render::write_png(folder / "reference.png", tone(r.reference_picture));
   render::write_png(folder / "difference.png", render::difference_picture(r.picture, r.reference_picture));
-  io::HtmlReport report("What this scene requires");
+  io::HtmlReport report("Requirements of this scene");
   report.verdict(r.chosen ? io::Mark::good : io::Mark::bad, conclusion(r));
   report.remarks(remarks_on(r));
-  if (!material) report.paragraph(candidate.label() + " is not in the catalogue: there is no material.json.");
+  if (!material)
+    report.paragraph(candidate.label() + " is not in the catalogue, so material.json was not written.");
   const std::string exposed = "exposure " + number(double(exposure)) + " stops";
   const auto bytes = [&](const char* name) { return io::read_content(folder / name).bytes; };
   report.pictures({{bytes("model.png"), candidate.label(), exposed},
                    {bytes("reference.png"), "The reference", exposed},
-                   {bytes("difference.png"), "Their relative difference", "blue 1e-6 to red 1"}});
+                   {bytes("difference.png"), "Relative difference", "blue 1e-6 to red 1"}});
   add_candidates(report, r);
   add_unneeded(report, r);
   io::write_file_atomically(folder / "report.html", report.document(io::provenance()));

@@ -131,12 +131,12 @@ void require_overlap(const Subject& subject, const Against& against) {
     if (p.min <= values[k] && values[k] <= p.max) continue;
     const bool none = taken[k].low > taken[k].high;
     all += (all.empty() ? "" : ", ") + against.mapped[k].name + " would be " +
-           (none ? "no number" : in_words(taken[k])) + " and must be between " + io::to_text(p.min) +
+           (none ? "not a number" : in_words(taken[k])) + " and must be between " + io::to_text(p.min) +
            " and " + io::to_text(p.max);
   }
   throw InputError("--against " + std::string(info(against.form).name) +
-                   ": there is nothing to compare, no parameters of " + subject.name() +
-                   " lie within the form's ranges: " + all);
+                   ": nothing can be compared, because no parameters of " + subject.name() +
+                   " are within the form's ranges: " + all);
 }
 
 // Points for the search's grid. They are the corners of the parameter cube, each approached from an
@@ -196,10 +196,10 @@ class Compared {
       words +=
           (k == 0 ? "; compared for " : ", ") + against_.mapped[k].name + " " + validate::in_words(taken_[k]);
     if (left_out_ > 0.99)
-      words += " (nearly all of the parameters lie outside the form's ranges and are left out)";
+      words += " (nearly all parameters are outside the form's ranges and are left out)";
     else if (left_out_ > 0)
       words += " (" + io::percent(left_out_, 2) +
-               " of the parameters lie outside the form's ranges and are left out)";
+               " of the parameters are outside the form's ranges and are left out)";
     for (std::size_t k = 0; k < against_.defaults.size(); ++k)
       words += (k == 0 ? "; the form's defaults: " : ", ") + against_.defaults[k].first + " = " +
                io::short_number(against_.defaults[k].second, 4);
@@ -221,7 +221,7 @@ Against parse_against(const Subject& subject, const std::string& form, const std
   for (const std::string& text : maps) {
     const std::size_t equals = text.find('=');
     if (equals == text.npos || equals == 0)
-      throw InputError("--map '" + text + "': must be NAME=FORMULA, as alpha=roughness*roughness");
+      throw InputError("--map '" + text + "': must be NAME=FORMULA, such as alpha=roughness*roughness");
     const std::string name = text.substr(0, equals);
     const ParameterInfo p = io::parameter_named(sample, name, "--map");
     io::Expression formula(text.substr(equals + 1), "--map");
@@ -229,7 +229,7 @@ Against parse_against(const Subject& subject, const std::string& form, const std
       if (std::isnan(value_of(parameters, of))) {
         std::vector<std::string> known;
         for (const auto& [of_subject, value] : parameters) known.push_back(of_subject);
-        throw InputError("--map '" + text + "': " + of + " is no parameter of " + subject.name() +
+        throw InputError("--map '" + text + "': " + of + " is not a parameter of " + subject.name() +
                          " (known: " + io::joined(known) + ")");
       }
     out.mapped.push_back({name, p, std::move(formula)});
@@ -277,7 +277,7 @@ Finding check_against(const Subject& subject, const Against& against, const Chec
     if (against.mapped[k].formula)
       with += (with.empty() ? " with " : ", ") + against.mapped[k].name + " = " + io::short_number(values[k]);
   const std::string what = compared.in_words();
-  finding.conclude(!(best.value > kSame), "is " + name + " to " + io::percent(best.value, 2) + what,
+  finding.conclude(!(best.value > kSame), "equals " + name + " to " + io::percent(best.value, 2) + what,
                    "differs from " + name + with + " by " + io::percent(best.value, 3) + " of the larger: " +
                        io::short_number(a[0], 5) + " against " + io::short_number(b[0], 5) + " /sr" + what);
   return finding;

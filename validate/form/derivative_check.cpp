@@ -52,7 +52,7 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
   if (!subject.of_form())
     return not_applicable(subject.name(), "derivatives", "derivatives are a property of forms");
   if (!info(*subject.of_form()).differentiable)
-    return not_applicable(subject.name(), "derivatives", "no derivatives of its own");
+    return not_applicable(subject.name(), "derivatives", "the form has no derivatives");
   Finding finding{subject.name(), "derivatives"};
   const std::size_t count = options.effort == Effort::full ? 20000 : 2000,
                     dimensions = pair_dimensions(subject);
@@ -71,8 +71,8 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options) {
   }
   finding.evaluations = long(count * (4 * subject.dimensions() + 1));
   finding.bound = kLargestGap;
-  finding.conclude(finding.value <= kLargestGap, "derivatives by dual numbers agree with differences",
-                   "derivatives by dual numbers disagree with differences");
+  finding.conclude(finding.value <= kLargestGap, "derivatives by dual numbers agree with finite differences",
+                   "derivatives by dual numbers disagree with finite differences");
   return finding;
 }
 

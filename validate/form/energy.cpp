@@ -201,13 +201,13 @@ class EnergySearch {
     if (!worst.is_known()) return unknown(std::move(finding), best.value);
     const std::string size = io::short_number(worst.value, 7) + " (+-" + io::short_number(worst.bound, 2) +
                              ") up to " + io::to_text(options_.max_theta) + " degrees";
-    finding.conclude(!above, "albedo at most " + size, "reflects up to " + size);
+    finding.conclude(!above, "directional albedo at most " + size, "directional albedo up to " + size);
     if (!above && !(worst.bound < kTooWide)) {
       finding.outcome = Outcome::undecided;
-      finding.statement = "the largest albedo found is not known closely enough: " + size;
+      finding.statement = "the largest albedo that was found is not known accurately enough: " + size;
     }
     if (subject_.is_outside() && worst.value < kNearlyAll)
-      finding.statement += "; nearly all light is lost, whatever the parameters";
+      finding.statement += "; nearly all light is lost for all parameters";
     if (above) finding.statement += growth(point, worst.value);
     if (!worst.converged) finding.statement += "; the integral did not reach 1e-9";
     finding.evaluations = evaluations_;
@@ -218,11 +218,13 @@ class EnergySearch {
   static Finding unknown(Finding finding, double value) {
     finding.value = value;
     if (value == HUGE_VAL) {
-      finding.conclude(false, "", "reflects without limit: f cos has no finite integral over the hemisphere");
+      finding.conclude(
+          false, "", "the directional albedo is unbounded: f cos has no finite integral over the hemisphere");
     } else {
       finding.outcome = Outcome::undecided;
       finding.statement =
-          "f is not finite within the hemisphere at any parameters tried: what it reflects has no value";
+          "f is not finite within the hemisphere at any parameters that were tried, so the directional "
+          "albedo is undefined";
     }
     return finding;
   }
@@ -231,10 +233,12 @@ class EnergySearch {
   std::string growth(const std::vector<double>& point, double here) {
     if (point[parameters_] < 1 || options_.max_theta >= 90) return "";
     const double nearer = albedo(point, 1e-6, 0.01).value, nearest = albedo(point, 1e-6, 1e-4).value;
-    if (!std::isfinite(nearest)) return "; beyond, it grows without limit";
+    if (!std::isfinite(nearest)) return "; beyond this angle the albedo grows without limit";
     const double power = std::log(nearest / nearer) / std::log(100.0);
-    if (power > 0.05) return "; beyond, it grows as 1/cos^" + io::short_number(power, 2) + " without limit";
-    return "; beyond, it tends to " + io::short_number(nearest, 5) + (nearest > here ? "" : " (no higher)");
+    if (power > 0.05)
+      return "; beyond this angle the albedo grows as 1/cos^" + io::short_number(power, 2) + " without limit";
+    return "; beyond this angle the albedo tends to " + io::short_number(nearest, 5) +
+           (nearest > here ? "" : " (no higher)");
   }
 
   const Subject& subject_;
@@ -276,11 +280,7 @@ Finding of_both_directions(Finding light, const Subject& subject, const CheckOpt
   const bool light_fails = light.outcome == Outcome::fail || viewer.outcome == Outcome::pass;
   Finding finding = light_fails ? light : viewer;
   finding.statement =
-      "with the light fixed it " + light.statement + "; with the viewer fixed it " + viewer.statement;
-  for (const std::string_view words : {"it albedo at most", "it reflects up to"})
-    for (std::size_t at; (at = finding.statement.find(words)) != std::string::npos;)
-      finding.statement.replace(at, words.size(),
-                                words.starts_with("it a") ? "reflects at most" : "reflects up to");
+      "at fixed incidence: " + light.statement + "; at fixed viewing direction: " + viewer.statement;
   finding.evaluations = light.evaluations + viewer.evaluations;
   return finding;
 }

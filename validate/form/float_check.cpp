@@ -60,7 +60,7 @@ Finding check_float(const Subject& subject, const CheckOptions& options) {
   finding.conclude(!(finding.value > kSeen),
                    "float and double of the same code agree to " + io::percent(finding.value, 2),
                    std::isinf(finding.value)
-                       ? "not finite in float, where double is"
+                       ? "not finite in float at directions at which double is finite"
                        : "float and double of the same code differ by " + io::percent(finding.value, 3));
   if (finding.outcome == Outcome::fail)
     finding.statement += subject.explained(finding.check, at, pair.wi, pair.wo);

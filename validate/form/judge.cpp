@@ -37,7 +37,7 @@ void judge(Finding& finding, const Subject& subject, const CheckOptions& options
     finding.outcome = Outcome::known_violation;
   } else if (inside(*found, options)) {
     finding.outcome = Outcome::fail;
-    finding.statement = "declared, but not found: " + std::string(found->statement);
+    finding.statement = "a declared violation was not found: " + std::string(found->statement);
   }
 }
 
@@ -60,7 +60,8 @@ Finding within_seconds(CheckOptions options, const std::function<Finding(const C
   finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
                       std::to_string(budget.looked_at()) + " of at least " +
                       std::to_string(budget.looked_at() + budget.left_out()) +
-                      " points seen; with more --seconds it goes further (so far: " + finding.statement + ")";
+                      " points examined; a larger --seconds examines more (so far: " + finding.statement +
+                      ")";
   return finding;
 }
 

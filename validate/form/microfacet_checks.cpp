@@ -131,7 +131,7 @@ using Quantity = Integral (*)(const ReflectanceInfo&, const Shape&, const Viewer
 Finding search(const Subject& subject, const char* check, Quantity quantity, bool over_viewers,
                const CheckOptions& options) {
   if (!subject.of_form() || !info(*subject.of_form()).facets)
-    return not_applicable(subject.name(), check, "no distribution of facets of its own");
+    return not_applicable(subject.name(), check, "the form has no distribution of microfacets");
   const ReflectanceInfo& form = info(*subject.of_form());
   std::vector<std::size_t> widths;
   for (const Role role : {Role::width, Role::width_across})
@@ -191,17 +191,18 @@ Finding search(const Subject& subject, const char* check, Quantity quantity, boo
 Finding check_normalisation(const Subject& subject, const CheckOptions& options) {
   Finding f = search(subject, "normalisation", normalisation_of, false, options);
   if (f.outcome != Outcome::not_applicable)
-    f.conclude(!(f.value > kAreaBound), "the facets' projected areas add up to the surface",
-               "the facets' projected areas do not add up to the surface");
+    f.conclude(!(f.value > kAreaBound),
+               "the projected areas of the microfacets add up to the area of the surface",
+               "the projected areas of the microfacets do not add up to the area of the surface");
   return f;
 }
 
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options) {
   Finding f = search(subject, "white_furnace", visible_of, true, options);
   if (f.outcome != Outcome::not_applicable)
-    f.conclude(!(f.value > kAreaBound), "masking leaves exactly the projected area visible",
-               "masking is off by " + io::to_text(std::round(f.value * 1e4) / 100) +
-                   " % of the visible area (G1's relative error)");
+    f.conclude(!(f.value > kAreaBound), "the visible microfacets have exactly the projected area",
+               "the visible area differs from the projected area by " +
+                   io::to_text(std::round(f.value * 1e4) / 100) + " % (relative error of the masking G1)");
   return f;
 }
 

@@ -87,7 +87,7 @@ std::string places(const Survey& s, bool above) {
     parts.push_back("at " + inside.share() + " of the pairs inside the hemisphere" + reasons_of(inside));
   if (coincident.faults > 0)
     parts.push_back("at " + coincident.share() +
-                    " of the pairs whose directions coincide, mirror each other or are the normal" +
+                    " of the pairs that coincide, are mirror directions or include the normal" +
                     reasons_of(coincident));
   if (horizon.faults > 0 && !above) parts.push_back("at the exact horizon" + reasons_of(horizon));
   return io::joined(parts, "; and ");
@@ -131,14 +131,14 @@ Finding check_outside_finite(const Subject& subject, const CheckOptions& options
                           });
   Finding finding = finding_of(subject, "finite", s);
   finding.share = s.at(Where::inside).part();
-  finding.conclude(s.above() == 0, "finite for every pair inside the hemisphere that was tried",
-                   "f is no finite number " + places(s, true));
+  finding.conclude(s.above() == 0, "every value inside the hemisphere is finite, at the pairs tried",
+                   "f is not finite " + places(s, true));
   if (s.at(Where::horizon).faults > 0)
-    finding.statement += "; at the exact horizon f is no finite number" + reasons_of(s.at(Where::horizon));
+    finding.statement += "; at the exact horizon f is not finite" + reasons_of(s.at(Where::horizon));
   if (s.above() == 0) finding.witness.reset();
   if (all_zero) {
     finding.outcome = Outcome::undecided;
-    finding.statement = std::string(kVacuous) + "f is 0 at every pair and for all parameters that were tried";
+    finding.statement = std::string(kVacuous) + "f is 0 at all pairs and parameters that were tried";
   }
   return finding;
 }
@@ -146,7 +146,7 @@ Finding check_outside_finite(const Subject& subject, const CheckOptions& options
 Finding check_undefined(const Subject& subject, const CheckOptions& options) {
   const OutsideFacts* facts = subject.outside_facts();
   if (!facts || !facts->undefined)
-    return not_applicable(subject.name(), "undefined", "the values are not those of a shader");
+    return not_applicable(subject.name(), "undefined", "the subject is not a shader");
   const bool full = options.effort == Effort::full;
   const Survey s = survey(subject, materials_of(subject, full ? 48 : 6, options.seed),
                           placed_pairs(full ? 1024 : 128, full ? 512 : 48, options.seed), options.budget,
@@ -157,10 +157,10 @@ Finding check_undefined(const Subject& subject, const CheckOptions& options) {
   Finding finding = finding_of(subject, "undefined", s);
   finding.share = s.at(Where::inside).part();
   finding.conclude(s.above() == 0,
-                   "no value depends on what the language leaves undefined, at the pairs tried",
-                   "the language leaves the value undefined " + places(s, true));
+                   "no value depends on undefined operations of the language, at the pairs tried",
+                   "the value is undefined by the language " + places(s, true));
   if (s.at(Where::horizon).faults > 0)
-    finding.statement += "; at the exact horizon it is undefined" + reasons_of(s.at(Where::horizon));
+    finding.statement += "; at the exact horizon the value is undefined" + reasons_of(s.at(Where::horizon));
   return finding;
 }
 
@@ -172,7 +172,7 @@ bool passes(const Finding& f) {
 
 void void_it(Finding& f, const std::string& why) {
   f.outcome = Outcome::undecided;
-  f.statement = "undecided: " + why + " (it was said: " + f.statement + ")";
+  f.statement = "undecided: " + why + " (the check reported: " + f.statement + ")";
   f.witness.reset();
 }
 
@@ -222,7 +222,7 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
     negative.value = least;
     negative.witness = pair_witness(subject, m, *pair);
     negative.conclude(false, "",
-                      "f down to " + io::short_number(least, 3) + " /sr, met by the check of " + f.check +
+                      "f down to " + io::short_number(least, 3) + " /sr, found by the check of " + f.check +
                           subject.explained("non_negative", m, pair->wi, pair->wo));
   }
   // A failure at an undefined value decides nothing, nor does a pass if a share of the values is undefined.
@@ -236,10 +236,10 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
     }
   if (undefined.outcome == Outcome::fail && undefined.share > 0)
     for (Finding& f : findings)
-      if (&f != &undefined && passes(f)) void_it(f, "some values are undefined, see undefined");
+      if (&f != &undefined && passes(f)) void_it(f, "some values are undefined, see the check undefined");
   if (finite.outcome == Outcome::fail && finite.share > 0)
     for (const std::string_view check : {"energy", "albedo", "derivatives", "sampling"})
-      if (Finding& f = find(check); passes(f)) void_it(f, "some values are no finite numbers, see finite");
+      if (Finding& f = find(check); passes(f)) void_it(f, "some values are not finite, see the check finite");
   if (finite.statement.starts_with(kVacuous))
     for (Finding& f : findings)
       if (&f != &finite && passes(f)) f.outcome = Outcome::undecided, f.statement = finite.statement;

@@ -90,8 +90,8 @@ Finding check_finite(const Subject& subject, const CheckOptions& options) {
         }
       }
   }
-  finding.conclude(!(finding.value > 0), "finite for every pair of directions tried",
-                   "values that are not finite");
+  finding.conclude(!(finding.value > 0), "every value is finite, at the pairs tried",
+                   "some values are not finite");
   return finding;
 }
 
@@ -237,8 +237,8 @@ Finding isotropy_of_outside(const Subject& subject, const CheckOptions& options)
       kIsotropyBound, options);
   Finding finding = from_best(subject, "isotropy", found.best, found.best.value, kIsotropyBound, 6);
   finding.conclude(!(finding.value > finding.bound),
-                   "isotropic for the pairs that were tried; its program does not show it",
-                   "changes when the sample is turned, though it reads no tangent");
+                   "isotropic, at the pairs tried; the program itself does not ensure it",
+                   "changes when the sample is rotated, although the shader reads no tangent");
   return finding;
 }
 
@@ -257,7 +257,7 @@ Finding check_isotropy(const Subject& subject, const CheckOptions& options) {
   if (anisotropic && !subject.of_form())
     symmetric += " at " + io::short_number(subject.own().terms.front().tangent_phi.degrees(), 3) + " degrees";
   finding.conclude(!(finding.value > finding.bound), anisotropic ? symmetric : "isotropic",
-                   anisotropic ? "not symmetric about the tangent" : "changes when the sample is turned");
+                   anisotropic ? "not symmetric about the tangent" : "changes when the sample is rotated");
   return finding;
 }
 
@@ -294,8 +294,8 @@ Finding check_continuity(const Subject& subject, const CheckOptions& options) {
   Pair pair = pair_of(subject, best.point);
   pair.theta_i = 90;
   finding.witness = pair_witness(subject, subject.at(best.point), pair);
-  finding.conclude(!(finding.value > finding.bound), "reflected light fades out as the light sets",
-                   "reflected light does not fade out as the light sets: it jumps to 0 at the horizon");
+  finding.conclude(!(finding.value > finding.bound), "f cos_i tends to 0 at the horizon",
+                   "f cos_i does not tend to 0 at the horizon: the value jumps");
   return outside ? with_jump(std::move(finding), subject, options) : finding;
 }
 

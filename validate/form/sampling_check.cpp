@@ -54,7 +54,8 @@ std::string cannot_be_judged(const ReflectanceInfo& form) {
   if (form.follows_lobe) return {};
   for (const ParameterInfo& p : form.shape)
     if (p.role == Role::other && p.map == Map::none)
-      return "no sampler of its own, and nothing says how narrow " + std::string(p.name) + " makes the lobe";
+      return "the form has no sampler, and the width of the lobe that " + std::string(p.name) +
+             " sets is not known";
   return {};
 }
 
@@ -93,10 +94,10 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options) {
         subject.command("albedo", m,
                         "--fixed o --theta " + io::to_text(theta_o) + " --phi " + io::to_text(phi_o))};
   }
-  finding.conclude(finding.value <= kDeviations, "the sampler's mean is the albedo",
-                   "the sampler's mean is not the albedo");
-  finding.statement += ": worst of " + std::to_string(cases) + " cases " +
-                       io::to_text(std::round(100 * finding.value) / 100) + " standard errors away";
+  finding.conclude(finding.value <= kDeviations, "the mean of the sampler equals the albedo",
+                   "the mean of the sampler differs from the albedo");
+  finding.statement += ": the worst of " + std::to_string(cases) + " cases differs by " +
+                       io::to_text(std::round(100 * finding.value) / 100) + " standard errors";
   return finding;
 }
 

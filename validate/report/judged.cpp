@@ -17,7 +17,7 @@ namespace {
 std::string fit_text(const io::Json& fit) {
   const char* const key = "median_relative_error";
   if (!fit.is_object() || !fit.contains(key) || !fit[key].is_number()) return "";
-  return "half of the samples within " + io::percent(fit[key].get<double>(), 2);
+  return "median error " + io::percent(fit[key].get<double>(), 2);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void check_required(const std::vector<std::string>& names) {
   const std::vector<std::string> known = required_names();
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("--require " + name + ": no such check; there are " + io::joined(known));
+      throw InputError("--require " + name + ": unknown check; known: " + io::joined(known));
 }
 
 bool holds(const std::vector<Finding>& findings, const std::vector<std::string>& required) {

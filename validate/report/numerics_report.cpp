@@ -85,13 +85,13 @@ bool report_numerics(const std::vector<Reflectance>& forms, const NumericsOption
   std::snprintf(budgets, sizeof budgets, "%-33s  %8.1e  %8.1e  %8.1e\n%-33s  %8.1e  %8.1e  %8.1e\n",
                 "budget in float", f.body, f.faint, f.tail, "budget in double", d.body, d.faint, d.tail);
   for (const std::string& name : unmeasured)
-    out << name << ": not applicable, it is not in the catalogue and there is no 50-digit evaluation of it\n";
+    out << name
+        << ": not applicable, because the form is not in the catalogue and has no 50-digit evaluation\n";
   out << budgets
-      << "Largest errors, searched for, against 50 digits (float: against double) where f is at least 1e-6 "
-         "(body), 1e-12 (faint), 1e-30 (tail) of "
-         "the lobe's peak. "
-      << (over == 0 ? "All rows are within budget and what the forms' headers state."
-                    : io::plural(over, "row") + " over.")
+      << "Largest errors found by search, against 50 digits (float: against double), for f of at least 1e-6 "
+         "(body), 1e-12 (faint), 1e-30 (tail) of the lobe's peak. "
+      << (over == 0 ? "All rows are within the budget and the errors stated in the forms' headers."
+                    : io::plural(over, "row") + " above a limit.")
       << '\n';
   return over == 0;
 }

@@ -55,14 +55,14 @@ std::string model_text(const Material& m) {
   return io::joined(words);
 }
 
-// Lists the properties that fail or are known to be violated, or reports that every property holds.
+// Lists the properties that fail or are known to be violated, or reports that no violation was found.
 std::string state_text(const std::vector<Finding>& findings) {
   std::vector<std::string> failed, known;
   for (const Finding& f : findings) {
     if (f.outcome == Outcome::fail) failed.push_back(f.check);
     if (f.outcome == Outcome::known_violation) known.push_back(f.check);
   }
-  if (failed.empty() && known.empty()) return "every property holds";
+  if (failed.empty() && known.empty()) return "no violation found";
   std::string text = failed.empty() ? "" : "fails: " + io::joined(failed);
   if (!known.empty())
     text += (text.empty() ? "known to violate: " : "; known to violate: ") + io::joined(known);
@@ -143,7 +143,7 @@ std::string to_html(const ReportContent& content) {
   }
   if (!of_subjects.empty()) report.heading("Properties");
   add_properties(report, of_subjects);
-  if (!of_tables.empty()) report.heading("Are the samples sound?");
+  if (!of_tables.empty()) report.heading("Data check of the measurements");
   add_properties(report, of_tables);
   for (const MeasuredTable& measured : content.tables) {
     report.heading(io::file_name(measured.table.source));

@@ -41,8 +41,8 @@ std::string with_table(const std::string& table, const std::string& command) {
 io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta, double phi = 0) {
   io::Plot plot;
   plot.title = "Albedo against angle: " + io::file_name(subject.name());
-  plot.x_label = "polar angle of the light, degrees";
-  plot.y_label = "reflected fraction";
+  plot.x_label = "angle of incidence, degrees";
+  plot.y_label = "directional albedo";
   std::vector<double> angles;
   for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
   angles.push_back(max_theta);
@@ -68,10 +68,10 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
     }
   }
   plot.log_y = lowest > 0 && highest > 30 * lowest;
-  plot.series.push_back({"1: all of it", {0, max_theta}, {1, 1}, io::Series::Style::faint});
+  plot.series.push_back({"1: energy limit", {0, max_theta}, {1, 1}, io::Series::Style::faint});
   plot.caption =
       "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
-      "would give off more than it receives. The band is the error bound, at most " +
+      "violates energy conservation. The band is the error bound, at most " +
       io::short_number(widest, 2) + ".";
   plot.command = subject.command(
       "albedo", m, "--theta " + listed(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
@@ -86,7 +86,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
   plot.equal_axes = true;
   std::vector<double> f(m.channels.size());
   for (const double theta_i : {0.0, 30.0, 60.0}) {
-    io::Series lobe{"light at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
+    io::Series lobe{"incidence at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
     for (double theta = -89; theta <= 89; theta += 0.5) {
       const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
       eval(m, wi, wo, f);
@@ -97,7 +97,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
     plot.series.push_back(std::move(lobe));
   }
   plot.caption =
-      "How bright the surface sends light on to each side, the light coming from the left; the brightest "
+      "Reflected radiance f cos_o over the viewing direction, with light from the left; the brightest "
       "channel.";
   plot.command = with_table(
       "(echo theta_i,phi_i,theta_o,phi_o; for i in 0 30 60; do for o in $(seq -89 0.5 89); do echo "
@@ -125,7 +125,7 @@ void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std:
   }
   io::Plot plot = albedo_plot(subject, worst, max_theta, found->witness->angles.back().second);
   plot.title = "Albedo against angle at the worst parameters: " + io::file_name(subject.name());
-  plot.caption = "With the parameters of the largest violation: " + found->statement + ".";
+  plot.caption = "Parameters of the largest violation: " + found->statement + ".";
   report.plot(plot);
 }
 
@@ -187,7 +187,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   Term& term = full.terms.front();
   std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
   for (const double theta : {0.0, 60.0, 80.0}) {
-    io::Series s{"light at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
+    io::Series s{"incidence at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
     for (const double value : values) {
       for (const std::size_t k : tied) term.shape.front()[k] = value;
       AlbedoOptions options;
@@ -196,11 +196,10 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
     }
     plot.series.push_back(std::move(s));
   }
-  plot.series.push_back(
-      {"1: nothing lost", {values.front(), values.back()}, {1, 1}, io::Series::Style::faint});
+  plot.series.push_back({"1: no loss", {values.front(), values.back()}, {1, 1}, io::Series::Style::faint});
   plot.caption =
-      "In a room that is equally bright everywhere a lossless surface would be invisible (1). What is "
-      "missing is lost by the model.";
+      "Under uniform illumination a lossless surface has albedo 1 and is invisible. The difference from 1 is "
+      "lost by the model.";
   if (std::string command = subject.command("albedo", full, "--theta 0,60,80"); !command.empty()) {
     for (const std::size_t k : tied) {
       const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
@@ -231,9 +230,9 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
         worst = std::max(worst, cells[o * kCells + i]);
       }
   if (worst < kEqual)
-    return report.paragraph("Reciprocity: exact. Light and viewer may change places; values differ by " +
-                            (worst > 0 ? io::short_number(worst, 2) + " of themselves, which is rounding."
-                                       : std::string("nothing.")));
+    return report.paragraph("Reciprocity: exact. When the two directions are exchanged, values differ by " +
+                            io::short_number(worst, 2) +
+                            (worst > 0 ? " (relative), which is rounding." : "."));
   std::vector<unsigned char> rgb(3 * kCells * kScale * kCells * kScale);
   for (std::size_t y = 0; y < kCells * kScale; ++y)
     for (std::size_t x = 0; x < kCells * kScale; ++x) {
@@ -243,11 +242,11 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
     }
   const std::vector<std::string> ticks{"0", "30", "60", "90"};
   report.map(
-      {io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "polar angle of the light, degrees",
-       "polar angle of the viewer, degrees", ticks, ticks, "1e-16: rounding", "1: as large as f itself",
+      {io::png_of_pixels(kCells * kScale, kCells * kScale, rgb), "angle of incidence, degrees",
+       "viewing angle, degrees", ticks, ticks, "1e-16: rounding", "1: as large as f itself",
        "Reciprocity of " + io::file_name(subject.name()) +
-           ": the relative difference when light and viewer change places, for every pair of polar "
-           "angles, at the worst of five azimuths. At most " +
+           ": relative difference when the two directions are exchanged, for every pair of polar angles, at "
+           "the worst of five azimuths. At most " +
            io::short_number(worst, 2) + " here.",
        with_table(
            "(echo theta_i,phi_i,theta_o,phi_o; for i in $(seq 0.75 1.5 89.25); do for o in $(seq 0.75 1.5 "

@@ -130,7 +130,7 @@ void Subject::restrict_to(const io::Condition& condition) {
   const auto known = parameters(material_);
   for (const std::string& name : condition.names())
     if (std::none_of(known.begin(), known.end(), [&](const auto& p) { return p.first == name; }))
-      throw InputError("--such-that: " + name + " is no parameter of " + name_);
+      throw InputError("--such-that: " + name + " is not a parameter of " + name_);
   condition_ = condition;
   Material least = material_;
   const ReflectanceInfo& f = info(*form_);
@@ -142,8 +142,8 @@ void Subject::restrict_to(const io::Condition& condition) {
             ->second;
       }))
     throw InputError(
-        "--such-that: must hold where its parameters are least, as kd + ks <= 1 does; a parameter's own "
-        "range is --param NAME=MIN:MAX");
+        "--such-that: the condition must hold at the lower bounds of its parameters, as kd + ks <= 1 does; "
+        "use --param NAME=MIN:MAX for the range of one parameter");
 }
 
 std::vector<std::pair<std::string, double>> Subject::parameters(const Material& at) const {

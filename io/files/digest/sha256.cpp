@@ -37,7 +37,7 @@ class Digest {
 
  private:
   static void check(int succeeded) {
-    if (succeeded != 1) throw EnvironmentError("OpenSSL computes no SHA-256");
+    if (succeeded != 1) throw EnvironmentError("OpenSSL cannot compute SHA-256");
   }
 
   std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context_;

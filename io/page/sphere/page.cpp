@@ -39,18 +39,18 @@ std::string controls(bool measured) {
                                    "<option>measured</option><option>difference</option></select></label>"
                                  : "<select class=\"show\" hidden><option>fitted</option></select>";
   return "<div class=\"controls\">" + choice +
-         "<label>drag and arrows move <select class=\"moves\"><option value=\"sphere\">the sphere</option>"
+         "<label>Drag or arrow keys turn <select class=\"moves\"><option value=\"sphere\">the sphere</option>"
          "<option value=\"light\">the light (or hold Shift)</option></select></label>"
          "<label>exposure <input class=\"exposure\" type=\"range\" min=\"-14\" max=\"14\" "
          "step=\"0.5\"></label>"
-         "<button class=\"reset\" type=\"button\">as it was</button><output "
+         "<button class=\"reset\" type=\"button\">Reset</button><output "
          "class=\"reading\"></output></div>";
 }
 
 }  // namespace
 
 std::string obstacle(const Material& material) {
-  if (!channel_colours(material.channels)) return "its channels are no colours";
+  if (!channel_colours(material.channels)) return "its channels are not colours";
   for (const Term& term : material.terms)
     if (!info(term.form).has_glsl) return std::string(info(term.form).name) + " cannot be written as GLSL";
   return "";
@@ -58,7 +58,7 @@ std::string obstacle(const Material& material) {
 
 void add(HtmlReport& report, const Shown& shown) {
   if (const std::string why = obstacle(shown.fitted); !why.empty())
-    throw InputError("no sphere of " + shown.title + ": " + why);
+    throw InputError("no sphere for " + shown.title + ": " + why);
   const bool measured = bool(shown.measured);
   const FittedPairs fitted = fitted_pairs(shown.fitted);
   const double exposure = exposure_of(fitted);
@@ -70,29 +70,29 @@ void add(HtmlReport& report, const Shown& shown) {
       {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}}};
   if (measured) data["table"] = to_json(table_of(fitted, shown.measured, shown.table));
   const std::string what =
-      measured ? "fitted, measured and the difference of the two" : "as its formula says";
+      measured ? "fitted, measured and the difference of the two" : "computed from the formula";
   const std::string name = shown.title + " on a sphere: " + what;
-  std::string html = "<figure class=\"sphere" + std::string(measured ? "" : " one") +
-                     "\"><p class=\"title\">" + html_escaped(shown.title) + " on a sphere</p>" +
-                     "<canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(name) +
-                     ". Arrow keys turn it, with Shift they move the light, Home puts both back.\"></canvas>";
+  std::string html =
+      "<figure class=\"sphere" + std::string(measured ? "" : " one") + "\"><p class=\"title\">" +
+      html_escaped(shown.title) + " on a sphere</p>" +
+      "<canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(name) +
+      ". Arrow keys turn the sphere, with Shift they move the light, Home resets both.\"></canvas>";
   std::string still = image(
       shown.still.empty() ? still_picture(fitted, shown.measured, exposure, kStillSide) : shown.still, name);
   html += still.insert(still.find(' '), " class=\"still\"");
   if (measured)
     html += "<div class=\"titles\"><span>fitted</span><span>measured</span><span>difference</span></div>" +
             colour_bar("fitted 50 % too dark", Colours::diverging, "50 % too bright");
-  html +=
-      controls(measured) +
-      "<p class=\"note\">The picture stands still: turning it needs a browser with WebGL 2 and scripts.</p>"
-      "<figcaption>One light, seen from far away, 44.8 degrees from the viewer at first. " +
-      (measured
-           ? std::string("Hatched: not measured. The difference is that of all channels together, relative "
-                         "to what was measured. ")
-           : std::string()) +
-      "<span class=\"turning\">Drag it, or use the arrow keys once it has the "
-      "focus.</span></figcaption><script type=\"application/json\">" +
-      within_script(to_line(data)) + "</script></figure>";
+  html += controls(measured) +
+          "<p class=\"note\">This picture is static: an interactive sphere needs a browser with WebGL 2 and "
+          "scripts.</p>"
+          "<figcaption>Lit by one distant light, initially 44.8 degrees from the viewing direction. " +
+          (measured ? std::string("Hatched: no measurements nearby. The difference combines all channels, "
+                                  "relative to the measured values. ")
+                    : std::string()) +
+          "<span class=\"turning\">Drag the sphere, or use the arrow keys while it has the "
+          "focus.</span></figcaption><script type=\"application/json\">" +
+          within_script(to_line(data)) + "</script></figure>";
   report.raw(html);
   report.style(kStyle);
   report.script(kScript);

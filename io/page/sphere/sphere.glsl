@@ -1,17 +1,17 @@
-// One sphere under one directional light, seen from far away: what follows brdf_material() in a page's fragment shader.
-uniform vec2 middle;         // of the sphere, pixels
+// One sphere under one directional light, seen from far away. The page's fragment shader is brdf_material() and this.
+uniform vec2 middle;         // centre of the sphere, pixels
 uniform float radius;        // pixels
-uniform mat3 camera;         // right, up, towards the viewer: in the world, in which the sphere stands
-uniform vec3 light;          // unit, towards it
+uniform mat3 camera;         // right, up, towards the viewer, in the frame of the sphere
+uniform vec3 light;          // unit vector towards the light
 uniform int shown;           // an index of `views` in sphere.js
-uniform float gain;          // of the exposure
+uniform float gain;          // factor of the exposure
 uniform highp sampler3D ratio;  // measured over fitted, see io/page/sphere/table.h
-uniform vec4 counts;         // of the ratio's nodes: theta_h, theta_d, phi_d, phi_h
-uniform vec3 scale;          // the logarithms that bytes 0 and 255 stand for, and the floor
+uniform vec4 counts;         // numbers of nodes of the ratio: theta_h, theta_d, phi_d, phi_h
+uniform vec3 scale;          // the logarithms that bytes 0 and 255 represent, and the floor
 uniform vec3 stations[5];    // colours of the difference
 uniform vec4 hatching;       // period in pixels, dark, bright; the panel's side
 out vec4 colour;
-const float kPi = 3.14159265, kRim = 0.9999;  // at the rim itself rounding would put the viewer below the horizon
+const float kPi = 3.14159265, kRim = 0.9999;  // at the rim itself, rounding could move the viewer below the horizon
 
 // The light in the frame of the half vector (Rusinkiewicz 1998), as coordinates of the texture; phi_h in turns.
 vec4 place_of(vec3 wi, vec3 wo) {
@@ -27,12 +27,12 @@ vec4 place_of(vec3 wi, vec3 wo) {
 }
 
 vec4 turned(vec4 place, float k) {
-  float nodes = counts.z + 1.0;  // the last is the first again
+  float nodes = counts.z + 1.0;  // the last node repeats the first
   vec3 at = vec3(place.xy * (counts.xy - 1.0), mod(k, counts.w) * nodes + place.z * counts.z);
   return texture(ratio, (at + 0.5) / vec3(counts.xy, counts.w * nodes));
 }
 
-// f_r as it was measured; the fourth is below a half where it was not.
+// Measured f_r; the fourth component is below 0.5 if there are no measurements nearby.
 vec4 measured(vec3 wi, vec3 wo, vec3 fitted) {
   vec4 place = place_of(wi, wo);
   float turn = place.w * counts.w;
@@ -54,9 +54,9 @@ vec3 difference(vec3 fitted, vec3 known) {
   return mix(stations[k], stations[k + 1], at - float(k));
 }
 
-// As io/page/hatching.h, whose rows count from the top.
+// The same as io/page/hatching.h, which counts rows from the top.
 vec3 hatched() {
-  vec2 corner = middle + hatching.w * vec2(-0.5, 0.5);  // the upper left one
+  vec2 corner = middle + hatching.w * vec2(-0.5, 0.5);  // the upper left corner
   float stripe = mod(floor(gl_FragCoord.x - corner.x) + floor(corner.y - gl_FragCoord.y), hatching.x);
   return vec3(stripe < hatching.x / 2.0 ? hatching.y : hatching.z);
 }
@@ -71,7 +71,7 @@ void main() {
   mat3 to_local = transpose(mat3(t, cross(n, t), n));
   vec3 wi = to_local * light, wo = to_local * camera[2], fitted = brdf_material(wi, wo);
   vec4 known = counts.w > 0.0 ? measured(wi, wo, fitted) : vec4(0.0);
-  if (shown >= 3) {  // values for the reader
+  if (shown >= 3) {  // values for readings
     colour = shown == 3 ? vec4(fitted, 1.0) : shown == 4 ? known : vec4(shown == 5 ? wi : wo, 1.0);
     return;
   }

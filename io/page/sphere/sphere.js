@@ -1,6 +1,6 @@
-// Spheres that can be turned: every figure.sphere of the page gets a canvas in place of its still picture. One WebGL
-// context draws for all of them (browsers allow few), so their own canvases are plain and print. Without WebGL 2, or
-// until a sphere comes into sight, the picture stays.
+// Interactive spheres: every figure.sphere of the page gets a canvas instead of its still picture. One WebGL
+// context draws all of them (browsers allow few), so the canvases of the figures are plain and print. Without WebGL 2,
+// or until a sphere becomes visible, the still picture remains.
 (() => {
   "use strict";
   const views = ["fitted", "measured", "difference"], values = { fitted: 3, measured: 4, wi: 5, wo: 6 };
@@ -103,7 +103,7 @@
       });
     }
 
-    // Where the panel under a point is, and the point in it: CSS pixels from its lower left.
+    // Returns the panel under a point and the point in the panel: CSS pixels from its lower left corner.
     panelAt(x, y) {
       const panels = this.panels(), side = this.canvas.clientWidth / panels.length;
       const k = clamp(Math.floor(x / side), 0, panels.length - 1);
@@ -151,7 +151,7 @@
       this.reading.textContent = `light ${uniforms.angle} from the viewer`;
     }
 
-    // Directions and f_r at a point of the canvas, in floats as the shader has them; null beside the sphere.
+    // Returns directions and f_r at a point of the canvas, in the floats of the shader; null outside the sphere.
     read(x, y) {
       const place = this.panelAt(x, y), { side } = place, far = Math.hypot(place.x - side / 2, place.y - side / 2);
       if (!reads || far > 0.47 * side) return null;

@@ -19,7 +19,7 @@ Vec3<double> towards(Angle turn, Angle tilt) {
 FittedPairs fitted_pairs(const Material& given) {
   const Material material = in_colour(given);
   const std::optional<ChannelColours> colours = channel_colours(material.channels);
-  if (!colours) throw InputError("the channels of the material say nothing of colour");
+  if (!colours) throw InputError("the channels of the material cannot be converted to a colour");
   return [material, of = colours->of](const Vec3<double>& wi, const Vec3<double>& wo) {
     std::vector<double> f(material.channels.size());
     eval(material, wi, wo, f);

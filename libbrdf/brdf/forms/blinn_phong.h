@@ -86,11 +86,11 @@ struct blinn_phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr Kink kink = Kink::none;
   using Sampler = Hemisphere;
   static constexpr std::array violations{
-      Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
+      Violation{"energy", "the diffuse term lacks the factor cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=1", 89.5, 115.001},
-      Violation{"reciprocity", "the diffuse term is divided by cos_i alone", "albedo=1 metallic=0", 89.5,
+      Violation{"reciprocity", "the diffuse term is divided by cos_i only", "albedo=1 metallic=0", 89.5,
                 0.99113},
-      Violation{"continuity", "the diffuse term is not times cos_i", "albedo=1 metallic=0", 0, 0.996}};
+      Violation{"continuity", "the diffuse term lacks the factor cos_i", "albedo=1 metallic=0", 0, 0.996}};
 
   template <class S, class G>
   static S value_cos(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {

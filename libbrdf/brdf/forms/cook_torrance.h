@@ -169,9 +169,9 @@ struct cook_torrance_1982 : Takes<SchlickWeights, Roughness> {
   static constexpr Kink kink = Kink::v_cavity;
   using Facets = brdf::Facets<BeckmannSlopes, VCavities>;
   using Sampler = GaussianSlopes;
-  static constexpr std::array violations{Violation{"energy", "albedo up to 4/pi: pi stands where 4 belongs",
-                                                   "kd=0 ks=1 f0=1 alpha_x=0.0001 alpha_y=0.0001", 0,
-                                                   4 / kPi}};
+  static constexpr std::array violations{
+      Violation{"energy", "albedo up to 4/pi: the denominator has pi instead of 4",
+                "kd=0 ks=1 f0=1 alpha_x=0.0001 alpha_y=0.0001", 0, 4 / kPi}};
 
   template <class S, class G>
   static std::array<S, 3> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -199,7 +199,7 @@ struct cook_torrance_schlick_ggx : Takes<SchlickWeights, Roughness> {
                 "anisotropic lobes: k is taken from the geometric mean of "
                 "the widths, and masks too little along the wider",
                 "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.5, 3.27715},
-      Violation{"white_furnace", "G is not Smith's: the visible area is off by up to 288 %",
+      Violation{"white_furnace", "G is not Smith's: the relative error of the visible area is up to 288 %",
                 "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.9, 2.88}};
 
   template <class S, class G>
@@ -223,13 +223,13 @@ struct cook_torrance_as_printed : Takes<SchlickWeights, Roughness> {
   using Facets = brdf::Facets<GgxSlopes, SchlickGgx>;
   using Sampler = VisibleGgx;
   static constexpr std::array violations{
-      Violation{"reciprocity", "the Fresnel term depends on cos_o alone",
-                "kd=0 ks=1 f0=0 alpha_x=1 alpha_y=1", 89.5, 1},
+      Violation{"reciprocity", "the Fresnel term depends on cos_o only", "kd=0 ks=1 f0=0 alpha_x=1 alpha_y=1",
+                89.5, 1},
       Violation{"energy",
                 "anisotropic lobes: k is taken from the geometric mean of "
                 "the widths, and masks too little along the wider",
                 "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.5, 3.27715},
-      Violation{"white_furnace", "G is not Smith's: the visible area is off by up to 288 %",
+      Violation{"white_furnace", "G is not Smith's: the relative error of the visible area is up to 288 %",
                 "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.9, 2.88}};
 
   template <class S, class G>
@@ -267,7 +267,7 @@ struct cook_torrance_as_coded : Takes<Albedo, MetallicRoughness> {
   static constexpr Kink kink = Kink::unplaced;
   using Sampler = OneOf<Hemisphere, OfWidths<VisibleGgx>>;
   static constexpr std::array violations{
-      Violation{"energy", "tone-mapped: albedo above 1, growing towards grazing light",
+      Violation{"energy", "tone-mapped: albedo above 1, growing towards grazing incidence",
                 "albedo=1 roughness=0.6 metallic=0", 89.5, 24.618},
       Violation{"reciprocity", "tone-mapped after the cosine", "albedo=1 roughness=0.31 metallic=0", 89.5,
                 0.93339}};

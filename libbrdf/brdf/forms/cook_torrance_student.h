@@ -20,7 +20,7 @@ struct StudentRoughness {
         Field{&StudentRoughness::alpha_x, kAlongInfo}, Field{&StudentRoughness::alpha_y, kAcrossInfo},
         Field{&StudentRoughness::gamma,
               ParameterInfo{"gamma", 1.6, 10, 2, 10, "", true,
-                            "exponent of the tail: 2 is GGX, below it is hazier", Role::other}}};
+                            "exponent of the tail: 2 is GGX, smaller values are hazier", Role::other}}};
   }
   // Returns the widths of the GGX lobe with the same scaled slope: alpha sqrt(gamma - 1).
   Roughness<T> ggx() const {

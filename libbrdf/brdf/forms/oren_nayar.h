@@ -38,7 +38,7 @@ struct oren_nayar : Takes<DiffuseWeights, SlopeDeviation> {
   static constexpr Kink kink = Kink::azimuth;
   static constexpr std::array albedos{ClosedAlbedo{0, 90, oren_nayar_albedo, "the integral of eq. 30"}};
   static constexpr std::array violations{Violation{"energy",
-                                                   "albedo up to 1.0152 at rho 1, for sigma below .32613",
+                                                   "albedo up to 1.0152 at rho 1, for sigma below 0.32613",
                                                    "rho=1 sigma=0.198533", 90, 1.015179}};
 
   template <class S, class G>
@@ -72,9 +72,9 @@ struct oren_nayar_full : Takes<DiffuseWeights, SlopeDeviation> {
                                      .in_double = {2.7e-15, 3.1e-15, 1.2e-15}};
   static constexpr Kink kink = Kink::azimuth;
   static constexpr std::array violations{
-      Violation{"energy", "albedo up to 1.0510 at rho 1 (sigma .304, towards 90 degrees)",
+      Violation{"energy", "albedo up to 1.0510 at rho 1 (sigma 0.304, towards 90 degrees)",
                 "rho=1 sigma=0.304", 89.5, 1.04704},
-      Violation{"non_negative", "the direct term is negative towards double grazing for sigma > .664",
+      Violation{"non_negative", "the direct term is negative towards double grazing for sigma > 0.664",
                 "rho=0.41 sigma=1.5707963267948966", 89.5, -0.01723}};
 
   // The terms of f that depend on the directions, computed without cancellation.

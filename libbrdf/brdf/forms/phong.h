@@ -74,10 +74,9 @@ struct phong_classic : Takes<LobeWeights, Exponent> {
   static constexpr Kink kink = Kink::mirror_edge;
   using Sampler = MirrorCosine;
   static constexpr std::array violations{
-      Violation{"energy", "albedo with the light fixed grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5,
-                28.897},
-      Violation{"reciprocity", "divided by cos_i alone", "kd=0 ks=1 exponent=0", 89.5, 0.99127},
-      Violation{"continuity", "the lobe is not times cos_i", "kd=0 ks=1 exponent=0", 0, 1}};
+      Violation{"energy", "albedo at fixed incidence grows as 1/cos_i", "kd=0 ks=1 exponent=0", 89.5, 28.897},
+      Violation{"reciprocity", "divided by cos_i only", "kd=0 ks=1 exponent=0", 89.5, 0.99127},
+      Violation{"continuity", "the lobe lacks the factor cos_i", "kd=0 ks=1 exponent=0", 0, 1}};
 
   template <class S, class G>
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -99,10 +98,10 @@ struct phong_as_coded : Takes<Albedo, Metallic> {
   static constexpr Kink kink = Kink::mirror_edge;
   using Sampler = Hemisphere;
   static constexpr std::array violations{
-      Violation{"energy", "the diffuse term is not times cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
+      Violation{"energy", "the diffuse term lacks the factor cos_i: albedo (albedo + pi F0 cos_i^16)/cos_i",
                 "albedo=1 metallic=1", 89.5, 114.593},
-      Violation{"reciprocity", "depends on cos_i alone", "albedo=0 metallic=0", 89.5, 1},
-      Violation{"continuity", "the diffuse term is not times cos_i", "albedo=1 metallic=0", 0, 0.983}};
+      Violation{"reciprocity", "depends on cos_i only", "albedo=0 metallic=0", 89.5, 1},
+      Violation{"continuity", "the diffuse term lacks the factor cos_i", "albedo=1 metallic=0", 0, 0.983}};
 
   template <class S, class G>
   static S value_cos(const Weights<S>& w, const Weights<S>&, const Shape<S>& shape, const Geometry<G>& g) {

@@ -97,9 +97,9 @@ struct MetallicWard {
     return std::array{
         Field{&MetallicWard::metallic, kMetallicInfo},
         Field{&MetallicWard::alpha_x,
-              ParameterInfo{"alpha_x", 1e-4, 1, 1, 1, "", true, "a constant of the listing: 1", Role::width}},
+              ParameterInfo{"alpha_x", 1e-4, 1, 1, 1, "", true, "constant of the listing, 1", Role::width}},
         Field{&MetallicWard::alpha_y, ParameterInfo{"alpha_y", 1e-4, 1, 1, 1, "", true,
-                                                    "a constant of the listing: 1", Role::width_across}}};
+                                                    "constant of the listing, 1", Role::width_across}}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
@@ -119,11 +119,11 @@ struct ward_as_coded : Takes<Albedo, MetallicWard> {
   static constexpr Kink kink = Kink::none;
   using Sampler = OneOf<Hemisphere, OfWidths<GaussianSlopes>>;
   static constexpr std::array violations{
-      Violation{"energy", "the diffuse term is not times cos_i: albedo above 1, growing as 1/cos_i",
+      Violation{"energy", "the diffuse term lacks the factor cos_i: albedo above 1, growing as 1/cos_i",
                 "albedo=1 metallic=0 alpha_x=1 alpha_y=1", 89.5, 108.105},
-      Violation{"reciprocity", "the terms depend on cos_i alone", "albedo=1 metallic=0 alpha_x=1 alpha_y=1",
+      Violation{"reciprocity", "the terms depend on cos_i only", "albedo=1 metallic=0 alpha_x=1 alpha_y=1",
                 89.5, 0.99123},
-      Violation{"continuity", "the diffuse term is not times cos_i",
+      Violation{"continuity", "the diffuse term lacks the factor cos_i",
                 "albedo=1 metallic=0 alpha_x=1 alpha_y=1", 0, 1}};
 
   template <class S, class G>

@@ -6,10 +6,10 @@
 namespace brdf {
 
 inline constexpr ParameterInfo kSpecularShareInfo{
-    "specular", 0, 1, 1, 1, "", false, "share of the dielectric part's lobe", Role::specular};
+    "specular", 0, 1, 1, 1, "", false, "share of the dielectric lobe", Role::specular};
 
 inline constexpr ParameterInfo kSpecularColourInfo{
-    "specular_color", 0, 10, 1, 1, "", false, "factor of the dielectric part's reflectance along the normal",
+    "specular_color", 0, 10, 1, 1, "", false, "factor of the dielectric reflectance at normal incidence",
     Role::tint};
 
 template <class T>

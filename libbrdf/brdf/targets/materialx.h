@@ -40,9 +40,10 @@ struct CompensatedSchlick {
               ParameterInfo{"f0", 0, 1, 0.04, 1, "", false, "color0: Fresnel reflectance at normal incidence",
                             Role::f0}},
         Field{&CompensatedSchlick::sigma,
-              ParameterInfo{"sigma", 0, 1, 0, 1, "rad", false,
-                            "roughness of the diffuse part: standard deviation of its facets' slope angle",
-                            Role::slope}}};
+              ParameterInfo{
+                  "sigma", 0, 1, 0, 1, "rad", false,
+                  "roughness of the diffuse part: standard deviation of the slope angle of its microfacets",
+                  Role::slope}}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
@@ -66,10 +67,11 @@ struct materialx_schlick : Takes<LobeWeights, CompensatedSchlick> {
   static constexpr Kink kink = Kink::azimuth;
   using Sampler = OfWidths<VisibleGgx>;
   static constexpr std::array violations{
-      Violation{"reciprocity", "the energy compensation depends on cos_o alone", "kd=0 ks=1 f0=1 alpha=1",
+      Violation{"reciprocity", "the energy compensation depends on cos_o only", "kd=0 ks=1 f0=1 alpha=1",
                 89.5, 0.668073},
       Violation{"energy",
-                "the compensation is the viewer's, and an anisotropic lobe is masked as if it had one width",
+                "the compensation depends on the viewing direction, and the masking of an anisotropic lobe "
+                "uses one width",
                 "kd=0 ks=1 f0=1 alpha_x=1 alpha_y=0.0001", 89.5, 45.8305}};
 
   template <class S, class G>

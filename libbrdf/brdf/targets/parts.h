@@ -40,7 +40,7 @@ struct BaseColour {
         Field{&BaseColour::base_color, ParameterInfo{"base_color", 0, 1, 0.5, 1, "", false,
                                                      "the material's one colour", Role::diffuse}},
         Field{&BaseColour::rest,
-              ParameterInfo{"rest", 1, 1, 1, 1, "", false, "weight of what has no colour: always 1"}}};
+              ParameterInfo{"rest", 1, 1, 1, 1, "", false, "weight of the uncoloured part: always 1"}}};
   }
   constexpr std::array<T, 2> linear() const { return {base_color, rest}; }
   static constexpr BaseColour from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }

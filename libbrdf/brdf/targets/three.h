@@ -12,8 +12,8 @@ template <class T>
 struct WholeWeight {
   T whole;
   static constexpr auto fields() {
-    return std::array{
-        Field{&WholeWeight::whole, ParameterInfo{"whole", 1, 1, 1, 1, "", false, "weight of all: always 1"}}};
+    return std::array{Field{&WholeWeight::whole,
+                            ParameterInfo{"whole", 1, 1, 1, 1, "", false, "weight of the sum: always 1"}}};
   }
   constexpr std::array<T, 1> linear() const { return {whole}; }
   static constexpr WholeWeight from_linear(const std::array<T, 1>& w) { return {w[0]}; }
@@ -55,9 +55,10 @@ struct three_physical : Takes<WholeWeight, ThreePhysical> {
   static constexpr Kink kink = Kink::unplaced;  // at every row of the table
   using Sampler = OfWidths<VisibleGgx>;
   static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o alone", "metallic=1 base_color=1 alpha=1",
+      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
                 89.5, 0.615864},
-      Violation{"energy", "the compensation is the viewer's, and what is lit at grazing angles gets more",
+      Violation{"energy",
+                "the compensation depends on the viewing direction, and grazing incidence receives too much",
                 "metallic=1 base_color=1 alpha=1", 89.5, 2.0038}};
 
   template <class S, class G>

@@ -157,7 +157,7 @@ TEST(OwnForm, TwoMinimaOfOneCostAreTwoAndSaidSo) {
   ASSERT_EQ(f.minima.size(), 2u);
   EXPECT_NEAR(f.minima[0].cost / f.minima[1].cost, 1, 1e-9);
   EXPECT_NEAR(f.minima[0].material.terms[0].shape[0][0] + f.minima[1].material.terms[0].shape[0][0], 1, 1e-5);
-  EXPECT_TRUE(f.findings.back().starts_with("another minimum has the same cost: skew 0."))
+  EXPECT_TRUE(f.findings.back().starts_with("another local minimum has the same cost: skew 0."))
       << f.findings.back();
 }
 

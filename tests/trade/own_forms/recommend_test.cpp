@@ -89,7 +89,7 @@ TEST(Recommend, TakesAReflectanceThatIsNotInTheCatalogue) {
   EXPECT_LT(r.candidates[own].image_error, 0.2 * r.candidates[1 - own].image_error);
   EXPECT_TRUE(r.candidates[own].cost_measured);
   EXPECT_FALSE(r.candidates[1 - own].cost_measured);
-  EXPECT_NE(to_text(r).find("ledger.json lacks these, so their costs were measured now: plain_lobe"),
+  EXPECT_NE(to_text(r).find("ledger.json lacks some costs, which were measured now: plain_lobe"),
             std::string::npos);
   EXPECT_FALSE(material_for_file(r.candidates[own]).has_value());
   EXPECT_TRUE(material_for_file(r.candidates[1 - own]).has_value());
@@ -137,7 +137,7 @@ TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
   options.ledger = path;
   const Recommendation r = recommend(options);
   EXPECT_TRUE(r.candidates[0].cost_measured);
-  EXPECT_NE(to_text(r).find("is of another version: all costs were measured now"), std::string::npos);
+  EXPECT_NE(to_text(r).find("is of another version, so all costs were measured now"), std::string::npos);
 }
 
 }  // namespace
