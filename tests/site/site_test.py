@@ -7,8 +7,8 @@ The site is built in FOLDER. Every link of every page leads to a file and to a p
 loads anything from another address, and the site is smaller than 15 MB. A document that docs/index.md does
 not list and a link to a file that does not exist are errors of tools/site. With BROWSER the site has the
 pages of the public headers too. Its first page and the first page of the headers have no message in the
-console and nothing wider than the window at 390, 1280 and 1920 pixels, light and dark, and the search finds
-pages. Exit code 77: MkDocs or Doxygen is missing.
+console and nothing wider than the window at 390, 1280 and 1920 pixels, light and dark. No document
+is wider than a window of 390 pixels, and the search finds pages. Exit code 77: MkDocs or Doxygen is missing.
 """
 import functools
 import html.parser
@@ -142,6 +142,13 @@ def check_in_browser(site, name):
                         assert scrolled <= width, (first, width, scrolled)
                         if first == "index.html":
                             backgrounds.add(page.evaluate("getComputedStyle(document.body).backgroundColor"))
+            for path in sorted(site.glob("**/*.html")) if not dark else ():
+                document = path.relative_to(site).as_posix()
+                if document.startswith("api/"):
+                    continue
+                with browser.open(f"{address}/{document}", 390, 900) as page:
+                    scrolled = page.evaluate("document.scrollingElement.scrollWidth")
+                    assert scrolled <= 390 and not page.console, (document, scrolled, page.console)
             with browser.open(f"{address}/index.html?q=reciprocity", 1280, 900, dark) as page:
                 page.wait("document.querySelectorAll('.md-search-result__item').length > 2")
                 assert not page.console, page.console
