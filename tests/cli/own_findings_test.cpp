@@ -77,7 +77,7 @@ TEST(OwnFindings, TheHorizonIsToldApartAndDoesNotHideTheHemisphere) {
   io::TemporaryFolder folder;
   const Judged edge = judged(folder, with_body("return 0.2 * p * V.z / (V.z + L.z);"), "--require finite");
   EXPECT_EQ(edge.verdict.at("finite"), "pass");
-  EXPECT_THAT(edge.statement.at("finite"), HasSubstr("at the exact horizon f is no finite number: line 2"));
+  EXPECT_THAT(edge.statement.at("finite"), HasSubstr("at the exact horizon f is not finite: line 2"));
   const Judged both = judged(
       folder, with_body("float c = 0.2 * V.z / (V.z + L.z); if (p > 0.7) return c + 0.1 * sqrt(L.z - V.z);\n"
                         "return c;"));

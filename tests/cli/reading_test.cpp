@@ -131,7 +131,7 @@ TEST_F(ReadingCli, HostileTextIsRefusedInOneLineThatATerminalCanShow) {
   write("merl.binary", merl);
   for (const char* verb :
        {"eval d.csv --material ", "albedo --theta 0 --material ", "export --to glsl --material "}) {
-    expect_refused(std::string(verb) + "deep.json", "is nested more than 100 deep");
+    expect_refused(std::string(verb) + "deep.json", "is nested more than 100 levels deep");
     expect_refused(std::string(verb) + "large.json",
                    "large.json: $.version: '1e400' exceeds the range of numbers");
   }
@@ -159,7 +159,7 @@ TEST_F(ReadingCli, SettingsForMoreChannelsThanAMaterialHasAreRefused) {
   std::string values = "0.5";
   for (int k = 0; k < 4096; ++k) values += ",0.5";
   expect_refused("albedo --form lambert --theta 0 --set rho=" + values,
-                 "--set: 4097 values are more than the 4096");
+                 "--set: 4097 values exceed the limit of 4096");
 }
 
 // The name of a channel and of the file is in Latin-1. The results of the fit must be written nevertheless.

@@ -85,7 +85,8 @@ std::vector<Row> rows() {
       {"approximate", [](FormFit& f) { f.intervals = IntervalsBy::curvature; }, Mark::good, true,
        "the intervals are approximate"},
       {"diverged", verdict(Verdict::diverged), Mark::bad, false, "lambert could not be fitted."},
-      {"interrupted", verdict(Verdict::interrupted), Mark::bad, false, "Interrupted: lambert"},
+      {"interrupted", verdict(Verdict::interrupted), Mark::bad, false,
+       "Interrupted: the best parameters of lambert so far."},
   };
 }
 

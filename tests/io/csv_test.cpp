@@ -128,7 +128,7 @@ TEST_F(Csv, NamesWhatIsWrongWithTheHeader) {
       HasSubstr("quantity 'radiance' is a radiance, not f_r: the irradiance of the sample is missing"));
   EXPECT_THAT(message("# quantity: stickiness\n" + std::string(kOneChannel)),
               HasSubstr("quantity 'stickiness' is unknown (known: f_r, BRF, f_r*cos_o, "));
-  EXPECT_THAT(message(kOneChannel), HasSubstr("holds no rows"));
+  EXPECT_THAT(message(kOneChannel), HasSubstr("has no rows"));
   EXPECT_THAT(message(""), HasSubstr("no header row"));
 }
 

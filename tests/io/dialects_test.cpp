@@ -102,7 +102,7 @@ const DialectFile kDialects[] = {
     {"elevation", "elevation_i,phi_i,elevation_o,phi_o,fr\n60,0,49.5,180,1.25\n30,0,70,170,0.5\n",
      "90 - elevation"},
     {"empty_last_column", "theta_i;phi_i;theta_o;phi_o;fr;\n30;0;40,5;180;1,25;\n60;0;20;170;0,5;\n", "';'"},
-    {"lines_end_in_cr", "theta_i,phi_i,theta_o,phi_o,fr\r30,0,40.5,180,1.25\r60,0,20,170,0.5\r", "CR alone"},
+    {"lines_end_in_cr", "theta_i,phi_i,theta_o,phi_o,fr\r30,0,40.5,180,1.25\r60,0,20,170,0.5\r", "CR only"},
     {"units_in_a_second_row",
      "theta_i;phi_i;theta_o;phi_o;fr\n[rad];deg;[deg];;(1/sr)\n0,5235987755982988;0;40,5;180;1,25\n"
      "1,0471975511965976;0;20;170;0,5\n",
@@ -243,7 +243,7 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {names + "30,0,40,180,n/a\n", "'n/a' is not a number; omit the rows"},
       {names + "30,0,40,180,NaN\n", "'NaN' is not finite; omit the rows"},
       {names + "30,0,40,180,-inf\n", "'-inf' is not finite; omit the rows"},
-      {names + "30,0,40,180,1e400\n", "'1e400' is not a number; it exceeds the range of numbers"},
+      {names + "30,0,40,180,1e400\n", "'1e400' is not a number; the value exceeds the largest number"},
       {names + "30,0,40,180,1.25D-01\n", "write the exponent with e"},
       {names + "30°,0,40,180,1\n", "'30°' is not a number; write the unit in the column's name"},
       {names + "30,0,40,180,25%\n", "'25%' is not a number; values are f_r in 1/sr, not percent"},

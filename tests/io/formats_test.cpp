@@ -119,7 +119,7 @@ TEST_F(Formats, LensDesignErrorsNameTheLine) {
 
 TEST_F(Formats, DamagedTensorFilesAreBadInput) {
   EXPECT_THAT(message(std::string("tensor_file\0", 12)), HasSubstr("not a tensor file of version 1.0"));
-  EXPECT_THAT(message(std::string("tensor_file\0\1\0\7\0\0\0", 18)), HasSubstr("cut off"));
+  EXPECT_THAT(message(std::string("tensor_file\0\1\0\7\0\0\0", 18)), HasSubstr("truncated"));
 }
 
 class MeasuredFiles : public testing::Test {

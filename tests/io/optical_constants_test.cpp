@@ -69,7 +69,7 @@ TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
       "material,wavelength_um,n,k,source\nAg,0.5,.05,3,x\nAu,0.5,1,1.8,y\nAg,0.6,.06,4,z\n";
   EXPECT_THAT(constants(two, "Ag").nm, ElementsAre(500, 600));
   EXPECT_THAT(constants(two, "Au").nm, ElementsAre(500));
-  EXPECT_THAT(refusal(two), HasSubstr("has several materials: give FILE:MATERIAL (there: Ag, Au)"));
+  EXPECT_THAT(refusal(two), HasSubstr("has several materials: give FILE:MATERIAL (known: Ag, Au)"));
   EXPECT_THAT(refusal(two, "Cu"), HasSubstr("has no material 'Cu' (known: Ag, Au)"));
   EXPECT_THAT(refusal(kRecord, "Au"), HasSubstr("has no column of materials"));
   const io::TemporaryFolder folder;
@@ -81,7 +81,7 @@ TEST(OpticalConstants, OfSeveralMaterialsOneIsAskedFor) {
 TEST(OpticalConstants, ThatCannotBeReadAreRefusedWithTheirPlace) {
   EXPECT_THAT(refusal("theta_i,phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
               HasSubstr("gold.yml, line 1: is not a table of refractive indices"));
-  EXPECT_THAT(refusal("wl,n\n0.5,1,2\n"), HasSubstr("line 2: 3 columns where 2 are expected"));
+  EXPECT_THAT(refusal("wl,n\n0.5,1,2\n"), HasSubstr("line 2: 3 columns, but 2 are expected"));
   EXPECT_THAT(refusal("wl,n\n0.5,-1\n"), HasSubstr("line 2: n '-1' must be a number from 0 to 1e6"));
   EXPECT_THAT(refusal("wl,n\n0.5,1e92\n"), HasSubstr("line 2: n '1e92' must be a number from 0 to 1e6"));
   EXPECT_THAT(refusal("wl,n\n0.5,1\n1e-9,2\n"),

@@ -432,7 +432,7 @@ TEST(StatedQuantity, MayBeInATitle) {
   EXPECT_THAT(message("# quantity: f_r\nBRF values\n" + rows),
               HasSubstr("line 2: the title 'BRF values' contradicts line 1, 'f_r'"));
   EXPECT_THAT(message("BRF values\n" + replaced(rows, "450nm", "ARS")),
-              HasSubstr("but the title in line 1 says 'BRF values'"));
+              HasSubstr("but the title in line 1 gives 'BRF values'"));
   EXPECT_EQ(read("quantity: f_r\n" + rows).values[0][0], 1);
 }
 

@@ -71,13 +71,13 @@ TEST(Limits, LinesRowsAndColumnsAreCounted) {
   }
   const std::string rows = names + "\n1,2,3,4" + values + "\n";
   EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o" + rows),
-              HasSubstr("line 1: 4097 channels are more than 4096"));
+              HasSubstr("line 1: 4097 channels exceed the limit of 4096"));
   EXPECT_THAT(message("VARS theta_i,phi_i,theta_s,phi_s" + rows),
-              HasSubstr("4097 channels are more than 4096"));
+              HasSubstr("4097 channels exceed the limit of 4096"));
   const Material material =
       make_material(catalogue().front(), std::vector<std::string>(kMostChannels + 1, "c"));
   EXPECT_THAT(message_of([&] { check_material(material, "m.json"); }),
-              HasSubstr("m.json: $.channels: 4097 channels are more than 4096"));
+              HasSubstr("m.json: $.channels: 4097 channels exceed the limit of 4096"));
 }
 
 TEST(Limits, AzimuthsAreWithinAMillionDegrees) {
@@ -125,8 +125,8 @@ TEST(JsonText, IsNestedAHundredDeepAtMost) {
   const auto nested = [](std::size_t depth) { return repeated("[", depth) + repeated("]", depth); };
   EXPECT_EQ(json_message(nested(100)), "accepted");
   EXPECT_THAT(json_message(nested(101)), HasSubstr("m.json: $[0][0]"));
-  EXPECT_THAT(json_message(nested(101)), HasSubstr("is nested more than 100 deep"));
-  EXPECT_THAT(json_message(nested(1000000)), HasSubstr("is nested more than 100 deep"));
+  EXPECT_THAT(json_message(nested(101)), HasSubstr("is nested more than 100 levels deep"));
+  EXPECT_THAT(json_message(nested(1000000)), HasSubstr("is nested more than 100 levels deep"));
   EXPECT_THAT(json_message(repeated("{\"a\":", 101) + "1" + repeated("}", 101)), HasSubstr("$.a.a"));
 }
 

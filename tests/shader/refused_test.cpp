@@ -91,9 +91,9 @@ TEST(Refused, AFileOutsideTheShadersFolder) {
       << "#include \"unneeded.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return k; }\n";
   const auto without = load_shader(ShaderChoice{(folder / "inside" / "b.glsl").string()});
   EXPECT_EQ(value_at(without, 10, 0, 10, 0), 0.5);
-  EXPECT_THAT(without->function().notes,
-              testing::Contains(
-                  HasSubstr("'unneeded.glsl' is not a file of the shader's own folder; omitted")));
+  EXPECT_THAT(
+      without->function().notes,
+      testing::Contains(HasSubstr("'unneeded.glsl' is not a file of the shader's own folder; omitted")));
   for (const std::string name : {"../outside.glsl", "/etc/passwd", "missing.glsl"}) {
     try {
       read(name);
