@@ -25,7 +25,7 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
         std::move(models));
   add_named_option(
       verb, "--metric", choice.options.metric,
-      "Residual; auto: the one whose noise is the most even on the data, log where it is not known");
+      "Residual; auto: the residual with the most uniform noise on the data, log if the noise is not known");
   verb.add_flag("--anisotropic", choice.options.anisotropic, "Two widths and the tangent's azimuth");
   verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel: --shape free");
   offer(verb.add_option(
@@ -51,8 +51,8 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_flag("--physical", choice.physical, "Weights that keep energy: a channel's add up to at most 1");
   verb.add_option("--robust", choice.robust, "huber or cauchy, with :SCALE to give its scale");
   add_named_option(verb, "--weights", choice.options.weighting,
-                   "Weights of the residuals (auto: sigma columns where there are any)");
-  verb.add_option("--starts", choice.options.random_starts, "Random starts besides the grid")
+                   "Weights of the residuals (auto: from sigma columns if the table has any)");
+  verb.add_option("--starts", choice.options.random_starts, "Random starts in addition to the grid")
       ->check(CLI::Range(0, 100000));
   verb.add_option("--seed", choice.options.seed, "Of the random starts")->capture_default_str();
   verb.add_option("--aperture", choice.options.aperture,
@@ -62,7 +62,7 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
 
 void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--bootstrap", choice.options.bootstrap,
-                  "Replicates: fits to incidences drawn with replacement, whose spread is reported")
+                  "Replicates: fits to incidences drawn with replacement; their spread is reported")
       ->check(CLI::Range(0, 100000));
 }
 

@@ -55,7 +55,7 @@ std::string to_bytes(std::string& text) {
 void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
   add_named_option(
       verb, "--polarisation", arrangement.polarisation,
-      "Channels whose names say a polarisation (fr_s, 465nm p): all, their average, or those of one");
+      "Channels with a polarisation in their names (fr_s, 465nm p): all, their average, or one of the two");
   add_named_option(
       verb, "--repeats", arrangement.repeats,
       "Directions measured more than once: a row each, or their mean with its standard deviation");
@@ -63,7 +63,7 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement) {
 
 void add_keep_fill_option(CLI::App& verb, bool& keep_fill) {
   verb.add_flag("--keep-fill", keep_fill,
-                "Use rows of fill values, too: numbers that stand for directions that were not measured");
+                "Use rows of fill values, too: numbers that mark directions without a measurement");
 }
 
 void add_supplied_options(CLI::App& verb, io::Supplied& supplied) {

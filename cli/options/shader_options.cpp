@@ -95,22 +95,23 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
 
 void add_shader_options(CLI::App& verb, ShaderOptions& options) {
   verb.add_option("--shader", options.file,
-                  "A shader's file (GLSL, HLSL, BRDF Explorer's .brdf) whose function is the reflectance");
+                  "A shader's file (GLSL, HLSL, BRDF Explorer's .brdf) with the reflectance as a function");
   add_repeated_option(verb, "--param", options.parameters,
                       "A parameter's range, NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, :log after it for a log "
                       "scale (of --shader)");
   verb.add_option("--entry", options.entry,
-                  "The function, NAME or NAME(L, V, N, ...) with what its arguments are (of --shader; "
+                  "The function, NAME or NAME(L, V, N, ...) with the meaning of its arguments (of --shader; "
                   "default: the one called brdf)");
-  offer(verb.add_option("--returns", options.returns,
-                        "What the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
+  offer(verb.add_option(
+            "--returns", options.returns,
+            "The quantity that the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
         {"f", "f*cos_i", "f*cos_o"});
   add_repeated_option(
       verb, "--define", options.defines,
       "A macro that is defined before the file's first line, NAME=VALUE, NAME (then 1) or NAME= (then "
       "nothing) (of --shader)");
   add_repeated_option(verb, "-I,--include-folder", options.include_folders,
-                      "A folder whose files may be included, after the file's own folder (of --shader)");
+                      "A folder for included files, searched after the file's own folder (of --shader)");
 }
 
 bool is_given(const ShaderOptions& options) {
@@ -141,8 +142,9 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
   LoadedShader loaded = described(model, shader::command_words(choice));
   for (const shader::Parameter& p : model->function().parameters)
     if (verb == "fit" && p.whole)
-      loaded.notes.push_back(p.name + " is a whole number, which a fit does not search: it holds it at " +
-                             io::to_text(p.initial[0]) + " unless --fix says another");
+      loaded.notes.push_back(p.name +
+                             " is a whole number, which a fit does not search: the fit holds it at " +
+                             io::to_text(p.initial[0]) + " unless --fix gives another value");
   if (!quiet)
     for (const std::string& note : loaded.notes)
       Note() << "brdf " << verb << ": " << options.file << ": " << note;

@@ -24,7 +24,8 @@ void add_share_options(CLI::App& verb, work::StackOptions& options) {
   add_repeated_option(verb, "--share", options.share,
                       "Of a stack: a shape with one value for all texels of a region, as alpha");
   verb.add_option("--regions", options.regions,
-                  "An EXR whose one channel numbers the regions of --share; 0 shares nothing")
+                  "An EXR file with one channel, the number of the region of each texel for --share; 0: "
+                  "nothing is shared")
       ->check(CLI::ExistingFile);
 }
 
@@ -66,7 +67,7 @@ Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_option
   require_file({"--report", files.report}, "the report of a stack goes with a folder of results");
   const std::string given = work::normals_file(stack_options);
   if (!stack_options.regions.empty() && stack_options.share.empty())
-    throw InputError("--regions: are those of --share: name a shape");
+    throw InputError("--regions: belongs to --share: name a shape parameter with --share");
   io::check_folder_target({"-o", files.output}, result_names(), {given, stack_options.regions});
   io::check_targets({{"--report", files.report}});
   const texel::Stack stack = texel::open_stack(files.stack);

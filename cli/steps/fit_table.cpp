@@ -32,7 +32,7 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
   const TextStream stream = text_stream({{"-o", output}, {"--report", targets.report}}, targets.json);
   bool is_written = false;
   if (result.interrupted && !output.empty() && std::filesystem::is_regular_file(output)) {
-    Warning() << "brdf fit: interrupted: " << output << " is kept as it was";
+    Warning() << "brdf fit: interrupted: " << output << " is kept unchanged";
   } else if (!output.empty() && best.solved()) {
     io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
     is_written = true;

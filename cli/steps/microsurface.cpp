@@ -105,8 +105,8 @@ void print_summary(const std::vector<micro::TheoryRow>& rows) {
             << ")";
   if (worst != nullptr)
     std::cout << "; greatest |z| " << size(worst->z) << ": " << worst->surface << ", " << worst->quantity;
-  std::cout
-      << "\napproximations: the difference to the model is the finding, its cause stands under each table\n";
+  std::cout << "\napproximations: the difference from the model is the finding; the text under each table "
+               "gives the cause\n";
 }
 
 void print_table(const std::vector<micro::TheoryRow>& rows) {

@@ -85,10 +85,10 @@ void print_json(std::span<const Reflectance> forms, const std::vector<render::Pr
 
 void print_table(std::span<const Reflectance> forms, const std::vector<render::ProofRow>& rows,
                  const std::string& device, bool software, bool of_shader) {
-  const char* rule = of_shader
-                         ? ": beside correctly rounded float; what differs is the driver's own functions"
-                     : software ? ": every bit must agree"
-                                : ": within the tolerance";
+  const char* rule =
+      of_shader  ? ": compared with correctly rounded float; the driver's own functions cause the differences"
+      : software ? ": every bit must agree"
+                 : ": within the tolerance";
   std::cout << device << rule << '\n'
             << std::left << std::setw(28) << "form" << std::right << std::setw(14) << "configurations"
             << std::setw(18) << "differing values" << std::setw(12) << "max ulp" << std::setw(18)

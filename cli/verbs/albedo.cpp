@@ -73,10 +73,10 @@ void add_albedo(CLI::App& app) {
                         ->capture_default_str());
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
-      "Of a material that `fit` has written, the 95 % interval of the fit stands beside it (not with "
+      "For a material that `fit` has written, the 95 % interval of the fit is printed, too (not with "
       "--set).\n"
-      "Exit code 1 where an integral did not converge. At 90 degrees the value is that at a cosine of\n"
-      "1e-12: of a form that grows without limit towards grazing that cosine alone decides it.\n"
+      "Exit code 1 if an integral did not converge. At 90 degrees the value is computed at a cosine of\n"
+      "1e-12: for a form that grows without limit towards grazing, that cosine decides the value.\n"
       "Examples: brdf albedo --form cook_torrance --set kd=0 --set ks=1 --set f0=1 --set alpha=1 --theta "
       "0,60\n"
       "          brdf albedo fitted.json --theta 45 --phi 30 --fixed o --rule adaptive "

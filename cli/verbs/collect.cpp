@@ -58,14 +58,15 @@ void add_collect(CLI::App& app) {
   CLI::App* verb = add_verb(app, Purpose::measure, "collect",
                             "Combine the results of planned work, or list the missing units");
   verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
-  verb->add_option("-o,--output", o.output,
-                   "Folder of the results, those of the verb at once; of one table its material file");
+  verb->add_option(
+      "-o,--output", o.output,
+      "Folder of the results, the same files as the verb writes; for one table its material file");
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_flag("--missing", o.missing,
-                 "Where units lack or are damaged, print them as a job array takes them: 3,7,12-19");
+                 "If units are missing or damaged, print their numbers for a job array: 3,7,12-19");
   verb->add_flag("--json", o.json, "The state of every unit as JSON on stdout; nothing is collected");
   verb->footer(
-      "Exit code 1 where units lack.\n"
+      "Exit code 1 if units are missing.\n"
       "Examples: brdf collect job -o maps/ --report maps.html\n"
       "          brdf collect job -o paint.json --report paint.html\n"
       "          brdf collect job --missing\n"

@@ -55,8 +55,8 @@ Exit to_rgl(const ConvertCall& o) {
   const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
   io::write_file_atomically(out, bytes);
   Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
-  Warning() << "brdf convert: lost: which directions were measured: what lies between them is interpolated "
-               "(export --to rgl --measured interpolates beside a fit)";
+  Warning() << "brdf convert: lost: the measured directions; values between them are interpolated "
+               "(export --to rgl --measured interpolates with the help of a fit)";
   print_next_step({view_command(out)}, TextStream::error);
   return Exit::good;
 }

@@ -109,7 +109,7 @@ void add_eval(CLI::App& app) {
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
   verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
   verb->footer(
-      "Exit code 1 where a value is no finite number: all rows are written, such values as nan, inf or "
+      "Exit code 1 if a value is not a finite number: all rows are written, such values as nan, inf or "
       "-inf.\n"
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
       "          brdf eval fitted.json --cos directions.csv\n"

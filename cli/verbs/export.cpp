@@ -90,7 +90,8 @@ void check_measured(const ExportCall& o) {
         ": samples have no formula; --to merl and --to rgl write them as a table, and a shader is made "
         "of a fitted material");
   if (!o.material.form.empty() || !o.material.set.empty())
-    throw InputError("--measured: goes with MATERIAL alone, whose ratio to the samples is interpolated");
+    throw InputError(
+        "--measured: needs MATERIAL alone; the ratio of the samples to the material is interpolated");
 }
 
 void check_output(const ExportCall& o) {
@@ -238,7 +239,7 @@ void check_use(const ExportCall& o, const interop::Program* program) {
   if (!program && o.naive)
     throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
   if (o.max_loss && !o.measured.empty())
-    throw InputError("--max-loss: is of a material; what lies between samples is not known");
+    throw InputError("--max-loss: needs a material; the values between samples are not known");
   if (o.max_loss && o.kernels != "own")
     throw InputError(
         "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
@@ -264,7 +265,8 @@ Exit run_export(ExportCall& o) {
     if (o.to == kMerl || o.to == kRgl) print_next_step({view_command(o.output)}, TextStream::error);
     return exit;
   }
-  if (o.output.empty() || is_stream(o.output)) throw InputError("--json: needs -o FILE for what is written");
+  if (o.output.empty() || is_stream(o.output))
+    throw InputError("--json: needs -o FILE for the exported text");
   try {
     const Made made = made_by(o, program);
     print_json(o, made.json);
@@ -289,9 +291,10 @@ void add_export(CLI::App& app) {
                             "Write a material for another program or as a shader, or samples as a table");
   add_material_options(*verb, options->material);
   add_material_argument(*verb, options->material);
-  verb->add_option("--measured", options->measured,
-                   "Samples, with what lies between them; MATERIAL: the fit that they are interpolated "
-                   "beside");
+  verb->add_option(
+      "--measured", options->measured,
+      "Samples, with interpolated values between them; MATERIAL: the fit that they are interpolated "
+      "beside");
   verb->add_option(
           "--to", options->to,
           "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
@@ -306,23 +309,23 @@ void add_export(CLI::App& app) {
       ->capture_default_str();
   verb->add_flag("--include", options->include,
                  "Functions only, for an #include: without #version and main()");
-  verb->add_option(
-      "--name", options->name,
-      "What the material is called there (default: its own name, its file's or the form's); two in one "
-      "shader need two");
+  verb->add_option("--name", options->name,
+                   "The material's name there (default: its own name, its file's or the form's); two in one "
+                   "shader need two");
   verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
   verb->add_option("--max-loss", options->max_loss,
-                   "Exit with 1 where more is lost: the rms of ln(1 + f cos_i), about a relative error")
+                   "Exit with 1 if more is lost: the rms of ln(1 + f cos_i), about a relative error")
       ->check(CLI::NonNegativeNumber);
   verb->add_flag("--json", options->json,
-                 "JSON on stdout: the loss, that of copied parameters, what was refused");
+                 "JSON on stdout: the loss, the loss of copied parameters, and refused properties");
   add_supplied_options(*verb, options->supplied);
   add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
   verb->footer(
-      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact where "
+      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact if "
       "that "
       "is ours,\n"
-      "else refitted; the loss is stated, and stands in the file. What it cannot carry is refused "
+      "else refitted; the loss is printed and written into the file. A property that it cannot carry is "
+      "refused "
       "(docs/interop.md).\n"
       "Of shaders the output is a whole shader of any stage with an empty main(); of glsl-es with highp as "
       "its "

@@ -58,7 +58,8 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
         "--shader " + o.shader.file +
         ": its value is linear in none of its parameters, or not in a colour; a fit takes a sum of terms, "
         "each times a weight: "
-        "give it a parameter that multiplies it, as `//: param scale 0 10 1` and `return scale * f`");
+        "give the function a parameter that multiplies its value, as `//: param scale 0 10 1` and `return "
+        "scale * f`");
   std::vector<std::vector<Reflectance>> models{{shader->reflectance}};
   if (o.form_given)
     for (auto& model : fit::models_of(o.choice.form)) models.push_back(std::move(model));
@@ -67,7 +68,7 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   if (o.shader.embed && o.output.empty())
-    throw InputError("--embed: goes with -o: it is the material that holds the text");
+    throw InputError("--embed: needs -o: the material file holds the text");
   text_stream({{"-o", o.output}, {"--report", o.report}}, o.json);  // throws before any file is read
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
   const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
@@ -139,7 +140,7 @@ void add_fit(CLI::App& app) {
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
   verb->add_flag("--no-pictures", o.no_pictures,
-                 "Of several files: no spheres, on the pages and beside them; they take most of the time");
+                 "With several files: do not draw spheres, which take most of the time");
   verb->add_flag("--json", o.json, "JSON on stdout");
   add_normals_option(*verb, o.stack);
   add_share_options(*verb, o.stack);

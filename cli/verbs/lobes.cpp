@@ -43,10 +43,9 @@ void add_lobes(CLI::App& app) {
   verb->add_option("-o,--output", job.output, "Picture to write: .png")->required();
   verb->add_option("--width", job.width, "Pixels across (default 640)")->check(CLI::Range(1, 16384));
   verb->add_option("--compare", job.compare, "A second material's JSON file, in the same plot");
-  verb->add_option("--measured", job.measured, "A sample table, whose points are drawn");
-  verb->add_option(
-          "--theta", job.plot_theta,
-          "Angle of the light in degrees (default 45; with --measured the nearest to it that was measured)")
+  verb->add_option("--measured", job.measured, "A sample table; its points are drawn");
+  verb->add_option("--theta", job.plot_theta,
+                   "Angle of incidence in degrees (default 45; with --measured the nearest measured one)")
       ->check(CLI::Range(0.0, 90.0));
   verb->add_option("--solo", job.solo, "One curve alone, for instance \"A r\"");
   verb->add_flag("--body", o->body, "The whole lobe as a body, its radius the cube root of f_r");

@@ -68,7 +68,7 @@ void add_parity(CLI::App& app) {
   verb->add_flag("--validation", o->validation, "Run under Vulkan's validation and synchronisation layers");
   verb->add_flag("--json", o->json, "Rows as JSON on stdout");
   verb->footer(
-      "Exit code 1 where a row is beyond its bound.\n"
+      "Exit code 1 if a row is beyond its bound.\n"
       "Examples: brdf parity --all --json\n"
       "          brdf parity --form ward --validation\n"
       "          brdf parity --shader ggx.glsl --param roughness=0.05:1");

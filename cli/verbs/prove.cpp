@@ -44,7 +44,7 @@ void refuse_beside_self_test(const CLI::App& verb) {
   for (const char* other : {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns",
                             "--define", "-I", "--form", "--all", "--property", "--require", "MATERIALS"})
     if (verb.count(other) > 0)
-      throw InputError(std::string(other) + ": has no effect beside --self-test: leave it out");
+      throw InputError(std::string(other) + ": has no effect with --self-test: leave it out");
 }
 
 // Refuses options that have no effect with --check: the user would assume that they had one.
@@ -53,7 +53,7 @@ void refuse_beside_check(const CLI::App& verb) {
   for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns"})
     if (verb.count(other) > 0)
       throw InputError(std::string(other == std::string_view("--output") ? "-o" : other) +
-                       ": has no effect beside --check: leave it out");
+                       ": has no effect with --check: leave it out");
 }
 
 Exit run_check(const ProveCall& o) {
@@ -216,11 +216,11 @@ void add_prove(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
       ->capture_default_str();
-  verb->add_option("-o,--output", o->output, "certificate of what is proved of forms and materials (JSON)");
+  verb->add_option("-o,--output", o->output, "certificate of the proofs of forms and materials (JSON)");
   verb->add_option(
       "--check", o->check,
       "a certificate to verify, without any search; with --require, --property, --form, --all and MATERIALS: "
-      "what it must show");
+      "the properties that it must show");
   verb->add_flag(
       "--self-test", o->self_test,
       "attack the prover: random shaders with planted violations, of which no verdict may be proved, "

@@ -175,7 +175,7 @@ TEST_F(Outputs, AnInterruptedFitKeepsTheMaterialThatIsThere) {
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1) << text("e");
   EXPECT_EQ(text("old.json"), "old");
-  EXPECT_THAT(text("e"), HasSubstr("interrupted: old.json is kept as it was"));
+  EXPECT_THAT(text("e"), HasSubstr("interrupted: old.json is kept unchanged"));
 }
 
 }  // namespace
