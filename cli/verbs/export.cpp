@@ -245,7 +245,7 @@ void check_use(const ExportCall& o, const interop::Program* program) {
         "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
 }
 
-// Samples that are given as MATERIAL are used as those of --measured. A pipe can be read only once and is
+// Samples that are given as MATERIAL are used like samples of --measured. A pipe can be read only once and is
 // assumed to contain a material.
 void take_samples(ExportCall& o) {
   const std::string& file = o.material.material;
