@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <regex>
 
 #include "cli/options/terminal.h"
 #include "cli/surface/surface.h"
@@ -80,6 +81,26 @@ std::vector<std::string> option_names(const CLI::App& app, const std::string& ve
   return names;
 }
 
+// "a, b or c" of "a,b,c".
+std::string one_of(const std::string& list) {
+  const std::string spaced = std::regex_replace(list, std::regex(","), ", ");
+  const std::size_t last = spaced.rfind(", ");
+  return last == spaced.npos ? spaced : spaced.substr(0, last) + " or " + spaced.substr(last + 2);
+}
+
+// The parser's sentences on a value, as the program's own: "--width: abc: must be from 1 to 16384".
+std::string in_plain_words(const std::string& said) {
+  static const std::regex range("(.*): Value (.*) not in range (\\S+) to (\\S+)"),
+      names("(.*): (.*) not in \\{(.*)\\}");
+  std::smatch found;
+  if (std::regex_match(said, found, range))
+    return found.str(1) + ": " + found.str(2) + ": must be a number from " + found.str(3) + " to " +
+           found.str(4);
+  if (std::regex_match(said, found, names))
+    return found.str(1) + ": " + found.str(2) + ": must be " + one_of(found.str(3));
+  return said;
+}
+
 }  // namespace
 
 std::shared_ptr<CLI::FormatterBase> help_layout(int columns) {
@@ -102,7 +123,7 @@ std::string usage_fault(const CLI::App& app, const std::string& parsers_words,
              io::did_you_mean(name, option_names(app, parsed->get_name())) + "see brdf" + verb + " --help)";
     }
   }
-  return parsers_words + " (see brdf" + verb + " --help)";
+  return in_plain_words(parsers_words) + " (see brdf" + verb + " --help)";
 }
 
 }  // namespace brdf::cli

@@ -11,8 +11,7 @@ if(BUILD_SHARED_LIBS)
   set(CMAKE_INSTALL_RPATH $ORIGIN $ORIGIN/${to_libraries})
 endif()
 
-# Headers of the rooms above libbrdf, as others include them: brdf/ROOM/NAME.h, with their includes of one another
-# spelled so, too. public_headers.cmake makes them of the list in public_headers.txt.
+# Headers of the rooms above libbrdf under the paths for users, brdf/ROOM/NAME.h, from the list in public_headers.txt.
 set(BRDF_PUBLIC_HEADERS ${PROJECT_BINARY_DIR}/public)
 set(script ${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake)
 list(TRANSFORM BRDF_INSTALLED_ROOMS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/\\1/*.h" OUTPUT_VARIABLE patterns)

@@ -17,8 +17,7 @@ while(entries)
     list(TRANSFORM includes REPLACE "#include \"(.*)\"" "\\1")
     list(APPEND entries ${includes})
     string(REGEX REPLACE "#include \"(${rooms})/" "#include \"brdf/\\1/" text "${text}")
-    # A header that has not changed keeps its time.
-    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)
+    file(CONFIGURE OUTPUT ${OUT}/brdf/${header} CONTENT "${text}" @ONLY)  # an unchanged header keeps its time
   endif()
 endwhile()
 file(GLOB_RECURSE found RELATIVE ${OUT}/brdf ${OUT}/brdf/*.h)

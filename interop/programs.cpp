@@ -166,9 +166,8 @@ struct Attempt {
     const std::string count = std::to_string(made.words.size());
     for (std::size_t k = 0; k < made.words.size(); ++k)
       header.push_back(
-          std::string(made.by_channel
-                          ? "the same values in brdf, by channel, without the spectra of the program"
-                          : "the same values in brdf") +
+          std::string(made.by_channel ? "in brdf, by channel, without the spectra of the program"
+                                      : "the same values in brdf") +
           (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of a sum of " + count : "") +
           ": brdf eval " + made.words[k]);
     if (!made.exact()) header.push_back(worst_place(made));

@@ -19,8 +19,8 @@ constexpr double kPromise = 1e-13;
 
 using Slots = std::vector<std::size_t>;
 
-// Returns the shapes that the names denote. The names are those of reports; in a sum, the name of the term
-// may be omitted.
+// Returns the shapes that the names denote. The names are the same as in reports; in a sum, the name of the
+// term may be omitted.
 Slots slots_of(const fit::Model& model, const std::vector<std::string>& names) {
   Slots out;
   std::vector<std::string> known;

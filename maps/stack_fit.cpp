@@ -157,8 +157,8 @@ void put(const texel::Planes& unit, const texel::Region& region, texel::Planes& 
 texel::Planes fit_stack(const texel::Stack& stack, const Settings& settings, const Normals* normals,
                         const Resources& resources, const io::Progress& progress) {
   texel::Planes maps = empty_maps(stack, settings);
-  // Units are as wide as the images, whose rows are read as a whole. They are narrower if there are fewer
-  // wide units than threads.
+  // Units are as wide as the images, because rows of images are read as a whole. Units are narrower if
+  // there are fewer wide units than threads.
   const bool wide = (stack.height + kUnit - 1) / kUnit >= resources.threads;
   const std::vector<texel::Region> units =
       texel::divided({0, 0, stack.width, stack.height}, wide ? stack.width : kUnit, kUnit);

@@ -53,7 +53,7 @@ void fit_texels(TexelFitter& fitter, const texel::Stack& stack, const Settings& 
 // Returns the planes of a fit in order, NaN everywhere. plane_values() returns their values in a texel.
 texel::Planes unknown_maps(const fit::Model& model, std::size_t width, std::size_t height);
 std::vector<double> plane_values(const TexelFit& fit, bool fits_normal, std::size_t channels);
-// Stores such values as those of one texel.
+// Stores such values for one texel.
 void put_texel(const std::vector<double>& values, std::size_t texel, texel::Planes& maps);
 // Returns the surface's normal in a texel of the stack: z if there are no planes.
 Vec3<double> normal_at(const Normals* normals, std::size_t texel);

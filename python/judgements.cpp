@@ -24,7 +24,8 @@ Judged judge(const std::vector<std::string>& forms, const py::list& items, const
              double max_theta, bool keep_fill, std::uint64_t seed, const std::string& quantity,
              const std::string& mirror_side, py::object progress) {
   const io::Supplied supplied = supplied_of(quantity, mirror_side);
-  if (effort != "quick" && effort != "full") throw InputError("--effort: " + effort + " not in {quick,full}");
+  if (effort != "quick" && effort != "full")
+    throw InputError("--effort: " + effort + ": must be quick or full");
   validate::check_max_theta(max_theta);
   Judged judged;
   validate::ReportContent& content = judged.content;

@@ -153,7 +153,7 @@ py::list albedo(const Optics& optics, fit::AlbedoChoice choice) {
 // include are named by `given`, by the material, or by its form.
 std::string glsl(const Optics& optics, const std::string& to, bool material, bool include,
                  const std::string& given) {
-  if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + " not in {glsl,glsl-es}");
+  if (to != "glsl" && to != "glsl-es") throw InputError("--to: " + to + ": must be glsl or glsl-es");
   const io::MaterialFile& file = optics.file;
   if (!material && !given.empty()) throw InputError("name: a form alone has no function of a material");
   std::string name = given;

@@ -47,7 +47,7 @@ JobReport run(const Job& given) {
   const RendererOptions options{.gbuffer_bits = job.gbuffer_bits,
                                 .path = job.forward ? Path::forward : Path::deferred};
   if ((job.gbuffer || state.display == Display::gbuffer) && !uses_gbuffer(state.scene, options))
-    throw InputError("this scene has no seven targets, so --gbuffer has no effect");
+    throw InputError("this scene is drawn without the seven targets, so --gbuffer has no effect");
   const Camera& camera = state.scene.camera;
   if (job.probe && (job.probe->x < 0 || job.probe->y < 0 || job.probe->x >= camera.width ||
                     job.probe->y >= camera.height)) {

@@ -1,5 +1,5 @@
 // The subject of a plan: `fit` of a stack or of the refits of one table, `fit` or `study` of tables. The
-// options are those of a run without a plan.
+// options are the same as for a run without a plan.
 #pragma once
 
 #include <functional>

@@ -11,8 +11,8 @@ namespace brdf::cli {
 
 struct FitTargets {
   std::string material, report;  // file names; empty: not written
-  std::string samples;           // file that `brdf view` can show next to the material; empty: no such file is known
-  bool json = false;             // prints JSON on stdout instead of text
+  std::string samples;  // file that `brdf view` can show next to the material; empty: no such file is known
+  bool json = false;    // prints JSON on stdout instead of text
 };
 // Writes the material and the report. Prints the result as text with the next step, or as JSON.
 Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,

@@ -1,4 +1,4 @@
-// best SAMPLES: the canonical form that describes a sample table best, and whether it keeps energy.
+// best SAMPLES: the canonical form that describes a sample table best, and whether the form conserves energy.
 #include <cstdio>
 #include <exception>
 

@@ -1,6 +1,5 @@
 // values MATERIAL.json DIRECTIONS.csv: f_r of a fitted material, a row for each pair of directions and a
-// column for each channel. What `brdf eval MATERIAL.json DIRECTIONS.csv` prints, to the last
-// digit.
+// column for each channel. The numbers equal the output of `brdf eval MATERIAL.json DIRECTIONS.csv`.
 #include <cstdio>
 #include <exception>
 #include <vector>

@@ -178,7 +178,8 @@ std::vector<float> Renderer::read_color() {
 }
 
 std::vector<float> Renderer::read_target(Target target) {
-  if (!uses_gbuffer(scene_.scene, options_)) throw InputError("this scene has no seven targets");
+  if (!uses_gbuffer(scene_.scene, options_))
+    throw InputError("this scene is drawn without the seven targets");
   if (scene_.layers.size() > 1) {  // later layers have overwritten the first
     device_->run([&](VkCommandBuffer commands) { deferred_->record_geometry(commands, scene_, gpu_, 0); });
   }

@@ -194,7 +194,7 @@ TEST(OwnProofs, SayWhatIsUndefined) {
 TEST(OwnProofs, TheSelfTestTakesNothingElse) {
   io::TemporaryFolder folder;
   EXPECT_THAT(run_brdf("prove --self-test --form ward", folder.path()).err,
-              HasSubstr("has no effect beside --self-test"));
+              HasSubstr("has no effect with --self-test"));
   EXPECT_THAT(run_brdf("prove --seed 3 --form ward", folder.path()).err,
               HasSubstr("--seed: goes with --self-test"));
 }

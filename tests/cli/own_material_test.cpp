@@ -155,7 +155,7 @@ TEST_F(OwnMaterial, HoldsItsTextWhereThatIsAskedFor) {
 }
 
 TEST_F(OwnMaterial, IsRefusedBeforeTheSearch) {
-  EXPECT_THAT(run("fit s.csv --shader glow.glsl --embed").err, HasSubstr("--embed: goes with -o"));
+  EXPECT_THAT(run("fit s.csv --shader glow.glsl --embed").err, HasSubstr("--embed: needs -o"));
   EXPECT_THAT(run("fit s.csv --form lambert --embed -o m.json").err,
               HasSubstr("--embed: has no effect without --shader"));
   write("latin.glsl", std::string(kGlow) + "// gr\xfcn\n");

@@ -94,7 +94,7 @@ TEST_F(RenderCli, BrokenModelsAreNamed) {
   };
   refused("this is no model", "");
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n", "cannot be read as a model");
-  refused("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "no triangle with an area");
+  refused("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "has no triangle with an area");
   refused("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 is not finite");
   refused("v 1e39 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "vertex 1 is not finite");
 }
@@ -193,8 +193,8 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render --state m.json -o x.png", 2, "must be \"brdf-view\"");
   expect_refused("render --state m.json m.json -o x.png", 2, "give no other input with it");
   expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
-  expect_refused("render m.json --exposure 21 -o x.png", 2, "not in range -20 to 20");
-  expect_refused("render m.json --supersample 0 -o x.png", 2, "Value 0 not in range 1 to 16");
+  expect_refused("render m.json --exposure 21 -o x.png", 2, "must be a number from -20 to 20");
+  expect_refused("render m.json --supersample 0 -o x.png", 2, "0: must be a number from 1 to 16");
   expect_refused("parity", 2, "parity needs --all, --form or --shader");
 }
 
@@ -365,7 +365,7 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
   const Outcome alone = run("render s.csv --width 32 --height 32 -o alone.png");
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_EQ(alone.out.find("relative MSE"), std::string::npos) << alone.out;
-  EXPECT_THAT(alone.err, HasSubstr("ambient light is left out"));
+  EXPECT_THAT(alone.err, HasSubstr("ambient light is omitted"));
   EXPECT_THAT(run("render m.json --measured s.csv --width 64 --height 64 -o both.png").out,
               HasSubstr("% of the surface"));
   EXPECT_NE(picture("m.json --measured s.csv --split --width 64 --height 64", "split.png", "render"),

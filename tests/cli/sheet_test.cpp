@@ -105,8 +105,8 @@ TEST_F(SheetCli, RowsOfABlindedDetectorAreLeftOutUnlessTheyAreKept) {
   EXPECT_LT(rho(" --keep-fill"), 0.6);
   const Outcome fitted = run("fit blind.csv --form lambert");
   EXPECT_THAT(fitted.out, HasSubstr("fill fails: "));
-  EXPECT_THAT(fitted.err, HasSubstr("rows of fill values left out"));
-  EXPECT_THAT(run("convert blind.csv out.csv").err, HasSubstr("rows of fill values left out"));
+  EXPECT_THAT(fitted.err, HasSubstr("rows with fill values left out"));
+  EXPECT_THAT(run("convert blind.csv out.csv").err, HasSubstr("rows with fill values left out"));
   EXPECT_EQ(io::read_samples(folder_.path() / "out.csv").rows() +
                 std::size_t(findings("blind.csv")[2]["value"].get<double>()),
             io::read_samples(folder_.path() / "blind.csv").rows());

@@ -78,7 +78,9 @@ TEST_F(Streams, AMaterialIsGivenOnce) {
 
 TEST_F(Streams, AFileOfAnotherKindIsNamed) {
   for (const char* words : {"albedo s.csv --theta 0", "synth s.csv -o o.csv", "eval s.csv d.csv"})
-    expect_refused(words, "s.csv: is no material, which is JSON; `brdf fit` makes materials of samples");
+    expect_refused(words,
+                   "s.csv: is not a material, because a material is JSON; use `brdf fit` to make a material "
+                   "from samples");
   expect_refused("eval d.csv m.json", "d.csv, m.json: the material's JSON comes first, then the directions");
   expect_refused("eval m.json", "exactly one of MATERIAL, --form and --shader");
   expect_refused("eval", "DIRECTIONS is required");

@@ -79,7 +79,7 @@ with tempfile.TemporaryDirectory() as name:
     refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")
     refused("fit one --form ward -o maps", "one: is not a stack")
     refused("fit stack/lights.csv --normals fit", "--normals: has no effect on one table of samples")
-    refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: no channel normal.x")
+    refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: has no channel normal.x")
     refused("synth --form ward --lights 3 -o x.csv", "--texels")
     refused("synth --form ward --texels 8 --lights 3 -o x", "--texels 8: must be WIDTHxHEIGHT")
     refused("synth --form ward --texels 8x8 -o x", "--lights 0: must be between 1")

@@ -43,7 +43,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert "energy of oren_nayar: refuted, not proved: the albedo is 1.01518" in told, told
     for words in (["-o", "x.json"], ["--seconds", "3"], ["--gap", "1e-4"], ["--shader", "x.glsl"]):
         done = run(brdf, "prove", "--check", "c.json", *words, cwd=folder)
-        assert done.returncode == 2 and "has no effect beside --check" in done.stderr, (words, done)
+        assert done.returncode == 2 and "has no effect with --check" in done.stderr, (words, done)
     text = pathlib.Path(folder, "c.json").read_text()
     pathlib.Path(folder, "changed.json").write_text(re.sub(r"0\.3(\d)", lambda m: f"0.3{9 - int(m[1])}", text, count=1))
     assert pathlib.Path(folder, "changed.json").read_text() != text

@@ -146,7 +146,7 @@ TEST(Languages, AreRefusedByNameWhereNothingCompiles) {
       "template<typename T> T twice(T x) { return x + x; }\nfloat brdf(float3 L, float3 V) { return 0.375; }",
       {}, "a.hlsl");
   EXPECT_EQ(value_at(beside, 20, 0, 30, 0), 0.375);
-  EXPECT_THAT(notes_of(beside), HasSubstr("without twice()"));
+  EXPECT_THAT(notes_of(beside), HasSubstr("omitted twice()"));
   EXPECT_THAT(said("float f<T : ILobe>(T x) { return 1; }\nfloat brdf(float3 L, float3 V) { return f(L); }",
                    "a.hlsl"),
               HasSubstr("a.hlsl:1: is Slang (`f<T`)"));
@@ -301,7 +301,7 @@ TEST(Supplied, IncludedFilesMayHaveFunctionsThatDoNotCompile) {
             "}\n");
   const auto a = tree.load("a.glsl");
   EXPECT_NEAR(value_at(a, 0, 0, 30, 0), 0.5 / 3, 1e-12);
-  EXPECT_THAT(notes_of(a), HasSubstr("without look(), twice()"));
+  EXPECT_THAT(notes_of(a), HasSubstr("omitted look(), twice()"));
   EXPECT_THAT(notes_of(a), HasSubstr("engine/tools.glsl:3: 'texture'"));
   EXPECT_THAT(tree.refused("b.glsl"), HasSubstr("engine/tools.glsl:3: 'texture'"));
 }
@@ -403,7 +403,8 @@ TEST(Parts, ThatAreNotKnownStopIt) {
   const auto one = shader_of(
       "void brdf(vec3 L, vec3 V, float k, out vec3 color, out vec3 direction_out) { color = vec3(k); "
       "direction_out = L; }");
-  EXPECT_THAT(notes_of(one), HasSubstr("the reflectance is color of what brdf gives, without direction_out"));
+  EXPECT_THAT(notes_of(one),
+              HasSubstr("the reflectance is color of the results of brdf, without direction_out"));
   const auto beside =
       shader_of("float brdf(vec3 L, vec3 V, float k, out float specular) { specular = 2.0; return k; }");
   EXPECT_THAT(notes_of(beside), HasSubstr("the reflectance is the value returned by brdf, without specular"));
@@ -451,9 +452,9 @@ TEST(Whole, IntegersAreAskedForTheirRangeAndStayWhole) {
   // A default that is not given is a whole number as well.
   EXPECT_EQ(shader_of(code, {.file = "", .parameters = {"kind=0:3"}})->info().shape[0].initial, 1);
   EXPECT_THAT(refusal("//: param kind 0 2.5 2\n" + code),
-              HasSubstr("test.glsl:1: param kind: 2.5 is not a whole number"));
+              HasSubstr("test.glsl:1: param kind: 2.5 must be a whole number"));
   EXPECT_THAT(refusal(code, {.file = "", .parameters = {"kind=0:3:1.5"}}),
-              HasSubstr("--param kind: 1.5 is not a whole number"));
+              HasSubstr("--param kind: 1.5 must be a whole number"));
   EXPECT_THAT(refusal("//: param kind 0 3 1\n//: param on 0 2 1\n" + code),
               HasSubstr("test.glsl:2: param on: 2 must be 0 or 1"));
   const auto block = shader_of(
@@ -488,7 +489,7 @@ TEST(Linear, PlacesWithoutAValueAreLeftOut) {
               testing::ContainsRegex("the value is not finite at [0-9]+ of 24 directions.*eta="));
   const auto without = shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * sqrt(-1.0 - L.z); }");
   EXPECT_FALSE(without->info().fittable());
-  EXPECT_THAT(notes_of(without), HasSubstr("at 24 of 24 places"));
+  EXPECT_THAT(notes_of(without), HasSubstr("at 24 of 24 directions"));
   // A function that is not linear remains not fittable.
   EXPECT_FALSE(shader_of("float brdf(vec3 L, vec3 V, float kd) { return kd * kd * sqrt(dot(L, V) - 0.2); }")
                    ->info()
@@ -545,7 +546,7 @@ TEST(Defines, AreRefusedOrSaidWhereTheyDoNothing) {
   EXPECT_THAT(
       refusal(
           "#if !defined(TARGET)\n#error choose a target\n#endif\nfloat brdf(vec3 L, vec3 V) { return 1.0; }"),
-      AllOf(HasSubstr("test.glsl:2: "), HasSubstr("not defined: TARGET; --define NAME")));
+      AllOf(HasSubstr("test.glsl:2: "), HasSubstr("not defined: TARGET; define a macro with --define NAME")));
   EXPECT_EQ(
       command_words({.file = "a.glsl", .defines = {"K=2.0 * x", "T"}, .include_folders = {"my folder"}}),
       "--shader a.glsl --define 'K=2.0 * x' --define T -I 'my folder'");

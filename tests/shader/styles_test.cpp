@@ -238,7 +238,7 @@ TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
   const auto shader = shader_of(text);
   EXPECT_NEAR(value_at(shader, 30, 0, 30, 180), 0.25, 1e-12);
   EXPECT_THAT(shader->function().notes,
-              testing::Contains(testing::AllOf(HasSubstr("without trouble(), more_trouble(), main()"),
+              testing::Contains(testing::AllOf(HasSubstr("omitted trouble(), more_trouble(), main()"),
                                                HasSubstr("test.glsl:3: the type Other is not defined"))));
   // If such a function is requested, the refusal gives the function's own error. A function that does not
   // compile but is named as a reflectance is refused as well; its part is used only on request.
@@ -246,8 +246,9 @@ TEST(Style, FunctionsThatDoNotCompileAreLeftOut) {
   const std::string part =
       "float lobe(vec3 L, vec3 V) { return 3.0; }\n"
       "float sheet_bsdf(vec3 L, vec3 V, Closure c) { return lobe(L, V) / 10.0; }\n";
-  EXPECT_THAT(refusal(part), testing::AllOf(HasSubstr("test.glsl:2: the type Closure is not defined"),
-                                            HasSubstr("with --entry lobe")));
+  EXPECT_THAT(refusal(part),
+              testing::AllOf(HasSubstr("test.glsl:2: the type Closure is not defined"),
+                             HasSubstr("use --entry to select a function that is called there: lobe")));
   EXPECT_NEAR(value_at(shader_of(part, {.file = "", .entry = "lobe"}), 30, 0, 30, 180), 3, 1e-12);
 }
 

@@ -100,7 +100,7 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
        {"<h1>s0.csv</h1>", "class=\"verdict", "href=\"../index.html\"",
         ">Measured and fitted in the plane of incidence<", ">Residuals of the fit<", ">Parameters<",
         ">Properties of the fitted material<", ">not applicable: ", ">Albedo, lobes and reciprocity<",
-        ">All forms, best first<", ">The samples<", ">Data sheet<", ">Files and commands<",
+        ">All forms, best first<", ">The measurements<", ">Data check<", ">Files and commands<",
         "href=\"material.json\"", "href=\"material.glsl\"", "class=\"commands\"",
         " --form ward -o material.json\nbrdf validate material.json\n"}) {
     const std::size_t at = page.find(part, last);

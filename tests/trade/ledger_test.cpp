@@ -137,7 +137,7 @@ TEST(Conclusion, IsTheCheapestThatIsAccurateEnough) {
   EXPECT_EQ(
       conclusion(all),
       "The cheapest choice with a mean error below 0.01 is coarse at 0.2 of the exact cost (largest error "
-      "0.1); within 0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
+      "0.1); below 0.0001 it is fine at 0.6 of the exact cost (largest error 0.0001).");
   EXPECT_EQ(conclusion({all[0], all[3]}), "No cheaper choice has a mean error below 0.01: use exact.");
 }
 
