@@ -7,6 +7,7 @@
 #include "cli/options/terminal.h"
 #include "cli/surface/surface.h"
 #include "io/files/near_name.h"
+#include "io/files/text.h"
 
 namespace brdf::cli {
 namespace {
@@ -93,9 +94,11 @@ std::string in_plain_words(const std::string& said) {
   static const std::regex range("(.*): Value (.*) not in range (\\S+) to (\\S+)"),
       names("(.*): (.*) not in \\{(.*)\\}");
   std::smatch found;
-  if (std::regex_match(said, found, range))
-    return found.str(1) + ": " + found.str(2) + ": must be a number from " + found.str(3) + " to " +
-           found.str(4);
+  if (std::regex_match(said, found, range)) {
+    const auto shortest = [&](int k) { return io::to_text(std::stod(found.str(std::size_t(k)))); };
+    return found.str(1) + ": " + found.str(2) + ": must be a number from " + shortest(3) + " to " +
+           shortest(4);
+  }
   if (std::regex_match(said, found, names))
     return found.str(1) + ": " + found.str(2) + ": must be " + one_of(found.str(3));
   return said;

@@ -128,7 +128,8 @@ with tempfile.TemporaryDirectory() as name:
     run("work refits")
     damage(place.units("refits")[2][0])
     run("work refits")
-    assert run("collect refits -o units.json --report units.html").stdout == at_once.replace("once.", "units.")
+    result_of = lambda said: [line for line in said.splitlines() if not line.startswith("look at it: ")]  # noqa: E731
+    assert result_of(run("collect refits -o units.json --report units.html").stdout) == result_of(at_once)
     for end in ("json", "html"):
         assert (place.folder / f"once.{end}").read_bytes() == (place.folder / f"units.{end}").read_bytes(), end
     material = json.loads((place.folder / "once.json").read_text())
