@@ -95,9 +95,12 @@ std::string in_plain_words(const std::string& said) {
       names("(.*): (.*) not in \\{(.*)\\}");
   std::smatch found;
   if (std::regex_match(said, found, range)) {
-    const auto shortest = [&](int k) { return io::to_text(std::stod(found.str(std::size_t(k)))); };
-    return found.str(1) + ": " + found.str(2) + ": must be a number from " + shortest(3) + " to " +
-           shortest(4);
+    const auto shortest = [](const std::string& number) {
+      return number.find('.') == number.npos ? number : io::to_text(std::stod(number));
+    };
+    const bool whole = found.str(3).find('.') == std::string::npos;
+    return found.str(1) + ": " + found.str(2) + ": must be a " + (whole ? "whole " : "") + "number from " +
+           shortest(found.str(3)) + " to " + shortest(found.str(4));
   }
   if (std::regex_match(said, found, names))
     return found.str(1) + ": " + found.str(2) + ": must be " + one_of(found.str(3));

@@ -90,8 +90,10 @@ void add_values(const std::vector<std::string>& texts, const char* option, std::
 template <class Number>
 void check_range(const char* option, Number value, Number low, Number high) {
   if (!(value >= low && value <= high))
-    throw InputError(std::string(option) + ": " + io::to_text(double(value)) + ": must be a number from " +
-                     io::to_text(double(low)) + " to " + io::to_text(double(high)));
+    throw InputError(std::string(option) + ": " + io::to_text(double(value)) + ": must be a " +
+                     (std::is_integral_v<Number>
+                          ? "whole number from " + std::to_string(low) + " to " + std::to_string(high)
+                          : "number from " + io::to_text(double(low)) + " to " + io::to_text(double(high))));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ void read_exposure(const std::string& text, render::Job& job) {
   if (!io::parse_number(text, stops) || !std::isfinite(stops))
     throw CLI::ValidationError("--exposure", "'" + text + "' must be a finite number, or auto");
   if (std::abs(stops) > 20)
-    throw CLI::ValidationError("--exposure", "Value " + text + " not in range -20 to 20");
+    throw CLI::ValidationError("--exposure", text + ": must be a number from -20 to 20");
   job.exposure = float(stops);
 }
 

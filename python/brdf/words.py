@@ -45,7 +45,7 @@ def whole(option: str, value: int, low: int, high: int) -> int:
     """Returns the whole number of an option, within its range."""
     found = _index(value)
     if found is None or not low <= found <= high:
-        raise InputError(f"{option} {value}: must be a whole number from {low} to {high}")
+        raise InputError(f"{option}: {value}: must be a whole number from {low} to {high}")
     return found
 
 

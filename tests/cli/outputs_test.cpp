@@ -107,7 +107,7 @@ TEST_F(Outputs, OptionsTakeNumbersAsFilesDo) {
 }
 
 TEST_F(Outputs, LimitsAreSaidInShort) {
-  expect_refused("fit s.csv --starts -1", "--starts: -1: must be a number from 0 to 100000");
+  expect_refused("fit s.csv --starts -1", "--starts: -1: must be a whole number from 0 to 100000");
   for (const char* memory : {"0", "-1", "1.5G", "1T", "G", "99999999999999G"})
     expect_refused("render m.json -o x.png --memory-limit " + std::string(memory),
                    "must be a whole number above 0, alone or with K, M or G");

@@ -194,7 +194,7 @@ TEST_F(RenderCli, WrongUsageIsExplained) {
   expect_refused("render --state m.json m.json -o x.png", 2, "give no other input with it");
   expect_refused("render m.json --exposure bright -o x.png", 2, "must be a finite number, or auto");
   expect_refused("render m.json --exposure 21 -o x.png", 2, "must be a number from -20 to 20");
-  expect_refused("render m.json --supersample 0 -o x.png", 2, "0: must be a number from 1 to 16");
+  expect_refused("render m.json --supersample 0 -o x.png", 2, "0: must be a whole number from 1 to 16");
   expect_refused("parity", 2, "parity needs --all, --form or --shader");
 }
 
