@@ -72,7 +72,9 @@ struct Degree {
 class DegreeDomain {
  public:
   using Value = Degree;
-  explicit DegreeDomain(const Function& f) : f_(f), joint(std::min(f.parameters.size(), kBits)) {}
+  explicit DegreeDomain(const Function& f) : joint(std::min(f.parameters.size(), kBits)), f_(f) {}
+
+  std::vector<std::uint64_t> joint;  // for each parameter those that a product with it depends on
 
   static Degree join(const Degree& a, const Degree& b) {
     if (!a.reached || !b.reached) return a.reached ? a : b;
@@ -165,9 +167,6 @@ class DegreeDomain {
 
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Function& f_;
-
- public:
-  std::vector<std::uint64_t> joint;
 };
 
 // What a value is when some parameters are 0.
@@ -242,14 +241,7 @@ class Equal {
 
   // Returns whether all results are equal at every end of the program.
   bool holds() {
-    constexpr std::size_t kMost = std::size_t(1) << 24;
-    if (begins_[0].size() * p_.stretches.size() > kMost) return false;
-    do {
-      changed_ = false;
-      for (std::size_t k = 0; k < p_.stretches.size(); ++k)
-        if (!begins_[k].empty() && !pass(k)) return false;
-    } while (changed_);
-    return true;
+    return until_unchanged(begins_, changed_, [&](std::size_t k) { return pass(k); });
   }
 
  private:

@@ -14,6 +14,20 @@ namespace brdf::shader {
 // condition.
 std::vector<std::vector<std::uint32_t>> controlled_stretches(const Program& program);
 
+// Calls pass(k) for each stretch k that a path has reached, until no call sets `changed`. begins[k] is empty
+// before a path reaches stretch k. Returns false if a call returns false, or if the program is too large.
+template <class State, class Pass>
+bool until_unchanged(const std::vector<State>& begins, bool& changed, Pass&& pass) {
+  constexpr std::size_t kMost = std::size_t(1) << 24, kMostStretches = std::size_t(1) << 14;
+  if (begins[0].size() * begins.size() > kMost || begins.size() > kMostStretches) return false;
+  do {
+    changed = false;
+    for (std::size_t k = 0; k < begins.size(); ++k)
+      if (!begins[k].empty() && !pass(k)) return false;
+  } while (changed);
+  return true;
+}
+
 // A Domain has a type Value, for which Value{} means that no path has reached the slot yet, and
 //   Value join(const Value&, const Value&)                  what holds after either of two paths
 //   Value step(const Step&, const Operation&, const Value*) the result, from the values of the operands
@@ -39,14 +53,7 @@ class Flow {
 
   // Returns false if the domain refuses a branch, or if the program is too large to be followed.
   bool run() {
-    constexpr std::size_t kMost = std::size_t(1) << 24, kMostStretches = std::size_t(1) << 14;
-    if (begins_[0].size() * p_.stretches.size() > kMost || p_.stretches.size() > kMostStretches) return false;
-    do {
-      changed_ = false;
-      for (std::size_t k = 0; k < p_.stretches.size(); ++k)
-        if (!begins_[k].empty() && !pass(k)) return false;
-    } while (changed_);
-    return true;
+    return until_unchanged(begins_, changed_, [&](std::size_t k) { return pass(k); });
   }
   // What holds of each result at every end of the program.
   const std::vector<Value>& results() const { return results_; }

@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-class Outputs : public testing::Test {
+class Outputs : public InFolder {
  protected:
   void SetUp() override {
     write("d.csv", "theta_i,phi_i,theta_o,phi_o\n30,180,30,0\n0,0,45,0\n");
@@ -19,11 +19,6 @@ class Outputs : public testing::Test {
       "weights": {"kd": [0.9], "ks": [0.9]}, "shape": {"alpha_x": 0.1, "alpha_y": 0.1}})");
     ASSERT_EQ(run("synth --form lambert --grid in_plane --theta-i 0,30 --step 15 -o s.csv").exit_code, 0);
   }
-  void write(const std::string& name, const std::string& content) {
-    std::ofstream(folder_.path() / name) << content;
-  }
-  std::string text(const std::string& name) { return file_text(folder_.path() / name); }
-  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
   // Returns the exit code of the program, followed by its stderr, as a shell receives them.
   std::string seen(const std::string& arguments) { return run(arguments + " 2>e; echo $? $(cat e)").out; }
   void expect_refused(const std::string& arguments, const std::string& what) {
@@ -32,8 +27,6 @@ class Outputs : public testing::Test {
     EXPECT_THAT(outcome.err, HasSubstr(what)) << arguments;
     EXPECT_EQ(outcome.out, "") << arguments;
   }
-
-  const io::TemporaryFolder folder_;
 };
 
 TEST_F(Outputs, LostStandardOutputIsTheEnvironmentsFault) {

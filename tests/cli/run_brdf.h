@@ -1,6 +1,7 @@
 // Runs the built executable for tests.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -56,5 +57,18 @@ inline Outcome run_brdf(const std::string& arguments, const std::filesystem::pat
   std::filesystem::remove(err);
   return outcome;
 }
+
+// A temporary folder in which a test writes files and runs the executable.
+class InFolder : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& content) {
+    std::ofstream(folder_.path() / name) << content;
+  }
+  std::string text(const std::string& name) { return file_text(folder_.path() / name); }
+  bool exists(const std::string& name) { return std::filesystem::exists(folder_.path() / name); }
+  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
+
+  const io::TemporaryFolder folder_;
+};
 
 }  // namespace brdf

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-class Streams : public testing::Test {
+class Streams : public InFolder {
  protected:
   void SetUp() override {
     write("d.csv", "theta_i,phi_i,theta_o,phi_o\n30,180,30,0\n0,0,45,0\n");
@@ -23,12 +23,6 @@ class Streams : public testing::Test {
   // No test may leave a file of this name.
   void TearDown() override { EXPECT_FALSE(exists("-")); }
 
-  void write(const std::string& name, const std::string& content) {
-    std::ofstream(folder_.path() / name) << content;
-  }
-  std::string text(const std::string& name) { return file_text(folder_.path() / name); }
-  bool exists(const std::string& name) { return std::filesystem::exists(folder_.path() / name); }
-  Outcome run(const std::string& arguments) { return run_brdf(arguments, folder_.path()); }
   // Returns the output without the lines that repeat the command or name its files.
   std::string results(const std::string& arguments) {
     const Outcome outcome = run(arguments);
@@ -49,8 +43,6 @@ class Streams : public testing::Test {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(outcome.out, "") << arguments;
   }
-
-  const io::TemporaryFolder folder_;
 };
 
 TEST_F(Streams, AMaterialIsPositionalAndTheOlderOptionMeansTheSame) {
