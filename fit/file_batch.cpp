@@ -195,7 +195,7 @@ std::vector<std::string> batch_names(const std::vector<std::string>& files) {
   for (const char* summary : kSummaries) taken.emplace(summary, "the summary");
   const auto is_free = [&](const std::string& name) {
     const std::vector<std::string> outputs = outputs_of(name);
-    return std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return taken.count(o) > 0; });
+    return std::ranges::none_of(outputs, [&](const auto& o) { return taken.count(o) > 0; });
   };
   std::vector<std::string> names;
   for (const std::string& file : files) {

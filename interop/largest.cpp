@@ -70,7 +70,7 @@ Largest Comparison::largest_of(const Material& carried) const {
       worst[k].first = std::max(worst[k].first, relative_difference(at_net_[c][k], values[c][k]));
   }
   const std::size_t kept = std::min(kKept, worst.size());
-  std::partial_sort(worst.begin(), worst.begin() + long(kept), worst.end(), std::greater<>());
+  std::ranges::partial_sort(worst, worst.begin() + long(kept), std::greater<>());
   Largest best;
   best.difference = -1;
   const auto place = [&](std::size_t k) {

@@ -1,7 +1,6 @@
 #include "interop/read_back.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "brdf/reflectance.h"
 #include "interop/wanted.h"

@@ -176,7 +176,7 @@ std::vector<Vec3<double>> TexelFitter::likely_normals() const {
     for (std::size_t k = 0; k < rows; ++k) bright[k] += channel[k] * data_.wi_z[k];
   std::vector<std::size_t> order(rows);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bright[a] > bright[b]; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return bright[a] > bright[b]; });
   const auto add = [&](Vec3<double> n) {
     const double length = std::sqrt(dot(n, n));
     if (length > 0 && n.z > 0.5 * length) out.push_back(n * (1 / length));
@@ -225,8 +225,7 @@ fit::Solution TexelFitter::solve_from_grid() {
       const double cost = stream.normal_equations(p).cost;
       if (std::isfinite(cost)) starts.push_back({std::move(p), cost});
     }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Start& a, const Start& b) { return a.cost < b.cost; });
+  std::ranges::stable_sort(starts, {}, &Start::cost);
   const std::size_t solved = model_.terms().size() > 1 ? starts.size() : kSolvedStarts;
   fit::Solution best;
   best.cost = std::numeric_limits<double>::infinity();

@@ -83,8 +83,8 @@ const Kind& find_kind(const std::string& name) {
 
 void check(const SampleSettings& s, const Kind& kind) {
   for (const auto& [name, value] : s.parameters) {
-    const auto found = std::find_if(kind.parameters.begin(), kind.parameters.end(),
-                                    [&, parameter = name](const Range& r) { return parameter == r.name; });
+    const auto found = std::ranges::find_if(
+        kind.parameters, [&, parameter = name](const Range& r) { return parameter == r.name; });
     if (found == kind.parameters.end()) {
       std::vector<std::string> known;
       for (const Range& r : kind.parameters) known.push_back(r.name);

@@ -4,7 +4,6 @@
 
 #include "io/csv/csv.h"
 #include "io/files/content.h"
-#include "io/files/error.h"
 #include "io/formats/any_table.h"
 #include "io/formats/read.h"
 #include "io/samples/degrees.h"

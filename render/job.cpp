@@ -1,6 +1,5 @@
 #include "render/job.h"
 
-#include <cmath>
 
 #include "io/files/error.h"
 #include "render/compare/pictures.h"

@@ -187,7 +187,7 @@ std::vector<std::string> colour_notes(const ViewState& state) {
     const auto colours = io::channel_colours(material.channels);
     if (!colours || colours->note.empty()) return;
     std::string note = (name.empty() ? "the material" : name) + ": " + colours->note;
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   };
   for (const Object& object : state.scene.objects) add(object.material, object.material_name);
   if (state.material) add(*state.material, state.material_name);

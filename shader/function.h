@@ -3,7 +3,6 @@
 
 #include <array>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>

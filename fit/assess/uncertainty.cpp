@@ -98,7 +98,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
                            std::to_string(3 * per_channel) + ", or fix some of them");
   }
   const bool unturned =
-      std::any_of(all.begin(), all.end(), [&](const Reported& r) { return asks_for_turn(r, model); }) &&
+      std::ranges::any_of(all, [&](const Reported& r) { return asks_for_turn(r, model); }) &&
       !sample_was_turned(stream.data());
   std::optional<WorkingNoise> working;
   if (!lean && !many && !few) working = working_noise(stream, m, c);
@@ -122,7 +122,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   }
   if (detail == Detail::profiles && !many) profile_all(all, stream, on, profiles, out);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
-  const bool any_unidentified = std::any_of(all.begin(), all.end(), unidentified);
+  const bool any_unidentified = std::ranges::any_of(all, unidentified);
   if (!lean) {
     std::vector<std::size_t> certain;
     for (std::size_t k = 0; k < all.size(); ++k)

@@ -1,10 +1,8 @@
 #include "io/columns/quantities.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brdf/angle.h"
 #include "io/columns/quantity_words.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/text.h"

@@ -37,7 +37,7 @@ double quantile(std::vector<double> values, double share) {
   if (values.empty()) return NAN;
   const auto place =
       values.begin() + std::ptrdiff_t(std::min(share * double(values.size()), double(values.size() - 1)));
-  std::nth_element(values.begin(), place, values.end());
+  std::ranges::nth_element(values, place);
   return *place;
 }
 

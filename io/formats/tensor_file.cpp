@@ -65,7 +65,7 @@ void TensorFile::fail(const std::string& what) const {
 
 const TensorFile::Field* TensorFile::find(const std::string& name) const {
   const auto same = [&](const Field& field) { return field.name == name; };
-  const auto found = std::find_if(fields_.begin(), fields_.end(), same);
+  const auto found = std::ranges::find_if(fields_, same);
   return found == fields_.end() ? nullptr : &*found;
 }
 
@@ -88,7 +88,7 @@ std::vector<float> TensorFile::floats(const std::string& name) const {
   std::vector<float> values(field.count);
   if (values.empty()) return values;  // memcpy to a null pointer is undefined
   std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
-  if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
+  if (!std::ranges::all_of(values, [](float x) { return std::isfinite(x); }))
     fail("field \"" + name + "\" holds a value that is not finite");
   return values;
 }

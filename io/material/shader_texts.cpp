@@ -1,6 +1,5 @@
 #include "io/material/shader_texts.h"
 
-#include <utility>
 
 #include "io/files/text.h"
 #include "io/material/cpp_text.h"

@@ -68,7 +68,7 @@ struct Decision {
 };
 
 Decision decide(const SampleTable& table, MirrorSide asked) {
-  if (std::any_of(table.theta_i.begin(), table.theta_i.end(), [](double theta) { return theta < 0; }))
+  if (std::ranges::any_of(table.theta_i, [](double theta) { return theta < 0; }))
     return {false, true,
             "light and viewer are on one scale of angles (some of the light's are negative): the mirror "
             "direction is at -theta_i"};

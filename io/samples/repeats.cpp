@@ -55,16 +55,15 @@ class Scatter {
       const double mean = mean_of(values, group), squares = squares_of(values, group, mean);
       if (squares > 0) repeated_.push_back({std::abs(mean), squares, double(group.size() - 1)});
     }
-    std::sort(repeated_.begin(), repeated_.end(),
-              [](const Repeated& a, const Repeated& b) { return a.size < b.size; });
+    std::ranges::sort(repeated_, {}, &Repeated::size);
   }
 
   bool is_known() const { return !repeated_.empty(); }
 
   // Returns the variance of a single value of about this size.
   double variance(double size) const {
-    auto first = std::lower_bound(repeated_.begin(), repeated_.end(), size,
-                                  [](const Repeated& r, double s) { return r.size < s; });
+    auto first =
+        std::ranges::lower_bound(repeated_, size, [](const Repeated& r, double s) { return r.size < s; });
     auto last = first;
     double freedom = 0, squares = 0, sizes = 0;
     while (freedom < kPooled && (first != repeated_.begin() || last != repeated_.end())) {

@@ -1,7 +1,6 @@
 #include "render/compare/pictures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "io/formats/read.h"

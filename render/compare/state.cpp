@@ -88,7 +88,7 @@ ViewState state_from_json(const JsonPlace& root) {
 bool is_model(const std::filesystem::path& file) {
   const std::string suffix = lower_case_suffix(file);
   const std::array known{".obj", ".x", ".ply", ".stl", ".fbx", ".dae", ".gltf", ".glb", ".3ds"};
-  return std::find(known.begin(), known.end(), suffix) != known.end();
+  return std::ranges::find(known, suffix) != known.end();
 }
 
 }  // namespace

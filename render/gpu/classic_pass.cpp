@@ -1,6 +1,5 @@
 #include "render/gpu/classic_pass.h"
 
-#include <cmath>
 
 #include "render/gpu/passes.h"
 #include "render/gpu/shader_code.h"

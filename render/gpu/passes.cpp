@@ -49,8 +49,7 @@ void draw_screen(VkCommandBuffer commands, VkPipeline pipeline) {
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
   std::vector<Reflectance> forms;
   for (const Item& item : layer)
-    if (item.form && std::find(forms.begin(), forms.end(), *item.form) == forms.end())
-      forms.push_back(*item.form);
+    if (item.form && std::ranges::find(forms, *item.form) == forms.end()) forms.push_back(*item.form);
   return forms;
 }
 

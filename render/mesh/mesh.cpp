@@ -232,7 +232,7 @@ Mesh make_mesh(const std::string& specification, const std::filesystem::path& fo
   if (kind == "checker_odd") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 1);
   const std::string part = plain ? "" : specification.substr(colon + 1);
   const auto is_part = [&](std::initializer_list<std::string_view> parts) {
-    return plain || std::find(parts.begin(), parts.end(), part) != parts.end();
+    return plain || std::ranges::find(parts, part) != parts.end();
   };
   if (kind == "car" && is_part({"body", "cabin", "wheels"})) return make_car(part);
   if (kind == "shader_ball" && is_part({"ball", "stand"})) return make_shader_ball(part);

@@ -88,7 +88,7 @@ std::vector<float> stations() {
     for (int k = 0; k <= 40; ++k)
       out.push_back(axle - (kArch - 1e-4f) * std::cos(float(kPi) * float(k) / 40));
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   return out;
 }
 

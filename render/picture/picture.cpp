@@ -96,7 +96,7 @@ std::vector<double> surface_brightness(const Picture& picture) {
     const float most = std::max({p.r, p.g, p.b});
     if (is_surface(p) && most > 0) out.push_back(double(most));
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   return out;
 }
 

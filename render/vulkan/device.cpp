@@ -26,8 +26,8 @@ bool layer_installed(const char* name) {
   vkEnumerateInstanceLayerProperties(&count, nullptr);
   std::vector<VkLayerProperties> layers(count);
   vkEnumerateInstanceLayerProperties(&count, layers.data());
-  return std::any_of(layers.begin(), layers.end(),
-                     [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
+  return std::ranges::any_of(
+      layers, [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
 }
 
 bool has_needed_features(VkPhysicalDevice physical) {
@@ -122,7 +122,7 @@ void Device::pick_physical_device() {
   vkEnumeratePhysicalDevices(instance_.get(), &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
   vkEnumeratePhysicalDevices(instance_.get(), &count, devices.data());
-  const auto usable = std::find_if(devices.begin(), devices.end(), [](VkPhysicalDevice device) {
+  const auto usable = std::ranges::find_if(devices, [](VkPhysicalDevice device) {
     return has_needed_features(device) && graphics_family(device) >= 0;
   });
   if (usable == devices.end()) {

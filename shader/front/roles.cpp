@@ -94,8 +94,7 @@ std::string plain(std::string_view name) {
 // The axis with this name, in lower case and without underscores; std::nullopt if the name is unknown.
 std::optional<Axis> axis_of(const std::string& word) {
   for (const Names& names : kNamesOf)
-    if (!word.empty() && std::find(names.words.begin(), names.words.end(), word) != names.words.end())
-      return names.axis;
+    if (!word.empty() && std::ranges::find(names.words, word) != names.words.end()) return names.axis;
   return std::nullopt;
 }
 

@@ -56,7 +56,7 @@ std::vector<Shadow> shadowed_builtins(const Files& files) {
   for (const auto& [path, file] : files.all())
     for (const Definition& d : definitions_of(file.bare))
       if (builtins().contains(d.name) &&
-          std::none_of(found.begin(), found.end(), [&](const Shadow& s) { return s.name == d.name; }))
+          std::ranges::none_of(found, [&](const Shadow& s) { return s.name == d.name; }))
         found.push_back({d.name, path.empty() ? "" : file.shown, d.first_line});
   return found;
 }
@@ -86,7 +86,7 @@ std::vector<int> versions_of(const Source& source) {
     break;
   }
   for (const int number : {450, 330})
-    if (std::find(versions.begin(), versions.end(), number) == versions.end()) versions.push_back(number);
+    if (std::ranges::find(versions, number) == versions.end()) versions.push_back(number);
   return versions;
 }
 

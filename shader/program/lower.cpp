@@ -361,8 +361,8 @@ Program lower(const spirv::Module& module, const spirv::Function& entry, const L
 }
 
 bool holds_kernels(const spirv::Module& module) {
-  return std::any_of(module.functions.begin(), module.functions.end(),
-                     [&](const auto& f) { return kernel_of(module, f.second) != nullptr; });
+  return std::ranges::any_of(module.functions,
+                             [&](const auto& f) { return kernel_of(module, f.second) != nullptr; });
 }
 
 }  // namespace brdf::shader

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "io/files/output.h"
 #include "io/files/text.h"
@@ -81,14 +80,12 @@ Json fronts_json(const Ledger& ledger) {
   Json fronts = Json::array();
   std::vector<std::string> questions;
   for (const LedgerRow& row : ledger.rows)
-    if (std::find(questions.begin(), questions.end(), row.question) == questions.end())
-      questions.push_back(row.question);
+    if (std::ranges::find(questions, row.question) == questions.end()) questions.push_back(row.question);
   for (const std::string& question : questions) {
     std::vector<const LedgerRow*> front;
     for (const LedgerRow& row : ledger.rows)
       if (row.question == question && row.dominated_by.empty()) front.push_back(&row);
-    std::sort(front.begin(), front.end(),
-              [](const auto* a, const auto* b) { return a->cost.seconds < b->cost.seconds; });
+    std::ranges::sort(front, [](const auto* a, const auto* b) { return a->cost.seconds < b->cost.seconds; });
     Json choices = Json::array();
     for (const LedgerRow* row : front) choices.push_back(row->choice);
     if (!front.empty())

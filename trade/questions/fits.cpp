@@ -119,7 +119,7 @@ std::string families_question(const Reflectance& family) {
 std::vector<LedgerRow> family_rows(const Reflectance& family, const EvaluationTimes& times,
                                    const FitRowsOptions& options) {
   const std::vector<Reflectance> forms = fittable_forms();
-  const auto own = std::size_t(std::find(forms.begin(), forms.end(), family) - forms.begin());
+  const auto own = std::size_t(std::ranges::find(forms, family) - forms.begin());
   const Material truth = make_material(family, {"fr"});
   const io::SampleTable table = sample_material(truth, options.quick ? 1000 : 4000, 0);
   const Yardstick yardstick = yardstick_of(truth, options.quick ? 2048 : 8192, options.picture);

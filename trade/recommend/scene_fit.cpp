@@ -6,7 +6,6 @@
 #include "brdf/geometry.h"
 #include "fit/fit.h"
 #include "io/colour/in_colour.h"
-#include "io/files/error.h"
 #include "io/samples/degrees.h"
 #include "render/compare/measured.h"
 #include "trade/measure/domain.h"

@@ -1,7 +1,6 @@
 // Writes findings as a table for the terminal, as JSON, as Markdown and as HTML.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>

@@ -20,8 +20,7 @@ Material shown(const Subject& subject) {
   Material m = subject.own();
   if (!subject.of_form()) return m;
   const ReflectanceInfo& f = info(*subject.of_form());
-  if (std::all_of(f.weights.begin(), f.weights.end(),
-                  [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
+  if (std::ranges::all_of(f.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
     for (auto& weights : m.terms.front().weights) weights = lobe_alone(f);
   return m;
 }
@@ -90,7 +89,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
     for (double theta = -89; theta <= 89; theta += 0.5) {
       const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
       eval(m, wi, wo, f);
-      const double r = *std::max_element(f.begin(), f.end()) * wo.z;
+      const double r = *std::ranges::max_element(f) * wo.z;
       lobe.x.push_back(r * std::sin(degrees(theta).radians()));
       lobe.y.push_back(r * std::cos(degrees(theta).radians()));
     }
@@ -110,7 +109,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
 void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
                       double max_theta) {
   if (!subject.of_form()) return;
-  const auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) {
+  const auto found = std::ranges::find_if(findings, [&](const Finding& f) {
     return f.subject == subject.name() && f.check == "energy" && f.witness && f.outcome != Outcome::pass;
   });
   if (found == findings.end()) return;
@@ -185,7 +184,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(width, k / 40.0, width.usual_max));
   Material full = m;
   Term& term = full.terms.front();
-  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
+  std::ranges::fill(term.weights, lobe_alone(f));
   for (const double theta : {0.0, 60.0, 80.0}) {
     io::Series s{"light at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
     for (const double value : values) {
