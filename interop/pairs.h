@@ -2,7 +2,6 @@
 // the hemisphere.
 #pragma once
 
-
 #include "interop/wanted.h"
 #include "io/samples/samples.h"
 

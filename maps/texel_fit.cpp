@@ -64,9 +64,7 @@ double TexelFit::error(std::size_t channels) const {
 io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel, const Vec3<double>& normal) {
   io::SampleTable table;
   table.source = stack.folder.string();
-  table.channels = stack.channels;
-  table.values.resize(stack.channels.size());
-  table.sigma.resize(stack.channels.size());
+  table.set_channels(stack.channels);
   const DirectionArrays<double> arrays = texel::directions_at(stack, texel.x, texel.y);
   const std::size_t images = arrays.size();
   for (std::size_t k = 0; k < images; ++k) {
@@ -76,10 +74,7 @@ io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel,
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
       known = known && std::isfinite(texel.pixels[c * images + k]);
     if (!known) continue;
-    double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
-    io::polar_degrees(wi, theta_i, phi_i);
-    io::polar_degrees(wo, theta_o, phi_o);
-    table.add_directions(theta_i, phi_i, theta_o, phi_o);
+    table.add_directions(wi, wo);
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
       table.values[c].push_back(double(texel.pixels[c * images + k]) / wi.z);
   }

@@ -1,6 +1,5 @@
 #include "prove/growth_proof.h"
 
-
 #include "prove/energy/growth.h"
 
 namespace brdf::prove {

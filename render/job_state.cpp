@@ -28,9 +28,8 @@ void check_usage(const Job& job) {
     throw InputError("--shape is what a MATERIAL is shown on: a scene has its own");
   if (job.output.empty()) return;
   if (job.turntable) return check_frames(job);
-  if (!is_png(job.output) && job.output.extension() != ".exr") {
+  if (!is_png(job.output) && job.output.extension() != ".exr")
     throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
-  }
 }
 
 // `named`: set to whether the file gives the material's name.

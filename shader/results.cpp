@@ -5,6 +5,7 @@
 
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "shader/front/definitions.h"
 
 namespace brdf::shader {
 namespace {
@@ -17,10 +18,6 @@ struct Leaf {
   std::string name;
   ResultPart part;
 };
-
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
 
 void add_leaves(const Module& m, spirv::Id type, const std::string& name, int argument, std::size_t first,
                 std::vector<Leaf>& out) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "io/files/error.h"
-#include "io/files/text.h"
 #include "shader/glsl.h"
 #include "shader/linear.h"
 

@@ -189,10 +189,6 @@ bool holds(const Explanation& e) {
 
 }  // namespace
 
-bool Causes::was_tried(Cause cause) const {
-  return std::ranges::any_of(tried, [&](const Explanation& e) { return e.cause == cause; });
-}
-
 Causes causes_of(const View& view, const std::vector<Pair>& pairs) {
   Causes out;
   out.pairs = pairs.size();

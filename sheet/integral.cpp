@@ -177,8 +177,7 @@ void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
   std::vector<double> weights(line.size());
   for (double angle = -89.5; angle < 90; angle += 1) {
     const double weight = std::cos(degrees(angle).radians()) * std::sin(degrees(std::abs(angle)).radians());
-    const auto above =
-        std::ranges::lower_bound(line, angle, [](const InPlane& p, double x) { return p.angle < x; });
+    const auto above = std::ranges::lower_bound(line, angle, {}, &InPlane::angle);
     const auto k = std::size_t(above - line.begin());
     const std::size_t nearest =
         k == line.size() || (k > 0 && angle - line[k - 1].angle < line[k].angle - angle) ? k - 1 : k;

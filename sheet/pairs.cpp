@@ -40,8 +40,7 @@ double polynomial(std::span<const Point> points, double theta) {
 }
 
 std::optional<Read> read(const Line& line, double theta) {
-  const auto above = std::ranges::lower_bound(line, theta - kSameAngle,
-                                              [](const Point& p, double x) { return p.theta < x; });
+  const auto above = std::ranges::lower_bound(line, theta - kSameAngle, {}, &Point::theta);
   if (above == line.end()) return std::nullopt;
   if (std::abs(above->theta - theta) <= kSameAngle) return Read{above->level, 0, above->row};
   if (above == line.begin()) return std::nullopt;

@@ -5,7 +5,6 @@
 #include "fit/assess/findings.h"
 #include "fit/assess/profiles.h"
 #include "fit/assess/propagation.h"
-#include "fit/assess/smooth_curves.h"
 #include "fit/solve/profile.h"
 
 namespace brdf::fit {
@@ -68,6 +67,30 @@ RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, doubl
   const Eigen::VectorXd excess = trust * (ratio.eigenvalues().array() - 1).max(0).matrix();
   const RowMatrix back = own.eigenvectors() * root.asDiagonal() * ratio.eigenvectors();
   return working + back * excess.asDiagonal() * back.transpose();
+}
+
+// Returns the coefficients of every shape that is smooth over wavelength, with their standard errors.
+std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const double> p,
+                                       const RowMatrix& covariance) {
+  std::vector<SmoothCurve> out;
+  if (!model.smooth()) return out;
+  const Matrix by_node = model.smooth()->coefficients();
+  for (std::size_t s = 0; s < model.shape_slots(); ++s) {
+    const Slot& slot = model.slots()[s];
+    if (slot.nodes == 1 || slot.node > 0) continue;
+    SmoothCurve& curve = out.emplace_back(SmoothCurve{slot.name, std::string(name_of(slot.scale)), {}, {}});
+    for (std::size_t power = 0; power < slot.nodes; ++power) {
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
+      double value = 0;
+      for (std::size_t k = 0; k < slot.nodes; ++k) {
+        value += by_node(power, k) * p[s + k];
+        slope(Eigen::Index(s + k)) = by_node(power, k);
+      }
+      curve.coefficients.push_back(value);
+      curve.standard_errors.push_back(std::sqrt(std::max(slope.dot(covariance * slope), 0.0)));
+    }
+  }
+  return out;
 }
 
 double least_trust(const std::vector<Reported>& all) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "io/colour/channel_colours.h"
 #include "io/colour/spectrum.h"
 #include "io/files/error.h"
 

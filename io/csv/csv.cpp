@@ -10,7 +10,6 @@
 #include "io/csv/long_format.h"
 #include "io/files/error.h"
 #include "io/samples/mirror_side.h"
-#include "io/samples/table_rules.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io {

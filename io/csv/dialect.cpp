@@ -4,7 +4,6 @@
 
 #include "io/columns/plain_names.h"
 #include "io/files/text.h"
-#include "io/samples/table_rules.h"
 
 namespace brdf::io {
 namespace {

@@ -60,9 +60,8 @@ void write(const Json& json, const std::string& indent, std::string& out) {
       json.is_array() && std::ranges::none_of(json, [](const Json& item) { return item.is_structured(); });
   if (!json.is_structured() || json.empty() || is_flat) {
     std::string text = to_line(json);
-    if (is_flat && std::ranges::all_of(json, [](const Json& item) { return item.is_number(); })) {
+    if (is_flat && std::ranges::all_of(json, [](const Json& item) { return item.is_number(); }))
       for (std::size_t k = 0; (k = text.find(',', k)) != text.npos; k += 2) text.insert(k + 1, " ");
-    }
     out += text;
     return;
   }
@@ -160,6 +159,10 @@ JsonPlace JsonPlace::at(std::string_view key) const {
 JsonPlace JsonPlace::at(std::size_t index) const {
   if (index >= size()) fail("must have more than " + std::to_string(index) + " members");
   return {value_->at(index), file_, path_ + "[" + std::to_string(index) + "]"};
+}
+
+Json finite_or_null(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
 std::size_t JsonPlace::size() const {

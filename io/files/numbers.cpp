@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/files/error.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -31,6 +32,19 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   std::string text;
   for (const std::string& word : words) (text += text.empty() ? "" : separator) += word;
   return text;
+}
+
+std::string joined(const std::vector<double>& numbers, const std::string& separator) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(to_text(number));
+  return joined(words, separator);
+}
+
+void require_between(const std::string& option, double value, double low, double high,
+                     const std::string& unit) {
+  if (!(value >= low && value <= high))
+    throw InputError(option + " " + to_text(value) + ": must be between " + to_text(low) + " and " +
+                     to_text(high) + unit);
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -17,8 +17,13 @@ std::string percent_to_tenths(double share);
 // Returns a count with its noun: "1 row", "2 rows", "0 directions", "2 entries".
 std::string plural(std::size_t n, const std::string& word);
 
-// Joins words with a separator: "a, b, c".
+// Joins words, or numbers as they are written exactly, with a separator: "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
+std::string joined(const std::vector<double>& numbers, const std::string& separator = ", ");
+
+// Throws InputError "OPTION VALUE: must be between LOW and HIGH UNIT" unless low <= value <= high.
+void require_between(const std::string& option, double value, double low, double high,
+                     const std::string& unit = "");
 
 // Returns the quantile of the values for `share` in [0, 1]: the element of rank floor(share * n), so that
 // the median of an even number of values is the upper of the two in the middle. Returns NaN if `values` is

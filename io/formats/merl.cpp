@@ -60,10 +60,9 @@ CellDirections cell_directions(std::size_t cell) {
   // Rotate the direction of incidence from the frame of the half vector to that of the surface. The viewing
   // direction is its mirror image about the half vector.
   const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
-  CellDirections c;
-  polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x}, c.theta_i, c.phi_i);
-  polar_degrees({h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x}, c.theta_o, c.phi_o);
-  return c;
+  const Polar light = polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x});
+  const Polar viewer = polar_degrees({h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x});
+  return {light.theta, light.phi, viewer.theta, viewer.phi};
 }
 
 std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o) {

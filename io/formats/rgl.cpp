@@ -162,9 +162,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
   SampleTable table;
   table.source = content.name;
   table.format = "rgl";
-  table.channels = measurement.channels();
-  table.values.resize(table.channels.size());
-  table.sigma.resize(table.channels.size());
+  table.set_channels(measurement.channels());
   table.add_comment("sample", measurement.description());
   table.add_comment("instrument", "RGL gonio-photometer, adaptive tensor file");
   std::vector<double> values(table.channels.size());

@@ -8,7 +8,7 @@
 #include "io/colour/channel_colours.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
-#include "io/formats/tensor_writer.h"
+#include "io/formats/tensor_file.h"
 
 namespace brdf::io::rgl {
 namespace {

@@ -11,9 +11,21 @@
 namespace brdf::io {
 namespace {
 
+// The first bytes of the container (name and version 1.0), and the
+// numbers of element types.
+constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
+enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
+
 // Bytes of an element by the number of its type: integers of 8 to 64 bits, each unsigned and signed, then
 // floats.
 constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
+
+template <class T>
+void append(std::string& out, T value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  out.append(raw, sizeof value);
+}
 
 }  // namespace
 
@@ -96,6 +108,35 @@ std::vector<float> TensorFile::floats(const std::string& name) const {
 std::string TensorFile::bytes(const std::string& name) const {
   const Field& field = require(name, kUint8, "bytes");
   return content_.bytes.substr(field.offset, field.count);
+}
+
+void TensorWriter::add(const std::string& name, const std::string& bytes) {
+  fields_.push_back({name, kUint8, {bytes.size()}, bytes});
+}
+
+void TensorWriter::add(const std::string& name, std::vector<std::uint64_t> shape,
+                       const std::vector<float>& values) {
+  std::string data(values.size() * sizeof(float), '\0');
+  std::memcpy(data.data(), values.data(), data.size());
+  fields_.push_back({name, kFloat32, std::move(shape), std::move(data)});
+}
+
+std::string TensorWriter::bytes() const {
+  std::string out(kTensorMagic);
+  append(out, std::uint32_t(fields_.size()));
+  std::uint64_t offset = out.size();
+  for (const Field& f : fields_) offset += 2 + f.name.size() + 2 + 1 + 8 + 8 * f.shape.size();
+  for (const Field& f : fields_) {
+    append(out, std::uint16_t(f.name.size()));
+    out += f.name;
+    append(out, std::uint16_t(f.shape.size()));
+    append(out, f.type);
+    append(out, offset);
+    for (const std::uint64_t size : f.shape) append(out, size);
+    offset += f.data.size();
+  }
+  for (const Field& f : fields_) out += f.data;
+  return out;
 }
 
 }  // namespace brdf::io

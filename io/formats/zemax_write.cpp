@@ -29,12 +29,12 @@ struct Place {
 };
 
 Place place_of(const SampleTable& table, std::size_t row, std::optional<double> only_phi_i) {
-  Place p{row, only_phi_i ? 0 : 180 - table.phi_i[row], table.theta_i[row], 0, 0};
-  const double phi = table.phi_o[row] - (only_phi_i ? *only_phi_i - 180 : -p.rotation);
+  const double rotation = only_phi_i ? 0 : 180 - table.phi_i[row], theta_i = table.theta_i[row];
+  const double phi = table.phi_o[row] - (only_phi_i ? *only_phi_i - 180 : -rotation);
   const Vec3<double> w = unit_vector(table.theta_o[row], phi);
-  const double s = sin_degrees(p.theta_i), c = cos_degrees(p.theta_i);
-  polar_degrees({s * w.z - c * w.x, -w.y, s * w.x + c * w.z}, p.radial, p.azimuth);
-  return p;
+  const double s = sin_degrees(theta_i), c = cos_degrees(theta_i);
+  const Polar at = polar_degrees({s * w.z - c * w.x, -w.y, s * w.x + c * w.z});
+  return {row, rotation, theta_i, at.phi, at.theta};
 }
 
 // The azimuth of a direction becomes less accurate near the mirror direction.

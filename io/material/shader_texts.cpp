@@ -1,6 +1,5 @@
 #include "io/material/shader_texts.h"
 
-
 #include "io/files/text.h"
 #include "io/material/cpp_text.h"
 #include "io/material/glsl.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <unordered_set>
 
-#include "io/columns/comments.h"
 #include "io/columns/plain_names.h"
 #include "io/columns/polarisation_names.h"
 #include "io/columns/wavelengths.h"

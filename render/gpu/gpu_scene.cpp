@@ -114,9 +114,8 @@ GpuScene::GpuScene(Device& device, const PreparedScene& scene) : device_(&device
   maps_layout_ = make_set_layout(device, kMapBindings);
   frame_pool_ = make_descriptor_pool(device, kFrameBindings, 1);
   frame_set_ = allocate_set(device, frame_pool_.get(), frame_layout_.get());
-  for (const auto& mesh : sources_) {
+  for (const auto& mesh : sources_)
     if (!meshes_.contains(mesh.get())) meshes_.emplace(mesh.get(), upload_mesh(*mesh));
-  }
   upload_textures(scene);
   set_shadow_map(white_.view(), sampler_.get());
   update(scene);
@@ -171,9 +170,8 @@ void GpuScene::upload_textures(const PreparedScene& scene) {
 void GpuScene::update(const PreparedScene& scene) {
   const GpuFrame frame = gpu_frame(scene);
   std::vector<GpuItem> items;
-  if (scene.layers.size() * scene.meshes.size() > kMostItems) {
+  if (scene.layers.size() * scene.meshes.size() > kMostItems)
     throw InputError("the renderer draws at most " + std::to_string(kMostItems) + " objects, terms counted");
-  }
   for (const auto& layer : scene.layers) {
     for (const Item& item : layer) {
       if (item.form) numbers_.add(*item.form);

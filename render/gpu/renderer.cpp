@@ -40,9 +40,8 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
     throw InputError("8-bit targets tell at most 255 objects and terms apart, the scene has " +
                      std::to_string(items));
   }
-  if (options.path == Path::forward && scene.layers.size() > 1) {
+  if (options.path == Path::forward && scene.layers.size() > 1)
     throw InputError("the forward path draws materials of one form; the scene has sums");
-  }
   return device;
 }
 

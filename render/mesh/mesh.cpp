@@ -159,9 +159,8 @@ void make_tangents(Mesh& mesh) {
 
 void clean(Mesh& mesh, const std::string& source) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (!finite(mesh.vertices[v].position)) {
+    if (!finite(mesh.vertices[v].position))
       throw InputError(source + ": vertex " + std::to_string(v + 1) + " is not finite");
-    }
   }
   std::vector<std::uint32_t> kept;
   for (std::size_t f = 0; f + 2 < mesh.indices.size(); f += 3) {
@@ -191,12 +190,9 @@ Mesh flat_shaded(const Mesh& mesh) {
 }
 
 glm::vec4 bounding_sphere(const Mesh& mesh) {
-  glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const Vertex& v : mesh.vertices) {
-    low = glm::min(low, v.position);
-    high = glm::max(high, v.position);
-  }
-  const glm::vec3 center = (low + high) / 2.0f;
+  PointBox box;
+  for (const Vertex& v : mesh.vertices) box.add(v.position);
+  const glm::vec3 center = (box.low + box.high) / 2.0f;
   float radius = 0;
   for (const Vertex& v : mesh.vertices) radius = std::max(radius, glm::distance(center, v.position));
   return {center, radius};

@@ -26,9 +26,8 @@ std::array<std::uint8_t, 3> to_bytes(glm::vec3 c, float threshold = 0.5f) {
 
 Picture picture_from(int width, int height, const std::vector<float>& rgba) {
   Picture picture(width, height);
-  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
     picture.pixels[k] = {rgba[4 * k], rgba[4 * k + 1], rgba[4 * k + 2], rgba[4 * k + 3]};
-  }
   return picture;
 }
 

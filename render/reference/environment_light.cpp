@@ -1,6 +1,5 @@
 #include "render/reference/environment_light.h"
 
-
 namespace brdf::render {
 namespace {
 

@@ -38,7 +38,7 @@ void read(const JsonPlace& place, std::string_view key, bool& out) {
 }
 template <class Enum>
 void read(const JsonPlace& place, std::string_view key, Enum& out) {
-  if (place.has(key)) out = read_named<Enum>(place.at(key));
+  if (place.has(key)) out = place.at(key).named<Enum>();
 }
 
 void require_direction(const JsonPlace& place, const glm::vec3& v) {
@@ -54,9 +54,8 @@ Camera read_camera(const JsonPlace& place) {
   read(place, "vertical_fov", camera.vertical_fov, 1, 170);
   read(place, "width", camera.width, 1, 16384);
   read(place, "height", camera.height, 1, 16384);
-  if (!(glm::length(glm::cross(camera.target - camera.position, camera.up)) > 1e-6f)) {
+  if (!(glm::length(glm::cross(camera.target - camera.position, camera.up)) > 1e-6f))
     place.fail("needs a target away from its position and an up direction across the view");
-  }
   return camera;
 }
 
@@ -124,9 +123,8 @@ Object read_object(const JsonPlace& place, const std::filesystem::path& folder) 
   } else {
     read(place, "scale", object.scale);
   }
-  if (!(std::abs(object.scale.x * object.scale.y * object.scale.z) > 1e-12f)) {
+  if (!(std::abs(object.scale.x * object.scale.y * object.scale.z) > 1e-12f))
     place.at("scale").fail("must not be zero along any axis");
-  }
   return object;
 }
 

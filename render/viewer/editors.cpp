@@ -233,9 +233,8 @@ void edit_lights(Scene& scene) {
     }
     ImGui::PopID();
   }
-  if (scene.lights.size() < kMostLights && ImGui::Button("add a point light")) {
+  if (scene.lights.size() < kMostLights && ImGui::Button("add a point light"))
     scene.lights.push_back({true, {2, 2, 2}, glm::vec3(1), 3});
-  }
   if (!scene.lights.empty()) {
     ImGui::SameLine();
     if (ImGui::Button("remove the last")) scene.lights.pop_back();

@@ -3,7 +3,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-
 namespace brdf::render {
 namespace {
 

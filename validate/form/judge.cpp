@@ -4,7 +4,6 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/parallel.h"
-#include "io/files/text.h"
 #include "validate/form/checks.h"
 #include "validate/form/outside_checks.h"
 

@@ -7,7 +7,6 @@
 #include "io/files/numbers.h"
 #include "io/files/png.h"
 #include "io/files/text.h"
-#include "io/page/glossary.h"
 #include "validate/search/extremes.h"
 #include "validate/search/pair_search.h"
 
@@ -23,12 +22,6 @@ Material shown(const Subject& subject) {
   if (std::ranges::all_of(f.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
     for (auto& weights : m.terms.front().weights) weights = lobe_alone(f);
   return m;
-}
-
-std::string listed(const std::vector<double>& values, const std::string& separator) {
-  std::vector<std::string> words;
-  for (const double value : values) words.push_back(io::to_text(value));
-  return io::joined(words, separator);
 }
 
 // Joins the command that writes a table of directions with the command that reads it; empty if the latter
@@ -73,7 +66,7 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
       "would give off more than it receives. The band is the error bound, at most " +
       io::short_number(widest, 2) + ".";
   plot.command = subject.command(
-      "albedo", m, "--theta " + listed(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
+      "albedo", m, "--theta " + io::joined(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
   return plot;
 }
 
@@ -205,7 +198,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
       const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
       command.replace(command.find(set + last) + set.size(), last.size(), "$x");
     }
-    plot.command = "for x in " + listed(values, " ") + "; do " + command + "; done";
+    plot.command = "for x in " + io::joined(values, " ") + "; do " + command + "; done";
   }
   report.plot(plot);
 }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 
 namespace brdf::validate {
 namespace {

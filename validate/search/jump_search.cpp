@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "validate/search/degrees.h"
-
 namespace brdf::validate {
 namespace {
 

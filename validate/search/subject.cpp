@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "io/files/numbers.h"
 #include "io/files/shell.h"
 #include "io/files/text.h"
 #include "validate/search/jump_search.h"
-#include "validate/search/options.h"
 
 namespace brdf::validate {
 
