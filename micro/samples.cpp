@@ -233,8 +233,8 @@ void record(const SampleSettings& s, const Simulation& sim, double cell, io::Sam
     truth +=
         sim.facets.eta == 0 ? " perfect reflector" : " " + names().index + "=" + io::to_text(sim.facets.eta);
   add("truth", truth);
-  add("theta_i", io::joined(s.theta_i));
-  add("azimuths", io::joined(s.azimuths));
+  add("theta_i", io::joined_numbers(s.theta_i));
+  add("azimuths", io::joined_numbers(s.azimuths));
   add("cell", io::to_text(cell) + " degrees");
   add("bounces", std::to_string(s.bounces));
   add("surfaces", std::to_string(sim.surfaces));

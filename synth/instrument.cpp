@@ -129,9 +129,9 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
   for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
   add("truth", io::to_line(io::to_json(material)));
   add("grid", io::joined(grid.parts, "+"));
-  if (!grid.theta_i.empty()) add("theta_i", io::joined(grid.theta_i, ","));
+  if (!grid.theta_i.empty()) add("theta_i", io::joined_numbers(grid.theta_i, ","));
   if (grid.step > 0) add("step", io::to_text(grid.step));
-  add("azimuths", io::joined(grid.azimuths, ","));
+  add("azimuths", io::joined_numbers(grid.azimuths, ","));
   add("blind_zone", io::to_text(grid.blind_zone));
   add("aperture", io::to_text(instrument.aperture));
   add("source_aperture", io::to_text(instrument.source_aperture));

@@ -193,6 +193,15 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
   return j;
 }
 
+// Returns the keys of the run that reports and materials share.
+Json run_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
+  Json j = io::to_json(io::provenance(options.seed));
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
+  j["samples"] = samples_json(result, table, options);
+  return j;
+}
+
 Json steps_json(const std::vector<Step>& steps) {
   Json j = Json::array();
   for (const Step& s : steps)
@@ -227,10 +236,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
                    {"passes", fit.passes},        {"loss_scale", fit.loss_scale}};
     ranking.push_back(std::move(j));
   }
-  Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(result.metric.metric);
-  j["metric_choice"] = choice_json(result.metric);
-  j["samples"] = samples_json(result, table, options);
+  Json j = run_json(result, table, options);
   j["interrupted"] = result.interrupted;
   const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
   j["recommended"] = any ? Json(result.ranking[result.recommended].form) : Json(nullptr);
@@ -241,10 +247,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
 
 Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
                     const FitOptions& options) {
-  Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(result.metric.metric);
-  j["metric_choice"] = choice_json(result.metric);
-  j["samples"] = samples_json(result, table, options);
+  Json j = run_json(result, table, options);
   j.update(statistics_json(fit));
   constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // limits for a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "io/colour/spectrum.h"
+#include "io/columns/wavelengths.h"
 #include "io/files/error.h"
 
 namespace brdf::io {

@@ -211,16 +211,6 @@ std::string refusal_of(const QuantityKind& kind) {
   return "is " + std::string(kind.meaning) + (may_be ? ": " : ", not f_r: ") + std::string(kind.advice);
 }
 
-std::string documented(const QuantityKind& kind) {
-  std::string words(kind.words);
-  if (!kind.forms.empty()) (words += words.empty() ? "" : "; ") += kind.forms;
-  for (std::size_t at = 0; (at = words.find("; ", at)) != words.npos;) words.replace(at, 2, ", ");
-  const std::string use = kind.use == Use::converted ? Quantity{&kind}.operation()
-                          : kind.use == Use::asked   ? "asked about: " + std::string(kind.advice)
-                                                     : "refused: " + std::string(kind.advice);
-  return "| " + words + " | " + use + " |\n";
-}
-
 namespace {
 
 // Returns the channel's name that is left without the words of the quantity: "BRF_1" becomes fr_1, "BRF

@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text;
 }
 
-std::string joined(const std::vector<double>& numbers, const std::string& separator) {
+std::string joined_numbers(const std::vector<double>& numbers, const std::string& separator) {
   std::vector<std::string> words;
   for (const double number : numbers) words.push_back(to_text(number));
   return joined(words, separator);

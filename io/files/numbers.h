@@ -17,9 +17,10 @@ std::string percent_to_tenths(double share);
 // Returns a count with its noun: "1 row", "2 rows", "0 directions", "2 entries".
 std::string plural(std::size_t n, const std::string& word);
 
-// Joins words, or numbers as they are written exactly, with a separator: "a, b, c".
+// Joins words with a separator: "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
-std::string joined(const std::vector<double>& numbers, const std::string& separator = ", ");
+// Joins numbers, as to_text() writes them.
+std::string joined_numbers(const std::vector<double>& numbers, const std::string& separator = ", ");
 
 // Throws InputError "OPTION VALUE: must be between LOW and HIGH UNIT" unless low <= value <= high.
 void require_between(const std::string& option, double value, double low, double high,

@@ -9,6 +9,7 @@
 #include "io/files/error.h"
 #include "io/files/fingerprint.h"
 #include "io/files/identifier.h"
+#include "io/files/provenance.h"
 #include "io/files/text.h"
 
 namespace brdf::io {

@@ -1,5 +1,6 @@
 #include "io/samples/repetition.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
@@ -41,9 +42,7 @@ bool has_turns(const std::vector<double>& azimuths) {
 }
 
 bool in_one_turn(const std::vector<double>& azimuths) {
-  for (const double phi : azimuths)
-    if (!(phi >= 0 && phi < 360)) return false;
-  return true;
+  return std::ranges::all_of(azimuths, [](double phi) { return phi >= 0 && phi < 360; });
 }
 
 bool have_turns(const std::vector<double>& azimuths) {

@@ -19,8 +19,8 @@ using sheet::to_json;
 // Returns the findings as a Markdown table, with the summary above.
 std::string to_markdown(const std::vector<Finding>& findings);
 
-// Returns the meaning of a check in one sentence, for readers who do not know the checks; empty if there is no
-// such check.
+// Returns the meaning of a check in one sentence, for readers who do not know the checks; empty if there is
+// no such check.
 std::string_view check_meaning(std::string_view check);
 
 struct Picture {

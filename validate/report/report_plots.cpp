@@ -66,7 +66,8 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
       "would give off more than it receives. The band is the error bound, at most " +
       io::short_number(widest, 2) + ".";
   plot.command = subject.command(
-      "albedo", m, "--theta " + io::joined(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
+      "albedo", m,
+      "--theta " + io::joined_numbers(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
   return plot;
 }
 
@@ -198,7 +199,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
       const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
       command.replace(command.find(set + last) + set.size(), last.size(), "$x");
     }
-    plot.command = "for x in " + io::joined(values, " ") + "; do " + command + "; done";
+    plot.command = "for x in " + io::joined_numbers(values, " ") + "; do " + command + "; done";
   }
   report.plot(plot);
 }
