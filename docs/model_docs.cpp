@@ -165,8 +165,7 @@ std::string light(double theta_i, const char* colour) {
 std::string picture_of(const Reflectance& form) {
   const Material material = make_material(form, {"y"});
   const auto steep = values_in_plane(material, 30), flat = values_in_plane(material, 70);
-  const double scale =
-      std::max(*std::max_element(steep.begin(), steep.end()), *std::max_element(flat.begin(), flat.end()));
+  const double scale = std::max(*std::ranges::max_element(steep), *std::ranges::max_element(flat));
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"320\" height=\"180\" font-family=\"sans-serif\" "
          "font-size=\"11\">\n<rect width=\"320\" height=\"180\" fill=\"white\"/>\n"
          "<line x1=\"20\" y1=\"150\" x2=\"300\" y2=\"150\" stroke=\"black\"/>\n" +

@@ -170,12 +170,6 @@ class Batch {
   std::size_t done_ = 0;
 };
 
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string number(const Json& j, const char* key) {
   return j.contains(key) && j[key].is_number() ? io::to_text(j[key].get<double>()) : "";
 }
@@ -195,7 +189,7 @@ std::vector<std::string> batch_names(const std::vector<std::string>& files) {
   for (const char* summary : kSummaries) taken.emplace(summary, "the summary");
   const auto is_free = [&](const std::string& name) {
     const std::vector<std::string> outputs = outputs_of(name);
-    return std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return taken.count(o) > 0; });
+    return std::ranges::none_of(outputs, [&](const auto& o) { return taken.count(o) > 0; });
   };
   std::vector<std::string> names;
   for (const std::string& file : files) {
@@ -251,9 +245,9 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
     const std::string error = fitted ? number(row.best, "median_relative_error") : "";
     const std::string cross = fitted ? number(row.best, "cross_validated_error") : "";
     const std::string left_out_value = fitted ? number(row.best, "left_out") : "";
-    csv += quoted(row.file) + "," + form + "," + verdict + "," + left_out_value + "," + error + "," + cross +
-           "," + (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
-           quoted(first_finding(row)) + "\n";
+    csv += io::csv_quoted(row.file) + "," + form + "," + verdict + "," + left_out_value + "," + error + "," +
+           cross + "," + (fitted ? number(row.best, "bic") : "") + "," + row.recommended + "," +
+           io::csv_quoted(first_finding(row)) + "\n";
     const auto share = [&](const char* key) {
       const bool known = fitted && row.best.contains(key) && row.best[key].is_number();
       return io::Cell{known ? io::percent(row.best[key].get<double>()) : "-"};

@@ -1,8 +1,6 @@
 // Facts about the samples that are known before any model is fitted.
 #pragma once
 
-#include <string>
-
 #include "fit/assess/result.h"
 #include "fit/model/data.h"
 #include "fit/model/options.h"

@@ -70,19 +70,15 @@ Largest Comparison::largest_of(const Material& carried) const {
       worst[k].first = std::max(worst[k].first, relative_difference(at_net_[c][k], values[c][k]));
   }
   const std::size_t kept = std::min(kKept, worst.size());
-  std::partial_sort(worst.begin(), worst.begin() + long(kept), worst.end(), std::greater<>());
+  std::ranges::partial_sort(worst, worst.begin() + long(kept), std::greater<>());
   Largest best;
   best.difference = -1;
-  const auto place = [&](std::size_t k) {
-    std::array<double, 4> at;
-    io::polar_degrees(net.wi(k), at[0], at[1]);
-    io::polar_degrees(net.wo(k), at[2], at[3]);
-    return at;
-  };
   std::vector<std::vector<double>> starts;
   for (std::size_t k = 0; k < kept; ++k) {
-    const auto [theta_i, phi_i, theta_o, phi_o] = place(worst[k].second);
-    starts.push_back(cube.point(std::min(theta_i, kMostTheta), phi_i, std::min(theta_o, kMostTheta), phi_o));
+    const io::Polar light = io::polar_degrees(net.wi(worst[k].second)),
+                    viewer = io::polar_degrees(net.wo(worst[k].second));
+    starts.push_back(cube.point(std::min(light.theta, kMostTheta), light.phi,
+                                std::min(viewer.theta, kMostTheta), viewer.phi));
   }
   const auto objective = [&](std::span<const double> x) {
     const double phi_i = x.size() > 3 ? 360 * x[3] : 0;

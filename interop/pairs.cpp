@@ -79,8 +79,7 @@ bool add_mirrored(io::SampleTable& table, const LobePlace& lobe, double theta_i,
   const double x = along * lobe.widths.along, y = across * lobe.widths.across;
   const Vec3<double> wi = io::unit_vector(theta_i, phi_i), half{c * x - s * y, s * x + c * y, 1};
   const Vec3<double> h = half * (1 / std::sqrt(dot(half, half))), wo = h * (2 * dot(h, wi)) - wi;
-  double theta_o, phi_o;
-  io::polar_degrees(wo, theta_o, phi_o);
+  const auto [theta_o, phi_o] = io::polar_degrees(wo);
   if (theta_o > kMostTheta) return false;
   table.add_directions(theta_i, phi_i, theta_o, phi_o);
   return true;
@@ -88,9 +87,7 @@ bool add_mirrored(io::SampleTable& table, const LobePlace& lobe, double theta_i,
 
 io::SampleTable pairs_about(const Material& material, Pairs which) {
   io::SampleTable table;
-  table.channels = material.channels;
-  table.values.resize(table.channels.size());
-  table.sigma.resize(table.channels.size());
+  table.set_channels(material.channels);
   for (const LobePlace& lobe : lobe_places(material))
     add_about(table, lobe, steps_of(which), may_turn(material));
   return table;

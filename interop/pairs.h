@@ -2,8 +2,6 @@
 // the hemisphere.
 #pragma once
 
-#include <span>
-
 #include "interop/wanted.h"
 #include "io/samples/samples.h"
 

@@ -2,8 +2,6 @@
 // loss.
 #pragma once
 
-#include <functional>
-#include <string>
 #include <vector>
 
 #include "fit/model/options.h"

@@ -1,7 +1,6 @@
 #include "interop/read_back.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "brdf/reflectance.h"
 #include "interop/wanted.h"
@@ -69,10 +68,8 @@ Material read_back_merl(const io::Content& file) {
     for (std::size_t c = 0; c < 3; ++c) (*planes)[cell][c] = float(table.values[c][k]);
   }
   const auto values = [planes](const Vec3<double>& wi, const Vec3<double>& wo, std::span<double> f) {
-    double theta_i, phi_i, theta_o, phi_o;
-    io::polar_degrees(wi, theta_i, phi_i);
-    io::polar_degrees(wo, theta_o, phi_o);
-    const std::size_t cell = io::merl::find_cell(theta_i, phi_i, theta_o, phi_o);
+    const io::Polar light = io::polar_degrees(wi), viewer = io::polar_degrees(wo);
+    const std::size_t cell = io::merl::find_cell(light.theta, light.phi, viewer.theta, viewer.phi);
     for (std::size_t c = 0; c < f.size(); ++c) f[c] = double((*planes)[cell][c]);
   };
   return material_of(values, table.channels);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
 #include "interop/loss.h"
 #include "io/files/content.h"

@@ -8,22 +8,23 @@
 
 namespace brdf::interop {
 
-Colour Reading::weight(Role role) const {
+namespace {
+
+// Returns parameter k of three channels; black if there is no such parameter.
+Colour colours_of(const std::vector<std::vector<double>>& sets, int k) {
   Colour out{};
-  const int k = form_.weight_index(role);
-  if (k < 0) return out;
-  for (std::size_t c = 0; c < 3; ++c)
-    out[c] = part_.term.weights[part_.term.weights.size() == 1 ? 0 : c][std::size_t(k)];
+  for (std::size_t c = 0; c < 3 && k >= 0; ++c) out[c] = sets[sets.size() == 1 ? 0 : c][std::size_t(k)];
   return out;
 }
 
+}  // namespace
+
+Colour Reading::weight(Role role) const {
+  return colours_of(part_.term.weights, form_.weight_index(role));
+}
+
 Colour Reading::shape_colours(Role role) const {
-  Colour out{};
-  const int k = form_.shape_index(role);
-  if (k < 0) return out;
-  for (std::size_t c = 0; c < 3; ++c)
-    out[c] = part_.term.shape[part_.term.shape.size() == 1 ? 0 : c][std::size_t(k)];
-  return out;
+  return colours_of(part_.term.shape, form_.shape_index(role));
 }
 
 double Reading::metallic() const {

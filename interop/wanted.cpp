@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "io/colour/channel_colours.h"
-#include "io/files/error.h"
 #include "io/files/text.h"
 
 namespace brdf::interop {
@@ -46,7 +45,7 @@ Material in_order(const Material& given, const Asked& asked) {
 
 void check_properties(const Term& term, const Asked& asked) {
   const std::vector<Reflectance>& own = asked.limits.targets;
-  if (std::find(own.begin(), own.end(), term.form) != own.end()) return;
+  if (std::ranges::find(own, term.form) != own.end()) return;
   for (const char* property : {"reciprocity", "continuity"})
     for (const Violation& v : info(term.form).violations)
       if (v.check == property)
@@ -61,8 +60,7 @@ void check_term(Term& term, const Asked& asked) {
   if (!has_one_shape(term))
     asked.refuse(std::string(form.name) +
                  " has widths per channel, but files of the program hold a single width for all colours");
-  if (std::adjacent_find(term.shape.begin(), term.shape.end(), std::not_equal_to<>()) == term.shape.end())
-    term.shape.resize(1);
+  if (std::ranges::adjacent_find(term.shape, std::not_equal_to<>()) == term.shape.end()) term.shape.resize(1);
   for (std::size_t c = 0; c < term.weights.size(); ++c)
     for (std::size_t k = 0; k < form.weights.size(); ++k)
       if (const double w = term.weights[c][k],
@@ -91,8 +89,8 @@ std::optional<Material> in_colours(const Material& given) {
 bool has_lobe(const Term& term) {
   const int specular = info(term.form).weight_index(Role::specular);
   if (specular < 0) return info(term.form).anisotropic();  // targets with a single colour
-  return std::any_of(term.weights.begin(), term.weights.end(),
-                     [&](const std::vector<double>& w) { return w[std::size_t(specular)] != 0; });
+  return std::ranges::any_of(term.weights,
+                             [&](const std::vector<double>& w) { return w[std::size_t(specular)] != 0; });
 }
 
 Widths widths_of(const Term& term) {

@@ -1,5 +1,4 @@
 #include "interop/reading.h"
-#include "io/files/text.h"
 
 namespace brdf::interop {
 namespace {

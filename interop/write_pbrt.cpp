@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "interop/reading.h"
-#include "io/files/error.h"
 
 namespace brdf::interop {
 namespace {

@@ -33,11 +33,10 @@ std::vector<Texel> worst_texels(const texel::Planes& maps) {
       all.push_back(
           {k % maps.width, k / maps.width, double((*maps.find("error"))[k]), fit::Verdict(int(verdict))});
   const std::size_t kept = std::min(kWorst, all.size());
-  std::partial_sort(
-      all.begin(), all.begin() + std::ptrdiff_t(kept), all.end(), [](const Texel& a, const Texel& b) {
-        if (fit::usable(a.verdict) != fit::usable(b.verdict)) return fit::usable(b.verdict);
-        return std::pair(-a.error, std::pair(a.y, a.x)) < std::pair(-b.error, std::pair(b.y, b.x));
-      });
+  std::ranges::partial_sort(all, all.begin() + std::ptrdiff_t(kept), [](const Texel& a, const Texel& b) {
+    if (fit::usable(a.verdict) != fit::usable(b.verdict)) return fit::usable(b.verdict);
+    return std::pair(-a.error, std::pair(a.y, a.x)) < std::pair(-b.error, std::pair(b.y, b.x));
+  });
   all.resize(kept);
   return all;
 }
@@ -101,7 +100,7 @@ std::vector<double> histogram(const std::vector<float>& values, const Range& ran
   for (const float value : values)
     if (std::isfinite(value))
       ++counts[std::size_t(std::clamp(share_of(double(value), range), 0.0, 1.0) * double(bins - 1) + 0.5)];
-  const double most = std::max(1.0, *std::max_element(counts.begin(), counts.end()));
+  const double most = std::max(1.0, *std::ranges::max_element(counts));
   for (double& count : counts) count /= most;
   return counts;
 }

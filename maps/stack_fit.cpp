@@ -200,7 +200,7 @@ fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, c
       continue;  // a texel without light
     }
   }
-  const auto most = std::max_element(votes.begin(), votes.end());
+  const auto most = std::ranges::max_element(votes);
   return fit::Metric(most - votes.begin());  // the first of equals: log
 }
 

@@ -64,9 +64,7 @@ double TexelFit::error(std::size_t channels) const {
 io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel, const Vec3<double>& normal) {
   io::SampleTable table;
   table.source = stack.folder.string();
-  table.channels = stack.channels;
-  table.values.resize(stack.channels.size());
-  table.sigma.resize(stack.channels.size());
+  table.set_channels(stack.channels);
   const DirectionArrays<double> arrays = texel::directions_at(stack, texel.x, texel.y);
   const std::size_t images = arrays.size();
   for (std::size_t k = 0; k < images; ++k) {
@@ -76,10 +74,7 @@ io::SampleTable texel_table(const texel::Stack& stack, const TexelPixels& texel,
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
       known = known && std::isfinite(texel.pixels[c * images + k]);
     if (!known) continue;
-    double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
-    io::polar_degrees(wi, theta_i, phi_i);
-    io::polar_degrees(wo, theta_o, phi_o);
-    table.add_directions(theta_i, phi_i, theta_o, phi_o);
+    table.add_directions(wi, wo);
     for (std::size_t c = 0; c < stack.channels.size(); ++c)
       table.values[c].push_back(double(texel.pixels[c * images + k]) / wi.z);
   }
@@ -176,7 +171,7 @@ std::vector<Vec3<double>> TexelFitter::likely_normals() const {
     for (std::size_t k = 0; k < rows; ++k) bright[k] += channel[k] * data_.wi_z[k];
   std::vector<std::size_t> order(rows);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return bright[a] > bright[b]; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return bright[a] > bright[b]; });
   const auto add = [&](Vec3<double> n) {
     const double length = std::sqrt(dot(n, n));
     if (length > 0 && n.z > 0.5 * length) out.push_back(n * (1 / length));
@@ -225,8 +220,7 @@ fit::Solution TexelFitter::solve_from_grid() {
       const double cost = stream.normal_equations(p).cost;
       if (std::isfinite(cost)) starts.push_back({std::move(p), cost});
     }
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const Start& a, const Start& b) { return a.cost < b.cost; });
+  std::ranges::stable_sort(starts, {}, &Start::cost);
   const std::size_t solved = model_.terms().size() > 1 ? starts.size() : kSolvedStarts;
   fit::Solution best;
   best.cost = std::numeric_limits<double>::infinity();

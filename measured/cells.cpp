@@ -22,9 +22,7 @@ io::SampleTable at_merl_cells(const std::shared_ptr<const MeasuredReflectance>& 
         kept.at(io::unit_vector(all.theta_i[k], all.phi_i[k]), io::unit_vector(all.theta_o[k], all.phi_o[k]));
   });
   io::SampleTable out;
-  out.channels = measured->channels();
-  out.values.resize(out.channels.size());
-  out.sigma.resize(out.channels.size());
+  out.set_channels(measured->channels());
   for (std::size_t k = 0; k < all.rows(); ++k) {
     if (!seen[k].measured) continue;
     out.add_directions(all.theta_i[k], all.phi_i[k], all.theta_o[k], all.phi_o[k]);

@@ -11,7 +11,7 @@ std::vector<int> counterparts(const std::vector<std::string>& of_table,
   std::vector<int> out(of_table.size(), -1);
   const auto table = io::channel_colours(of_table), material = io::channel_colours(of_material);
   for (std::size_t c = 0; c < of_table.size(); ++c) {
-    const auto same = std::find(of_material.begin(), of_material.end(), of_table[c]);
+    const auto same = std::ranges::find(of_material, of_table[c]);
     if (same != of_material.end()) {
       out[c] = int(same - of_material.begin());
     } else if (of_material.size() == 1) {

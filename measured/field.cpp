@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nanoflann.hpp>
 #include <utility>
 
@@ -129,7 +128,7 @@ std::vector<std::size_t> spread_out(const std::vector<Place>& places, const Plac
   }
   const std::size_t step = std::max<std::size_t>(1, 2 * rows.size() / count);
   for (std::size_t k = step / 2; k < rows.size(); k += step) chosen.push_back(rows[k]);
-  std::sort(chosen.begin(), chosen.end());
+  std::ranges::sort(chosen);
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }

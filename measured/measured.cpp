@@ -77,7 +77,7 @@ MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Mat
 void MeasuredReflectance::leave_black_channels(const Directions<double>& d) {
   std::vector<bool> black(channels_.size(), true);
   std::vector<double> f(channels_.size());
-  for (std::size_t k = 0; k < d.count && std::find(black.begin(), black.end(), true) != black.end(); ++k) {
+  for (std::size_t k = 0; k < d.count && std::ranges::find(black, true) != black.end(); ++k) {
     fitted_values(d.wi(k), d.wo(k), f);
     for (std::size_t c = 0; c < f.size(); ++c) black[c] = black[c] && !(f[c] > 0);
   }
@@ -97,7 +97,7 @@ MeasuredReflectance::Rows MeasuredReflectance::usable_rows(const io::SampleTable
   for (std::size_t k = 0; k < table.rows(); ++k) {
     if (d.wi_z[k] < kHorizon || d.wo_z[k] < kHorizon) continue;
     fitted_values(d.wi(k), d.wo(k), f);
-    if (!std::all_of(f.begin(), f.end(), [](double v) { return v > 0; })) continue;
+    if (!std::ranges::all_of(f, [](double v) { return v > 0; })) continue;
     rows.wi.push_back(d.wi(k));
     rows.wo.push_back(d.wo(k));
     for (std::size_t c = 0; c < f.size(); ++c) rows.ratios[c].push_back(table.values[c][k] / f[c]);

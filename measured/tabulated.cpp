@@ -1,7 +1,6 @@
 #include "measured/tabulated.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace brdf::measured {
 namespace {

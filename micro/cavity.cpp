@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 
 namespace brdf::micro {
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/material.h"
-
 namespace brdf::micro {
 
 double Cell::projected_solid_angle() const {
@@ -26,9 +24,8 @@ Cells::Cells(Angle width) {
     const double low = row * height_, high = (row + 1) * height_;
     const int count =
         2 * std::max(3, static_cast<int>(std::lround(kPi * std::sin((low + high) / 2) / height_)));
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; ++k)
       cells_.push_back({low, high, (k - 0.5) * 2 * kPi / count, (k + 0.5) * 2 * kPi / count});
-    }
   }
   row_begin_.push_back(size());
 }

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 #include "micro/strata.h"
 
 namespace brdf::micro {
@@ -119,9 +119,8 @@ std::vector<Scatter> measure_scatter(const Simulation& s, const std::vector<Inci
       s, Purpose::scatter, progress,
       [&](Tracer& tracer, Random& random) { return scatter_on(tracer, random, s, incidences, cells); },
       [&](const SurfaceScatter& one) {
-        for (std::size_t k = 0; k < incidences.size(); ++k) {
+        for (std::size_t k = 0; k < incidences.size(); ++k)
           collectors[k].add(one.energies[k], one.accounts[k], cells, 1.0 / s.surfaces);
-        }
       });
   std::vector<Scatter> result;
   for (std::size_t k = 0; k < incidences.size(); ++k) {

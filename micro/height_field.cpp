@@ -14,9 +14,8 @@ using Spectrum = std::vector<std::complex<double>>;
 
 void transpose(Spectrum& s, int n) {
   for (int j = 0; j < n; ++j) {
-    for (int i = 0; i < j; ++i) {
+    for (int i = 0; i < j; ++i)
       std::swap(s[static_cast<std::size_t>(j) * n + i], s[static_cast<std::size_t>(i) * n + j]);
-    }
   }
 }
 
@@ -68,9 +67,8 @@ Surface make_height_field(const HeightField& settings, Random& random) {
   surface.dy = 1 / surface.dx;
   const double scale = std::sqrt(settings.alpha_x * settings.alpha_y / (2 * difference_variance));
   surface.heights.reserve(spectrum.size());
-  for (const std::complex<double>& s : spectrum) {
+  for (const std::complex<double>& s : spectrum)
     surface.heights.push_back(static_cast<float>(scale * s.real()));
-  }
   surface.find_range();
   return surface;
 }

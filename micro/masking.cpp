@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 #include "micro/strata.h"
 
 namespace brdf::micro {

@@ -59,54 +59,37 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-std::string listed(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
-  for (const double number : numbers) words.push_back(io::to_text(number));
-  return io::joined(words);
-}
-
-[[noreturn]] void refuse(const std::string& option, double value, double min, double max) {
-  throw InputError(option + " " + io::to_text(value) + ": must be between " + io::to_text(min) + " and " +
-                   io::to_text(max));
-}
-
-void require(const std::string& option, double value, double min, double max) {
-  if (!(value >= min && value <= max)) refuse(option, value, min, max);
-}
-
 const Kind& find_kind(const std::string& name) {
-  for (const Kind& kind : kinds()) {
+  for (const Kind& kind : kinds())
     if (name == kind.name) return kind;
-  }
   throw InputError("--microsurface " + name + ": must be one of " + io::joined(surface_names()));
 }
 
 void check(const SampleSettings& s, const Kind& kind) {
   for (const auto& [name, value] : s.parameters) {
-    const auto found = std::find_if(kind.parameters.begin(), kind.parameters.end(),
-                                    [&, parameter = name](const Range& r) { return parameter == r.name; });
+    const auto found = std::ranges::find_if(
+        kind.parameters, [&, parameter = name](const Range& r) { return parameter == r.name; });
     if (found == kind.parameters.end()) {
       std::vector<std::string> known;
       for (const Range& r : kind.parameters) known.push_back(r.name);
       throw InputError("--set " + name + ": " + kind.name + " has " + io::joined(known));
     }
-    require("--set " + name, value, found->min, found->max);
+    io::require_between("--set " + name, value, found->min, found->max);
   }
-  for (const double theta : s.theta_i) require("--theta-i", theta, 0, 89);
-  for (const double azimuth : s.azimuths) require("--azimuths", azimuth, -360, 360);
-  if (s.cell != 0) require("--cell", s.cell, 0.25, 30);
-  require("--bounces", s.bounces, 1, 1000);
-  if (s.surfaces != 0) require("--surfaces", s.surfaces, 8, 1e6);
-  require("--size", s.size, 64, 4096);
+  for (const double theta : s.theta_i) io::require_between("--theta-i", theta, 0, 89);
+  for (const double azimuth : s.azimuths) io::require_between("--azimuths", azimuth, -360, 360);
+  if (s.cell != 0) io::require_between("--cell", s.cell, 0.25, 30);
+  io::require_between("--bounces", s.bounces, 1, 1000);
+  if (s.surfaces != 0) io::require_between("--surfaces", s.surfaces, 8, 1e6);
+  io::require_between("--size", s.size, 64, 4096);
   if (s.size % 2 != 0) throw InputError("--size " + std::to_string(s.size) + ": must be even");
-  require("--rays", static_cast<double>(s.rays), 0, 1e10);
-  require("--min-power", s.min_power, 0, 1);
+  io::require_between("--rays", static_cast<double>(s.rays), 0, 1e10);
+  io::require_between("--min-power", s.min_power, 0, 1);
 }
 
 std::optional<double> parameter(const SampleSettings& s, const std::string& name) {
-  for (const auto& [key, value] : s.parameters) {
+  for (const auto& [key, value] : s.parameters)
     if (key == name) return value;
-  }
   return std::nullopt;
 }
 
@@ -152,10 +135,8 @@ double in_turn(double phi) {
 class TableWriter {
  public:
   TableWriter(bool orders, const Cells& cells) : orders_(orders), cells_(cells) {
-    table.channels = orders ? std::vector<std::string>{"order_1", "order_2", "order_3_up"}
-                            : std::vector{std::string("fr")};
-    table.values.resize(table.channels.size());
-    table.sigma.resize(table.channels.size());
+    table.set_channels(orders ? std::vector<std::string>{"order_1", "order_2", "order_3_up"}
+                              : std::vector{std::string("fr")});
   }
 
   void add(double theta_i, double phi_i, int cell, const Estimate (&f)[kOrderClasses],
@@ -217,14 +198,12 @@ void add_lambert(const Simulation& sim, const std::vector<Light>& lights, const 
     while (end < lights.size() && lights[end].phi == lights[begin].phi) ++end;
     const std::vector<Light> turn(lights.begin() + begin, lights.begin() + end);
     std::vector<Incidence> views;
-    for (int c = 0; c < cells.size(); ++c) {
+    for (int c = 0; c < cells.size(); ++c)
       views.push_back({cells[c].centre_theta(), cells[c].centre_phi() + degrees(turn[0].phi)});
-    }
     const auto measured = measure_radiance(sim, incidences(turn), views, progress);
     for (std::size_t i = 0; i < turn.size(); ++i) {
-      for (int c = 0; c < cells.size(); ++c) {
+      for (int c = 0; c < cells.size(); ++c)
         writer.add(turn[i].theta, turn[i].phi, c, measured[i][c].f, measured[i][c].total);
-      }
     }
   }
 }
@@ -254,8 +233,8 @@ void record(const SampleSettings& s, const Simulation& sim, double cell, io::Sam
     truth +=
         sim.facets.eta == 0 ? " perfect reflector" : " " + names().index + "=" + io::to_text(sim.facets.eta);
   add("truth", truth);
-  add("theta_i", listed(s.theta_i));
-  add("azimuths", listed(s.azimuths));
+  add("theta_i", io::joined_numbers(s.theta_i));
+  add("azimuths", io::joined_numbers(s.azimuths));
   add("cell", io::to_text(cell) + " degrees");
   add("bounces", std::to_string(s.bounces));
   add("surfaces", std::to_string(sim.surfaces));
@@ -279,9 +258,8 @@ io::SampleTable trace_samples(const SampleSettings& s, const Progress& progress)
   const Cells cells(degrees(width));
   TableWriter writer(s.orders, cells);
   std::vector<Light> lights;
-  for (const double azimuth : s.azimuths) {
+  for (const double azimuth : s.azimuths)
     for (const double theta : s.theta_i) lights.push_back({theta, in_turn(180 - azimuth)});
-  }
   if (kind.lambert)
     add_lambert(sim, lights, cells, progress, writer);
   else

@@ -144,12 +144,10 @@ std::vector<TheoryRow> compare_with_theory(const TheoryOptions& options, const P
   }
   // Illuminates the retro direction.
   parts.push_back([&] { return compare_single_bounce(options, 1, 60_deg); });
-  for (const double theta_i : {30.0, 60.0}) {
+  for (const double theta_i : {30.0, 60.0})
     parts.push_back([&, theta_i] { return compare_mirror_grooves(options, degrees(theta_i)); });
-  }
-  for (const double sigma : {10.0, 20.0, 30.0}) {
+  for (const double sigma : {10.0, 20.0, 30.0})
     parts.push_back([&, sigma] { return compare_lambert_grooves(options, degrees(sigma)); });
-  }
   parts.push_back([&] { return compare_reciprocity(options); });
   parts.push_back([&] { return compare_energy(options); });
 

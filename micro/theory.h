@@ -2,7 +2,6 @@
 // measurements by ray tracing.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -168,9 +168,8 @@ std::vector<TheoryRow> compare_lambert_grooves(const TheoryOptions& options, Ang
   s.rays = 1 << 14;
   const std::vector<Incidence> from{{30_deg, {}}, {60_deg, {}}, {75_deg, {}}};
   std::vector<Incidence> views{{}};
-  for (const Angle theta : {30_deg, 60_deg, 75_deg}) {
+  for (const Angle theta : {30_deg, 60_deg, 75_deg})
     for (const Angle phi : {0_deg, 90_deg, 180_deg}) views.push_back({theta, phi});
-  }
   const auto measured = measure_radiance(s, from, views);
   const std::string name = "Lambertian grooves sigma " + in_words(sigma) + " rho " + io::short_number(kRho);
   const auto with_albedo = [&](const Reflectance& form, double albedo) {

@@ -1,8 +1,5 @@
 #include "prove/growth_proof.h"
 
-#include <algorithm>
-#include <array>
-
 #include "prove/energy/growth.h"
 
 namespace brdf::prove {

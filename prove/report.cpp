@@ -21,12 +21,10 @@ Json pairs(const std::vector<std::pair<std::string, double>>& values) {
   for (const auto& [name, value] : values) json[name] = value;
   return json;
 }
-Json finite_or_null(double x) {
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
 Json rounding(const LobeRounding& lobe) {
-  return {
-      {"error", finite_or_null(lobe.error)}, {"beside", name_of(lobe.beside)}, {"underflow", lobe.underflow}};
+  return {{"error", io::finite_or_null(lobe.error)},
+          {"beside", name_of(lobe.beside)},
+          {"underflow", lobe.underflow}};
 }
 
 // Returns whether low and high carry information.
@@ -70,8 +68,8 @@ Json to_json(std::span<const Proof> proofs) {
     row["verdict"] = name_of(p.verdict);
     row["arithmetic"] = p.arithmetic;
     row["statement"] = p.statement;
-    row["low"] = has_range(p) ? finite_or_null(p.low) : Json(nullptr);
-    row["high"] = has_range(p) ? finite_or_null(p.high) : Json(nullptr);
+    row["low"] = has_range(p) ? io::finite_or_null(p.low) : Json(nullptr);
+    row["high"] = has_range(p) ? io::finite_or_null(p.high) : Json(nullptr);
     row["domain"] = p.domain ? ranges_of(*p.domain) : Json::object();
     row["boxes"] = p.cover.boxes;
     row["open"] = p.cover.open;

@@ -6,7 +6,6 @@
 #include "io/files/text.h"
 #include "io/material/settings.h"
 #include "io/samples/degrees.h"
-#include "io/samples/samples.h"
 #include "prove/check/channel.h"
 #include "prove/proof.h"
 

@@ -5,7 +5,6 @@
 #include "fit/file_batch.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
-#include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
 #include "python/binding.h"

@@ -4,7 +4,6 @@
 
 #include "io/csv/csv.h"
 #include "io/files/content.h"
-#include "io/files/error.h"
 #include "io/formats/any_table.h"
 #include "io/formats/read.h"
 #include "io/samples/degrees.h"
@@ -89,7 +88,9 @@ py::tuple angles_of(const Column& vectors) {
   py::array_t<double> theta(count), phi(count);
   for (py::ssize_t k = 0; k < count; ++k) {
     const double* const w = vectors.data() + 3 * k;
-    io::polar_degrees({w[0], w[1], w[2]}, theta.mutable_data()[k], phi.mutable_data()[k]);
+    const io::Polar at = io::polar_degrees({w[0], w[1], w[2]});
+    theta.mutable_data()[k] = at.theta;
+    phi.mutable_data()[k] = at.phi;
   }
   return py::make_tuple(theta, phi);
 }

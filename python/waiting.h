@@ -23,7 +23,6 @@ class Watch {
   explicit Watch(py::object callback) : callback_(std::move(callback)) {}
 
   const std::atomic<bool>& stop() const { return stop_; }
-  void ask_to_stop() { stop_ = true; }
 
   // Calls the callback. The work calls this function on any thread, without the interpreter's lock.
   template <class... Values>

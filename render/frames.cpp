@@ -1,7 +1,5 @@
 #include "render/frames.h"
 
-#include <cmath>
-
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "render/picture/animation.h"

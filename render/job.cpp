@@ -1,7 +1,5 @@
 #include "render/job.h"
 
-#include <cmath>
-
 #include "io/files/error.h"
 #include "render/compare/pictures.h"
 #include "render/frames.h"
@@ -15,9 +13,8 @@ void write_exr_layers(const Job& job, const ViewState& state, Pictures& pictures
   const Picture& a = fine ? pictures.fine_a() : pictures.a_picture();
   std::vector<Layer> layers{{"", &a, true}};
   std::vector<Picture> targets;
-  for (int k = 0; job.gbuffer && k < kTargetCount; ++k) {
+  for (int k = 0; job.gbuffer && k < kTargetCount; ++k)
     targets.push_back(picture_from(a.width, a.height, pictures.a().read_target(Target(k))));
-  }
   for (std::size_t k = 0; k < targets.size(); ++k)
     layers.push_back({std::string(kNames<Target>[k]), &targets[k], true});
   Picture difference = a;
@@ -41,9 +38,8 @@ JobReport run(const Job& given) {
   const bool row = compared(job) && state.display == Display::picture && !job.show;
   if (row) state.display = Display::difference;
   const bool with_other = needs_other(state.display);
-  if (with_other && state.other != Other::material && state.scene.shading != Shading::brdf) {
+  if (with_other && state.other != Other::material && state.scene.shading != Shading::brdf)
     throw InputError("a comparison with Embree or samples needs the shading brdf");
-  }
   const RendererOptions options{.gbuffer_bits = job.gbuffer_bits,
                                 .path = job.forward ? Path::forward : Path::deferred};
   if ((job.gbuffer || state.display == Display::gbuffer) && !uses_gbuffer(state.scene, options))

@@ -32,9 +32,8 @@ std::optional<io::SampleTable> measured_lobe(const Job& job, ViewState& state) {
 
 BytePicture bytes_of(const Texture& texture) {
   BytePicture picture(texture.width, texture.height);
-  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
     picture.pixels[k] = {texture.texels[k][0], texture.texels[k][1], texture.texels[k][2]};
-  }
   return picture;
 }
 
@@ -76,9 +75,8 @@ void write_maps(const std::string& kind, int size, std::uint64_t seed, const std
     return;
   }
   const auto maps = rusty_metal(size, seed);
-  for (std::size_t k = 0; k < maps.size(); ++k) {
+  for (std::size_t k = 0; k < maps.size(); ++k)
     write_png(folder / (std::string(kNames<TextureSlot>[k]) + ".png"), bytes_of(maps[k]));
-  }
 }
 
 void write_lookup_pictures(const std::filesystem::path& folder) {

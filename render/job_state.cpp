@@ -28,9 +28,8 @@ void check_usage(const Job& job) {
     throw InputError("--shape selects the object of a MATERIAL; a scene has its own objects");
   if (job.output.empty()) return;
   if (job.turntable) return check_frames(job);
-  if (!is_png(job.output) && job.output.extension() != ".exr") {
+  if (!is_png(job.output) && job.output.extension() != ".exr")
     throw InputError("-o " + job.output.string() + ": the name must end in .exr or .png");
-  }
 }
 
 // `named`: set to whether the file gives the material's name.
@@ -190,7 +189,7 @@ std::vector<std::string> colour_notes(const ViewState& state) {
     const auto colours = io::channel_colours(material.channels);
     if (!colours || colours->note.empty()) return;
     std::string note = (name.empty() ? "the material" : name) + ": " + colours->note;
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+    if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
   };
   for (const Object& object : state.scene.objects) add(object.material, object.material_name);
   if (state.material) add(*state.material, state.material_name);

@@ -30,13 +30,11 @@ class Binder {
     std::vector<Input> inputs = program.inputs;
     const auto place = [&](const Input& input) {
       const auto& globals = f_.source.globals;
-      return input.argument >= 0 ? -1
-                                 : std::find(globals.begin(), globals.end(), input.name) - globals.begin();
+      return input.argument >= 0 ? -1 : std::ranges::find(globals, input.name) - globals.begin();
     };
-    std::stable_sort(inputs.begin(), inputs.end(),
-                     [&](const Input& a, const Input& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(inputs, [&](const Input& a, const Input& b) { return place(a) < place(b); });
     for (const Input& input : inputs) {
-      const bool used = std::any_of(input.slots.begin(), input.slots.end(), [&](std::uint32_t slot) {
+      const bool used = std::ranges::any_of(input.slots, [&](std::uint32_t slot) {
         return read_.contains({input.integer, slot});
       });
       add(input, input.integer, used, out);
@@ -50,7 +48,7 @@ class Binder {
       if (used_.contains(d.name)) continue;
       std::vector<std::string> known;
       for (const Parameter& p : f_.parameters) known.push_back(p.name);
-      if (std::find(f_.source.globals.begin(), f_.source.globals.end(), d.name) == f_.source.globals.end())
+      if (std::ranges::find(f_.source.globals, d.name) == f_.source.globals.end())
         throw InputError(said_by(d) + ": is not an argument, uniform or global variable of " + f_.entry +
                          (known.empty() ? "" : " (its parameters: " + io::joined(known) + ")"));
     }
@@ -163,16 +161,15 @@ class Binder {
   void add_parameter(const Input& input, const std::string& name, const Declared* declared, bool integer,
                      std::vector<Binding>& out) {
     std::string word = last_word(name);
-    std::replace(word.begin(), word.end(), '.', '_');
+    std::ranges::replace(word, '.', '_');
     const bool boolean = input.type == "bool" || (input.type == "uint" && input.argument < 0 &&
                                                   is_declared_bool(last_word(input.name)));
     const auto known = known_.find(name);
     if (known == known_.end()) {
       Parameter p;
       p.name = word;
-      for (int n = 2; std::any_of(f_.parameters.begin(), f_.parameters.end(),
-                                  [&](const Parameter& q) { return q.name == p.name; });
-           ++n)
+      for (int n = 2;
+           std::ranges::any_of(f_.parameters, [&](const Parameter& q) { return q.name == p.name; }); ++n)
         p.name = word + "_" + std::to_string(n);
       p.doc = (input.argument >= 0 ? "argument " : "variable ") + input.name + " (" + input.type + ")";
       p.colour = input.slots.size() == 3;
@@ -214,8 +211,8 @@ class Binder {
     for (std::size_t k = 0; k < 3; ++k)
       p.initial[k] =
           declared->initial.empty() ? middle : declared->initial[std::min(k, declared->initial.size() - 1)];
-    p.min = std::min(p.min, *std::min_element(p.initial.begin(), p.initial.end()));
-    p.max = std::max(p.max, *std::max_element(p.initial.begin(), p.initial.end()));
+    p.min = std::min(p.min, *std::ranges::min_element(p.initial));
+    p.max = std::max(p.max, *std::ranges::max_element(p.initial));
     if (p.whole) require_whole_numbers(p, *declared);
   }
 
@@ -237,7 +234,7 @@ class Binder {
     for (std::size_t k = 1; k < tokens.size(); ++k) {
       if (tokens[k].is("(") || tokens[k].is("{")) open.push_back(tokens[k].is("(") || tokens[k - 1].is(")"));
       if ((tokens[k].is(")") || tokens[k].is("}")) && !open.empty()) open.pop_back();
-      if (!tokens[k].is(name) || std::find(open.begin(), open.end(), true) != open.end()) continue;
+      if (!tokens[k].is(name) || std::ranges::find(open, true) != open.end()) continue;
       if (tokens[k - 1].is("int") || tokens[k - 1].is("uint")) return false;
       boolean = boolean || tokens[k - 1].is("bool");
     }

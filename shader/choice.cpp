@@ -14,7 +14,7 @@ namespace {
 std::string parse_define(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);
-  if (name.empty() || !std::all_of(name.begin(), name.end(), is_word) || (name[0] >= '0' && name[0] <= '9') ||
+  if (name.empty() || !std::ranges::all_of(name, is_word) || (name[0] >= '0' && name[0] <= '9') ||
       name == "defined" || text.find_first_of("\n\r") != text.npos)
     throw InputError("--define " + io::shown(text) +
                      ": must be NAME, NAME= or NAME=VALUE, with a name of a macro");

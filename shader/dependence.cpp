@@ -270,8 +270,7 @@ class Equal {
     };
     for (const Step& step : stretch.steps) follow(s, step, value);
     if (stretch.end == End::stop)
-      return std::all_of(p_.results.begin(), p_.results.end(),
-                         [&](std::uint32_t slot) { return s[slot] == s[p_.results[0]]; });
+      return std::ranges::all_of(p_.results, [&](std::uint32_t slot) { return s[slot] == s[p_.results[0]]; });
     for (int k = 0; k < (stretch.end == End::branch ? 2 : 1); ++k) meet(s, stretch.next[k]);
     return true;
   }
@@ -376,7 +375,7 @@ bool vanishes_with(const Function& f, const std::vector<std::size_t>& parameters
   for (const Binding& b : f.bindings_as_meant)
     if (b.from == Binding::From::zero && !b.integer) flow.start(false, b.slot) = Vanishing::zero;
   for_each_parameter(f, f.bindings_as_meant, [&](const Binding& b, std::size_t k, std::size_t) {
-    if (!b.integer && std::find(parameters.begin(), parameters.end(), k) != parameters.end())
+    if (!b.integer && std::ranges::find(parameters, k) != parameters.end())
       flow.start(false, b.slot) = Vanishing::zero;
   });
   return flow.run() && std::all_of(flow.results().begin(), flow.results().end(),

@@ -84,7 +84,7 @@ bool takes_directions(const Module& m, const spirv::Function& f, const std::vect
     const auto storage = m.type(global.instruction.type).storage;
     const std::string name = m.name(id);
     if (storage == spv::StorageClassUniformConstant || storage == spv::StorageClassInput ||
-        std::find(free.begin(), free.end(), name) != free.end())
+        std::ranges::find(free, name) != free.end())
       seen.look(m, name, pointee(m, global.instruction.type));
   }
   return seen.light && seen.view;
@@ -305,9 +305,8 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
                      listed(module, likely));
   require_compiled(left_out, [](const std::string&) { return true; });
   const std::vector<Token> tokens = tokens_of(source.whole);
-  const bool has_main = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    return t.is("brdf_own_main") || t.is("mainImage");
-  });
+  const bool has_main =
+      std::ranges::any_of(tokens, [](const Token& t) { return t.is("brdf_own_main") || t.is("mainImage"); });
   std::string what = source.name + ": has ";
   what += has_main ? "main() and no function brdf of directions" : "no function brdf of directions";
   throw InputError(what + kHelp + (all.empty() ? "" : "; the file has " + listed(module, all)) +

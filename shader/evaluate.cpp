@@ -54,9 +54,7 @@ std::vector<T> ShaderReflectance::values_of(const ParameterValues<T>& p) const {
     // A form that mixes channels may read the first channel's weights for every channel.
     if (info_.mixes_channels && parameter.colour) values[parameter.first] = p.first[k];
   }
-  for (std::size_t k = 0; k < shape_.size(); ++k) {
-    values[function_.parameters[shape_[k]].first] = p.shape[k];
-  }
+  for (std::size_t k = 0; k < shape_.size(); ++k) values[function_.parameters[shape_[k]].first] = p.shape[k];
   return values;
 }
 template std::vector<double> ShaderReflectance::values_of(const ParameterValues<double>&) const;

@@ -34,8 +34,7 @@ std::string undeclared(const Function& f) {
 // A width across the tangent requires a width along the tangent.
 void check_roles(const Function& f) {
   const auto with = [&](Role role) {
-    return std::find_if(f.parameters.begin(), f.parameters.end(),
-                        [&](const Parameter& p) { return p.role == role; });
+    return std::ranges::find_if(f.parameters, [&](const Parameter& p) { return p.role == role; });
   };
   for (const auto& [along, across] : kAxisRoles) {
     const auto alone = with(across);
@@ -153,7 +152,7 @@ std::vector<double> Function::defaults() const {
 }
 
 bool Function::is_given(Axis axis) const {
-  return std::any_of(bindings.begin(), bindings.end(), [&](const Binding& b) {
+  return std::ranges::any_of(bindings, [&](const Binding& b) {
     if (b.from != Binding::From::coordinate && b.from != Binding::From::product) return false;
     const auto is = [&](Axis a) { return a == axis || a == Axis::half; };
     return is(b.a) || (b.from == Binding::From::product && is(b.b));

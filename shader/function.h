@@ -3,7 +3,6 @@
 
 #include <array>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -170,10 +169,6 @@ class Runner {
         }
       return half;
     };
-    // The coordinate along an axis of the frame; -1 for other axes.
-    const auto frame = [](Axis a) {
-      return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
-    };
     for (const Binding& b : function.template bound<T>()) {
       if (b.from == Binding::From::value) continue;
       if (b.integer) {
@@ -181,13 +176,15 @@ class Runner {
         continue;
       }
       T* const out = bank_.number(b.slot);
-      if (b.from == Binding::From::coordinate && frame(b.a) < 0) {
+      if (b.from == Binding::From::coordinate && frame_coordinate(b.a) < 0) {
         std::copy_n(axis(b.a)[std::size_t(b.component)].begin(), W, out);
-      } else if (b.from == Binding::From::product && (frame(b.a) < 0 || frame(b.b) < 0)) {
+      } else if (b.from == Binding::From::product &&
+                 (frame_coordinate(b.a) < 0 || frame_coordinate(b.b) < 0)) {
         // The product with an axis of the frame is a coordinate.
-        const bool first = frame(b.a) >= 0, second = frame(b.b) >= 0;
+        const bool first = frame_coordinate(b.a) >= 0, second = frame_coordinate(b.b) >= 0;
         if (first || second) {
-          std::copy_n(axis(first ? b.b : b.a)[std::size_t(frame(first ? b.a : b.b))].begin(), W, out);
+          std::copy_n(axis(first ? b.b : b.a)[std::size_t(frame_coordinate(first ? b.a : b.b))].begin(), W,
+                      out);
         } else {
           const Lanes &x = axis(b.a), &y = axis(b.b);
           for (std::size_t l = 0; l < W; ++l)
@@ -199,7 +196,7 @@ class Runner {
           out[l] = detail::pick(one < out[l], one, detail::pick(out[l] < -one, -one, out[l]));
       } else {
         const bool is_one = b.from == Binding::From::one ||
-                            (b.from == Binding::From::coordinate && frame(b.a) == b.component) ||
+                            (b.from == Binding::From::coordinate && frame_coordinate(b.a) == b.component) ||
                             (b.from == Binding::From::product && b.a == b.b);
         std::fill_n(out, W, is_one ? one : zero);
       }

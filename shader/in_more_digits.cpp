@@ -1,7 +1,5 @@
 #include "shader/in_more_digits.h"
 
-#include <limits>
-
 namespace brdf::shader {
 
 double in_more_digits(const Function& function, std::span<const double> values, const Vec3<double>& wi,
@@ -14,10 +12,6 @@ double in_more_digits(const Function& function, std::span<const double> values, 
   Runner<Long, 1> runner(function);
   const std::vector<Long> wide(values.begin(), values.end());
   return double(evaluate<Long>(function, runner, wide, unit(wi), unit(wo), component));
-}
-
-bool has_more_digits() {
-  return std::numeric_limits<long double>::digits >= std::numeric_limits<double>::digits + 10;
 }
 
 }  // namespace brdf::shader

@@ -15,7 +15,4 @@ namespace brdf::shader {
 double in_more_digits(const Function& function, std::span<const double> values, const Vec3<double>& wi,
                       const Vec3<double>& wo, std::size_t component);
 
-// Returns false if the processor has no such type; in_more_digits() is then no more accurate than double.
-bool has_more_digits();
-
 }  // namespace brdf::shader

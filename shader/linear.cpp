@@ -137,8 +137,8 @@ std::optional<Linear> with_f0(const Function& f, const Degrees& degrees, std::ve
   out.weights = std::move(weights);
   if (f0) {
     out.weights.push_back(*f0);
-    std::sort(out.weights.begin(), out.weights.end());
-    out.f0 = int(std::find(out.weights.begin(), out.weights.end(), *f0) - out.weights.begin());
+    std::ranges::sort(out.weights);
+    out.f0 = int(std::ranges::find(out.weights, *f0) - out.weights.begin());
   }
   int divided = -1;
   for (std::size_t k = 0; k < out.weights.size(); ++k) {
@@ -179,18 +179,15 @@ std::optional<Linear> linear_parameters(const Function& f) {
                                                                  : 2;
   };
   std::vector<std::size_t> order = affine, weights, others;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   for (const std::size_t k : order) {
-    const bool fits =
-        std::all_of(weights.begin(), weights.end(), [&](std::size_t w) { return degrees.is_separate(k, w); });
+    const bool fits = std::ranges::all_of(weights, [&](std::size_t w) { return degrees.is_separate(k, w); });
     (fits ? weights : others).push_back(k);
   }
-  std::sort(weights.begin(), weights.end());
+  std::ranges::sort(weights);
   const auto holds_colours = [&](const Linear& linear) {
     for (std::size_t k = 0; k < f.parameters.size(); ++k)
-      if (f.parameters[k].colour &&
-          std::find(linear.weights.begin(), linear.weights.end(), k) == linear.weights.end())
+      if (f.parameters[k].colour && std::ranges::find(linear.weights, k) == linear.weights.end())
         return false;
     return true;
   };

@@ -4,10 +4,7 @@
 #include <map>
 #include <mutex>
 
-#include "io/files/content.h"
 #include "io/files/digest.h"
-#include "io/files/error.h"
-#include "io/files/text.h"
 #include "io/material/shader_forms.h"
 #include "shader/shader.h"
 

@@ -107,7 +107,7 @@ Form Polynomials::closed(const Terms& terms, Hand hand, int depth) {
   if (!dots || names.neg(cross) != term(kLy, kVx)) return form_of(terms, hand, depth);
   std::vector<int> key{-9};
   key.insert(key.end(), terms.begin(), terms.end());
-  const bool alone = std::count(terms.begin(), terms.end(), kZero) == kTerms - 2;
+  const bool alone = std::ranges::count(terms, kZero) == kTerms - 2;
   if (cross == kZero) return still(names.of(key), hand);
   return still(names.of(key), hand == Hand::even && alone ? Hand::odd : Hand::mixed);
 }

@@ -52,17 +52,14 @@ struct Reflection {
 };
 
 Parity parity_of(const Binding& b, int coordinate) {
-  const auto frame = [](Axis a) {
-    return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
-  };
   const auto along = [&](int component) { return component == coordinate ? Parity::odd : Parity::even; };
   if (b.from == Binding::From::zero) return b.integer ? Parity::even : Parity::zero;
   if (b.from == Binding::From::coordinate) {
-    if (frame(b.a) < 0) return along(b.component);
-    return frame(b.a) == b.component ? Parity::even : Parity::zero;
+    if (frame_coordinate(b.a) < 0) return along(b.component);
+    return frame_coordinate(b.a) == b.component ? Parity::even : Parity::zero;
   }
-  if (b.from == Binding::From::product && (frame(b.a) >= 0) != (frame(b.b) >= 0))
-    return along(std::max(frame(b.a), frame(b.b)));
+  if (b.from == Binding::From::product && (frame_coordinate(b.a) >= 0) != (frame_coordinate(b.b) >= 0))
+    return along(std::max(frame_coordinate(b.a), frame_coordinate(b.b)));
   return Parity::even;
 }
 

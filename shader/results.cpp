@@ -5,6 +5,7 @@
 
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "shader/front/definitions.h"
 
 namespace brdf::shader {
 namespace {
@@ -17,10 +18,6 @@ struct Leaf {
   std::string name;
   ResultPart part;
 };
-
-bool is_word(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
-}
 
 void add_leaves(const Module& m, spirv::Id type, const std::string& name, int argument, std::size_t first,
                 std::vector<Leaf>& out) {
@@ -72,10 +69,10 @@ Written declared_out(const Module& m, const spirv::Function& f, const std::strin
     bool same = true;
     for (std::size_t k = 0; k < fields.size() && same; ++k) {
       std::string spaced = fields[k];
-      std::replace(spaced.begin(), spaced.end(), '\n', ' ');
+      std::ranges::replace(spaced, '\n', ' ');
       std::vector<std::string_view> words;
       io::split_blanks(spaced, words);
-      same = std::find(words.begin(), words.end(), m.name(f.parameters[k])) != words.end();
+      same = std::ranges::find(words, m.name(f.parameters[k])) != words.end();
       for (const std::string_view word : words) {
         if (word == "out" || word == "inout") out.all.insert(int(k));
         if (word == "inout") out.accumulated.insert(int(k));
@@ -88,7 +85,7 @@ Written declared_out(const Module& m, const spirv::Function& f, const std::strin
 
 template <std::size_t N>
 bool has_any(const std::string& name, const std::array<std::string_view, N>& words) {
-  return std::any_of(words.begin(), words.end(), [&](auto word) { return name.find(word) != name.npos; });
+  return std::ranges::any_of(words, [&](auto word) { return name.find(word) != name.npos; });
 }
 
 std::string last_of(const std::string& name) {
@@ -118,7 +115,7 @@ bool is_lobe(const Leaf& l) {
   return has_any(io::lower_case(l.name), kLobes);
 }
 bool is_value(const Leaf& l) {
-  return std::find(kValues.begin(), kValues.end(), last_of(l.name)) != kValues.end();
+  return std::ranges::find(kValues, last_of(l.name)) != kValues.end();
 }
 
 // Selects the values that are the reflectance: the only value, the value with a telling name, or all lobes
@@ -133,17 +130,15 @@ void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Result
   };
   keep([](const Leaf& l) { return !has_any(io::lower_case(l.name), kOther); });
   // A number next to colours is one of their parameters, unless its name identifies a lobe.
-  const bool colours =
-      std::any_of(leaves.begin(), leaves.end(), [](const Leaf& l) { return l.part.count == 3; });
+  const bool colours = std::ranges::any_of(leaves, [](const Leaf& l) { return l.part.count == 3; });
   if (colours)
     keep([](const Leaf& l) {
       return l.part.count == 3 || (is_lobe(l) && !has_any(io::lower_case(l.name), kOfLobes));
     });
-  out.named =
-      std::any_of(leaves.begin(), leaves.end(), [](const Leaf& l) { return is_lobe(l) || is_value(l); });
-  const bool parts = std::any_of(leaves.begin(), leaves.end(), is_lobe);
+  out.named = std::ranges::any_of(leaves, [](const Leaf& l) { return is_lobe(l) || is_value(l); });
+  const bool parts = std::ranges::any_of(leaves, is_lobe);
   if (leaves.size() > 1 && !parts) keep(is_value);
-  if (leaves.size() > 1 && !std::all_of(leaves.begin(), leaves.end(), is_lobe)) {
+  if (leaves.size() > 1 && !std::ranges::all_of(leaves, is_lobe)) {
     out.several = io::joined(names_of(leaves));
     return;
   }
@@ -152,7 +147,7 @@ void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Result
   if (all.size() < 2 || names.empty()) return;
   std::vector<std::string> others;
   for (const std::string& name : all)
-    if (std::find(names.begin(), names.end(), name) == names.end()) others.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) others.push_back(name);
   out.note = "the reflectance is " + io::joined(names, " + ") + " of the results of " + function +
              (others.empty() ? "" : ", without " + io::joined(others));
 }

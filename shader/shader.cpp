@@ -1,7 +1,6 @@
 #include "shader/shader.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "io/files/error.h"
 #include "io/files/numbers.h"
@@ -72,8 +71,7 @@ void ShaderReflectance::find_tables() {
   const std::optional<Linear> linear = reads_first_ ? std::nullopt : linear_parameters(function_);
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     const bool weight =
-        linear ? std::find(linear->weights.begin(), linear->weights.end(), k) != linear->weights.end()
-               : parameters[k].colour;
+        linear ? std::ranges::find(linear->weights, k) != linear->weights.end() : parameters[k].colour;
     (weight ? weights_ : shape_).push_back(k);
   }
   const auto table = [&](const std::vector<std::size_t>& of) {
@@ -149,11 +147,10 @@ std::string ShaderReflectance::glsl(const GlslOptions& options) const {
 }
 
 Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> self) const {
-  const bool coloured =
-      !channels_.empty() || std::any_of(weights_.begin(), weights_.end(), [&](std::size_t k) {
-        const Parameter& p = function_.parameters[k];
-        return p.colour && (p.initial[0] != p.initial[1] || p.initial[0] != p.initial[2]);
-      });
+  const bool coloured = !channels_.empty() || std::ranges::any_of(weights_, [&](std::size_t k) {
+    const Parameter& p = function_.parameters[k];
+    return p.colour && (p.initial[0] != p.initial[1] || p.initial[0] != p.initial[2]);
+  });
   Material m = make_material(Reflectance(std::move(self)), coloured ? std::vector<std::string>{"r", "g", "b"}
                                                                     : std::vector<std::string>{"fr"});
   for (std::size_t c = 0; c < m.channels.size(); ++c)

@@ -71,16 +71,13 @@ class Analysis {
     return f;
   }
   Form input(const Binding& b) {
-    const auto frame = [](Axis a) {
-      return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
-    };
     switch (b.from) {
       case Binding::From::coordinate:
-        if (frame(b.a) >= 0) return still(frame(b.a) == b.component ? kOne : kZero);
+        if (frame_coordinate(b.a) >= 0) return still(frame_coordinate(b.a) == b.component ? kOne : kZero);
         return coordinates(b.a, b.component);
       case Binding::From::product: {
         if (b.a == b.b) return still(kOne);
-        const int first = frame(b.a), second = frame(b.b);
+        const int first = frame_coordinate(b.a), second = frame_coordinate(b.b);
         if (first >= 0 && second >= 0) return still(kZero);
         if (first >= 0 || second >= 0) return coordinates(first >= 0 ? b.b : b.a, std::max(first, second));
         return still(forms_.names.of({-5, int(std::min(b.a, b.b)), int(std::max(b.a, b.b))}));

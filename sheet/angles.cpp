@@ -84,7 +84,7 @@ std::optional<double> variation(const View& view, double theta, bool pole) {
     if (logs.size() < 2) continue;
     const auto [low, high] = std::minmax_element(azimuths.begin(), azimuths.end());
     if (*high - *low <= 90) continue;
-    std::sort(logs.begin(), logs.end());
+    std::ranges::sort(logs);
     const std::size_t apart = logs.size() < 6 ? 0 : 1;  // one row may be an outlier
     found.push_back(logs[logs.size() - 1 - apart] - logs[apart]);
   }
@@ -116,8 +116,7 @@ bool fades_with_theta(const std::vector<Highlight>& lights) {
   std::vector<double> series;
   for (const auto& [theta, values] : contrasts) series.push_back(io::median(values));
   if (series.size() < 3 || series.front() < 2 || series.front() < 2 * series.back()) return false;
-  return std::adjacent_find(series.begin(), series.end(), [](double a, double b) { return b > 1.05 * a; }) ==
-         series.end();
+  return std::ranges::adjacent_find(series, [](double a, double b) { return b > 1.05 * a; }) == series.end();
 }
 
 // Returns the logarithm of the width of a highlight across the plane of incidence over its width in that
@@ -140,7 +139,7 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   // Returns the first place along a series of rows at which the level falls below half. From the top a
   // parabola leads to that place, unless the next row already lies beyond the highlight.
   const auto reach = [&](std::vector<std::pair<double, double>> series) {
-    std::sort(series.begin(), series.end());
+    std::ranges::sort(series);
     double at = 0, level = view.level(*top);
     for (const auto& [distance, next] : series) {
       const double share = (level - half) / (level - next);
@@ -193,13 +192,12 @@ struct AngleColumn {
 
   bool fits_radians() const { return largest <= (is_polar ? 0.5 : 2) * kPi + 0.01; }
   std::size_t hundredths() const {
-    return std::size_t(
-        std::count_if(sizes.begin(), sizes.end(), [](double x) { return round_to(x, 0.01, 1e-9); }));
+    return std::size_t(std::ranges::count_if(sizes, [](double x) { return round_to(x, 0.01, 1e-9); }));
   }
   // Counts the magnitudes that are quarters of a degree after conversion to degrees.
   std::size_t round_in_degrees() const {
-    return std::size_t(std::count_if(sizes.begin(), sizes.end(),
-                                     [](double x) { return round_to(radians(x).degrees(), 0.25, 0.02); }));
+    return std::size_t(
+        std::ranges::count_if(sizes, [](double x) { return round_to(radians(x).degrees(), 0.25, 0.02); }));
   }
   bool looks_like_radians() const {
     if (!fits_radians() || sizes.empty()) return false;
@@ -257,8 +255,7 @@ Finding angle_unit(const Evidence& e) {
   const io::SampleTable& t = e.read;
   const std::vector<AngleColumn> columns = angle_columns(t);
   std::vector<const AngleColumn*> radian, open;
-  const double polar = std::max(*std::max_element(t.theta_i.begin(), t.theta_i.end()),
-                                *std::max_element(t.theta_o.begin(), t.theta_o.end()));
+  const double polar = std::max(*std::ranges::max_element(t.theta_i), *std::ranges::max_element(t.theta_o));
   if (columns.empty()) {
     Finding stated = start(t, "angle_unit");
     stated.statement = "the file states the unit of every angle";
@@ -271,8 +268,8 @@ Finding angle_unit(const Evidence& e) {
       open.push_back(&c);
   }
   if (polar == 0) return not_applicable(t.source, "angle_unit", "every direction is the normal");
-  const bool polar_fits = std::all_of(columns.begin(), columns.end(),
-                                      [](const AngleColumn& c) { return !c.is_polar || c.fits_radians(); });
+  const bool polar_fits =
+      std::ranges::all_of(columns, [](const AngleColumn& c) { return !c.is_polar || c.fits_radians(); });
   // An azimuth of 3 next to polar angles of 60 is 3 degrees.
   if (!polar_fits) std::erase_if(radian, [](const AngleColumn* c) { return !c->is_polar; });
   Finding f = start(t, "angle_unit");
@@ -298,8 +295,8 @@ Finding angle_unit(const Evidence& e) {
 Finding polar_angle(const Evidence& e) {
   const View& view = e.whole;  // the rows near 90 degrees matter here
   const io::SampleTable& t = view.table();
-  const double low = *std::min_element(t.theta_o.begin(), t.theta_o.end());
-  const double high = *std::max_element(t.theta_o.begin(), t.theta_o.end());
+  const double low = *std::ranges::min_element(t.theta_o);
+  const double high = *std::ranges::max_element(t.theta_o);
   Finding f = start(t, "polar_angle");
   const auto fail = [&](const std::string& what) {
     f.outcome = Outcome::fail;
@@ -356,7 +353,7 @@ Finding azimuth(const Evidence& e) {
   Finding f = start(t, "azimuth");
   f.value = io::median(ratios);
   f.bound = kHighlight;
-  std::sort(back.begin(), back.end(), [](const Back& a, const Back& b) { return a.theta_i < b.theta_i; });
+  std::ranges::sort(back, {}, &Back::theta_i);
   // A faint highlight is visible if the light is steep. There rough surfaces are bright towards the light
   // as well, but broadly: the value falls only to half within 25 degrees.
   const Back& steepest = back.back();

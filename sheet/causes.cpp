@@ -22,7 +22,7 @@ struct Weighted {
 };
 
 double weighted_median(std::vector<Weighted> values) {
-  std::sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+  std::ranges::sort(values, [](const auto& a, const auto& b) { return a.value < b.value; });
   double half = 0, sum = 0;
   for (const Weighted& v : values) half += 0.5 * v.weight;
   for (const Weighted& v : values)
@@ -189,10 +189,6 @@ bool holds(const Explanation& e) {
 
 }  // namespace
 
-bool Causes::was_tried(Cause cause) const {
-  return std::any_of(tried.begin(), tried.end(), [&](const Explanation& e) { return e.cause == cause; });
-}
-
 Causes causes_of(const View& view, const std::vector<Pair>& pairs) {
   Causes out;
   out.pairs = pairs.size();
@@ -206,8 +202,7 @@ Causes causes_of(const View& view, const std::vector<Pair>& pairs) {
   add(search.explain(Cause::drift, search.drift_levers()));
   add(search.explain(Cause::dark_level, search.dark_levers()));
   if (!view.scans().empty()) add(one_light(search, pairs));
-  std::stable_sort(out.tried.begin(), out.tried.end(),
-                   [](const Explanation& a, const Explanation& b) { return a.share > b.share; });
+  std::ranges::stable_sort(out.tried, std::greater(), &Explanation::share);
   // A dark level acts like a weak cosine: it must explain clearly more than a cause that is more common.
   constexpr double kClearly = 0.8;
   if (out.tried.size() > 1 && out.tried[0].cause == Cause::dark_level &&

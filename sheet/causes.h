@@ -35,8 +35,6 @@ struct Causes {
   std::optional<Explanation> found;
   // Whether the rule was met by a wide margin.
   bool is_certain = false;
-  // Returns whether `tried` has an entry of this cause.
-  bool was_tried(Cause cause) const;
 };
 
 inline constexpr std::size_t kFewestPairs = 8;

@@ -1,7 +1,6 @@
 // The checks of a table of measurements: their list, their input and the functions that they share.
 #pragma once
 
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>

@@ -11,7 +11,7 @@ namespace brdf::sheet {
 namespace {
 
 std::vector<double> each_once(std::vector<double> angles) {
-  std::sort(angles.begin(), angles.end());
+  std::ranges::sort(angles);
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;
 }
@@ -26,8 +26,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const io::SampleTable&
                                                   io::to_text(lights.back()) + " degrees");
     facts.emplace_back("rotations of the sample", std::to_string(each_once(t.phi_i).size()));
   }
-  facts.emplace_back("largest viewing angle",
-                     io::to_text(*std::max_element(t.theta_o.begin(), t.theta_o.end())) + " degrees");
+  facts.emplace_back("largest viewing angle", io::to_text(*std::ranges::max_element(t.theta_o)) + " degrees");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const auto [low, high] = std::minmax_element(t.values[c].begin(), t.values[c].end());
     facts.emplace_back("f_r of " + t.channels[c],
@@ -77,17 +76,15 @@ const std::vector<Misleading>& misleading() {
 void mislead(std::vector<Finding>& findings, const std::vector<std::string_view>& checks,
              const std::string& why) {
   for (Finding& f : findings)
-    if (f.outcome != Outcome::not_applicable &&
-        std::find(checks.begin(), checks.end(), f.check) != checks.end())
+    if (f.outcome != Outcome::not_applicable && std::ranges::find(checks, f.check) != checks.end())
       f = not_applicable(f.subject, f.check, why);
 }
 
 // Reports each fault once: its consequences are not judged, and do not mislead further checks.
 void name_once(std::vector<Finding>& findings) {
   for (const Misleading& m : misleading()) {
-    const bool failed = std::any_of(findings.begin(), findings.end(), [&](const Finding& f) {
-      return f.check == m.fault && f.outcome == Outcome::fail;
-    });
+    const bool failed = std::ranges::any_of(
+        findings, [&](const Finding& f) { return f.check == m.fault && f.outcome == Outcome::fail; });
     if (failed) mislead(findings, m.misled, std::string(m.why));
   }
 }
@@ -95,7 +92,7 @@ void name_once(std::vector<Finding>& findings) {
 // Returns the rows within max_theta; all rows if there are no such rows.
 std::vector<bool> rows_to_judge(const io::SampleTable& t, double max_theta) {
   std::vector<bool> inside = within(t, max_theta);
-  if (std::find(inside.begin(), inside.end(), true) == inside.end()) inside.assign(t.rows(), true);
+  if (std::ranges::find(inside, true) == inside.end()) inside.assign(t.rows(), true);
   return inside;
 }
 
@@ -117,9 +114,9 @@ DataSheet sheet_of_scans(const io::SampleTable& t, const SheetOptions& options) 
   std::vector<bool> keep = inside;
   if (!options.keep_fill) sheet.not_measured = marked(all, fill, t.rows());
   for (std::size_t k = 0; k < sheet.not_measured.size(); ++k) keep[k] = keep[k] && !sheet.not_measured[k];
-  if (std::find(keep.begin(), keep.end(), true) == keep.end()) keep = inside;
+  if (std::ranges::find(keep, true) == keep.end()) keep = inside;
   const View view(t, keep);
-  const bool nothing_beyond = std::find(inside.begin(), inside.end(), false) == inside.end();
+  const bool nothing_beyond = std::ranges::find(inside, false) == inside.end();
   std::vector<bool> measured = sheet.not_measured;
   measured.flip();
   std::optional<View> to_grazing;
@@ -192,7 +189,7 @@ std::vector<bool> not_measured(const io::SampleTable& t, double max_theta) {
 }
 
 void leave_out(const std::vector<bool>& rows, io::SampleTable& t) {
-  const auto count = std::size_t(std::count(rows.begin(), rows.end(), true));
+  const auto count = std::size_t(std::ranges::count(rows, true));
   if (count == 0) return;
   const auto thin = [&](auto& column) {
     if (column.empty()) return;

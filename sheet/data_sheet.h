@@ -1,7 +1,6 @@
 // Checks the quality of a table of measurements before anything is fitted to it.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

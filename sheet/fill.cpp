@@ -19,7 +19,7 @@ std::vector<double> candidates(const std::vector<double>& values) {
   std::vector<double> found{0, *low, *high};
   std::vector<double> looked;
   for (std::size_t k = 0; k < values.size(); k += values.size() / kLooked + 1) looked.push_back(values[k]);
-  std::sort(looked.begin(), looked.end());
+  std::ranges::sort(looked);
   std::vector<std::pair<std::size_t, double>> often;
   for (std::size_t k = 0; k < looked.size();) {
     std::size_t end = k;
@@ -29,7 +29,7 @@ std::vector<double> candidates(const std::vector<double>& values) {
   }
   std::sort(often.rbegin(), often.rend());
   for (std::size_t k = 0; k < std::min(often.size(), kMost); ++k) found.push_back(often[k].second);
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
@@ -38,10 +38,10 @@ std::vector<double> candidates(const std::vector<double>& values) {
 // among others of its size, and a saturated detector repeats its largest value.
 bool is_alone(const std::vector<double>& values, double value) {
   constexpr double kNear = 1.25, kBeyondSaturation = 20;
-  const double largest = *std::max_element(values.begin(), values.end());
+  const double largest = *std::ranges::max_element(values);
   const double near = value == largest ? kBeyondSaturation : kNear;
-  return std::none_of(values.begin(), values.end(),
-                      [&](double v) { return v != value && v < value * near && v * near > value; });
+  return std::ranges::none_of(values,
+                              [&](double v) { return v != value && v < value * near && v * near > value; });
 }
 
 // Returns whether the rows share one half vector, or one angle between light and viewer: a peak of the same
@@ -70,7 +70,7 @@ class Surroundings {
       : view_(view), values_(values), value_(value) {
     // A vanishing lobe reaches 0, and a number below the last digit is written as 0.
     constexpr double kDynamicRange = 1e-7, kDigits = 5;
-    least_ = std::max(kDynamicRange * *std::max_element(values.begin(), values.end()), kDigits * resolution);
+    least_ = std::max(kDynamicRange * *std::ranges::max_element(values), kDigits * resolution);
   }
 
   void look_at(Row k) {

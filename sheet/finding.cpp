@@ -29,13 +29,12 @@ io::Json to_json(const NamedRow& row) {
 
 io::Json to_json(const Finding& f) {
   io::Json json{{"subject", f.subject}, {"check", f.check}, {"verdict", name_of(f.outcome)}};
-  json["value"] = std::isfinite(f.value) ? io::Json(f.value) : io::Json(nullptr);
+  json["value"] = io::finite_or_null(f.value);
   json["bound"] = f.bound;
   json["statement"] = f.statement;
   json["witness"] = f.witness ? to_json(*f.witness) : io::Json(nullptr);
   if (f.tied) json["tied"] = {{"value", f.tied->value}, {"witness", to_json(f.tied->witness)}};
-  for (const auto& [name, value] : f.channels)
-    json["channels"][name] = std::isfinite(value) ? io::Json(value) : io::Json(nullptr);
+  for (const auto& [name, value] : f.channels) json["channels"][name] = io::finite_or_null(value);
   if (!f.proof.empty()) json["proof"] = f.proof;
   json["evaluations"] = f.evaluations;
   for (const NamedRow& row : f.rows) json["rows"].push_back(to_json(row));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "io/files/evenly.h"
 #include "io/files/numbers.h"
@@ -37,7 +36,7 @@ struct Around {
            (quadrants[2].exists() || quadrants[3].exists());
   }
   bool is_enclosed() const {
-    return std::all_of(quadrants.begin(), quadrants.end(), [](const Neighbour& n) { return n.exists(); });
+    return std::ranges::all_of(quadrants, [](const Neighbour& n) { return n.exists(); });
   }
 };
 
@@ -178,8 +177,7 @@ void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
   std::vector<double> weights(line.size());
   for (double angle = -89.5; angle < 90; angle += 1) {
     const double weight = std::cos(degrees(angle).radians()) * std::sin(degrees(std::abs(angle)).radians());
-    const auto above = std::lower_bound(line.begin(), line.end(), angle,
-                                        [](const InPlane& p, double x) { return p.angle < x; });
+    const auto above = std::ranges::lower_bound(line, angle, {}, &InPlane::angle);
     const auto k = std::size_t(above - line.begin());
     const std::size_t nearest =
         k == line.size() || (k > 0 && angle - line[k - 1].angle < line[k].angle - angle) ? k - 1 : k;
@@ -192,7 +190,7 @@ void add_plane(const View& view, const Scan& scan, MeasuredAlbedo& m) {
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     std::vector<std::pair<double, double>> by_value;
     for (std::size_t k = 0; k < line.size(); ++k) by_value.emplace_back(t.values[c][line[k].row], weights[k]);
-    std::sort(by_value.begin(), by_value.end());
+    std::ranges::sort(by_value);
     double sum = 0;
     for (const auto& [value, weight] : by_value)
       if ((sum += weight) >= 0.5 * covered) {
@@ -259,9 +257,8 @@ Plane plane_of(const std::vector<MeasuredAlbedo>& albedo) {
   for (std::size_t c = 0; !planes.empty() && c < planes.front()->in_plane.size(); ++c) {
     std::vector<double> of_lights;
     for (const MeasuredAlbedo* a : planes) of_lights.push_back(a->in_plane[c]);
-    plane.reflected =
-        std::max(plane.reflected, plane.is_half ? *std::min_element(of_lights.begin(), of_lights.end())
-                                                : io::median(std::move(of_lights)));
+    plane.reflected = std::max(plane.reflected, plane.is_half ? *std::ranges::min_element(of_lights)
+                                                              : io::median(std::move(of_lights)));
   }
   return plane;
 }

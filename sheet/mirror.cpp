@@ -54,7 +54,7 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
     if (values[p.row] > 0 && (dots.empty() || p.angle > dots.back().first + 1e-6))
       dots.emplace_back(p.angle, std::log(values[p.row]));
   if (dots.size() < kFewest) return std::nullopt;
-  const auto largest = std::max_element(dots.begin(), dots.end(), [](const auto& a, const auto& b) {
+  const auto largest = std::ranges::max_element(dots, [](const auto& a, const auto& b) {
     return (a.first > 0 ? a.second : -HUGE_VAL) < (b.first > 0 ? b.second : -HUGE_VAL);
   });
   auto at = std::size_t(largest - dots.begin());
@@ -92,8 +92,8 @@ std::optional<Peak> peak_of(const View& view, const Scan& scan, double scatter) 
 std::vector<Peak> of_one_turn(std::vector<Peak> peaks) {
   std::map<double, std::size_t> count;
   for (const Peak& p : peaks) ++count[p.scan->phi_i];
-  const auto most = std::max_element(count.begin(), count.end(),
-                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most =
+      std::ranges::max_element(count, [](const auto& a, const auto& b) { return a.second < b.second; });
   std::erase_if(peaks, [&](const Peak& p) { return p.scan->phi_i != most->first; });
   return peaks;
 }
@@ -106,8 +106,7 @@ std::vector<Peak> peaks_of(const View& view, double scatter) {
       if (const auto peak = peak_of(view, scan, scatter)) peaks.push_back(*peak);
   peaks = of_one_turn(std::move(peaks));
   // Among wide highlights a peak of a single row is an outlier.
-  const auto narrow =
-      std::size_t(std::count_if(peaks.begin(), peaks.end(), [](const Peak& p) { return p.is_one_row; }));
+  const auto narrow = std::size_t(std::ranges::count_if(peaks, [](const Peak& p) { return p.is_one_row; }));
   if (2 * narrow < peaks.size()) std::erase_if(peaks, [](const Peak& p) { return p.is_one_row; });
   return peaks;
 }
@@ -213,8 +212,7 @@ std::optional<Misplaced> one_misplaced(const View& view, const std::vector<Peak>
     for (const Peak& p : others) apart.push_back(std::abs(off_by(p)));
     // Up to three other lights must all agree; of more lights, most must agree.
     const double spread = std::max(
-        others.size() > kFewest ? 1.4826 * io::median(apart) : *std::max_element(apart.begin(), apart.end()),
-        0.3);
+        others.size() > kFewest ? 1.4826 * io::median(apart) : *std::ranges::max_element(apart), 0.3);
     const double off = off_by(peaks[k]), label = peaks[k].theta_i + off;
     // The steep highlights of a rough surface run ahead of the others by themselves.
     const bool runs_ahead = off > 0 && std::ranges::all_of(others, [&](const Peak& p) {

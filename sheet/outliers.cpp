@@ -63,14 +63,13 @@ HalfNeighbours near_half_vector(const io::SampleTable& t) {
   for (std::size_t k = 0; k < t.rows(); ++k) h.push_back(half_vector(t, k, turned));
   std::vector<std::size_t> order(h.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return h[a].theta < h[b].theta; });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return h[a].theta < h[b].theta; });
   HalfNeighbours found{std::vector<Near>(h.size()), std::vector<Near>(h.size())};
   using Candidate = std::pair<double, Row>;
   const auto put = [](auto& best, const Candidate& candidate) {
     if (candidate.first >= best.back().first) return;
     best.back() = candidate;
-    std::sort(best.begin(), best.end());
+    std::ranges::sort(best);
   };
   for (std::size_t place = 0; place < order.size(); ++place) {
     const HalfVector& here = h[order[place]];
@@ -113,7 +112,7 @@ Say say(const std::vector<double>& values, std::span<const Row> near, std::size_
   for (const Row k : near)
     if (values[k] > 0) around.push_back(std::log(values[k]));
   if (around.size() < least) return {};
-  std::sort(around.begin(), around.end());
+  std::ranges::sort(around);
   const double middle = io::median(around);  // the spread without the two extremes
   return {middle, around.size() < 4 ? HUGE_VAL : around[around.size() - 2] - around[1], true};
 }
@@ -178,7 +177,7 @@ double dark_floor(const std::vector<double>& values, const std::vector<Near>& ne
   }
   const auto count = std::size_t(kDarkest * double(rows.size()));
   if (count < kFewest) return 0;
-  std::nth_element(rows.begin(), rows.begin() + std::ptrdiff_t(count), rows.end());
+  std::ranges::nth_element(rows, rows.begin() + std::ptrdiff_t(count));
   std::vector<double> departures;
   for (std::size_t k = 0; k < count; ++k) departures.push_back(rows[k].second);
   return 2 * io::quantile(std::move(departures), kUsual);
@@ -299,7 +298,7 @@ bool are_many(std::size_t outliers, std::size_t rows) {
 Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_theta) {
   constexpr double kNearGrazing = 75;  // degrees
   const io::SampleTable& t = view.table();
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
+  std::ranges::stable_sort(rows, [](const auto& a, const auto& b) { return a.row < b.row; });
   std::vector<NamedRow> inside;
   std::size_t beyond = 0, last_beyond = t.rows();
   std::map<std::string, std::size_t> of_channel;

@@ -40,8 +40,7 @@ double polynomial(std::span<const Point> points, double theta) {
 }
 
 std::optional<Read> read(const Line& line, double theta) {
-  const auto above = std::lower_bound(line.begin(), line.end(), theta - kSameAngle,
-                                      [](const Point& p, double x) { return p.theta < x; });
+  const auto above = std::ranges::lower_bound(line, theta - kSameAngle, {}, &Point::theta);
   if (above == line.end()) return std::nullopt;
   if (std::abs(above->theta - theta) <= kSameAngle) return Read{above->level, 0, above->row};
   if (above == line.begin()) return std::nullopt;
@@ -70,7 +69,7 @@ std::map<std::int64_t, Line> lines_of(const View& view, const Scan& scan) {
   }
   for (auto& [azimuth, line] : lines) {
     if (normal) line.push_back(*normal);
-    std::sort(line.begin(), line.end(), [](const Point& a, const Point& b) { return a.theta < b.theta; });
+    std::ranges::sort(line, {}, &Point::theta);
   }
   return lines;
 }
@@ -128,12 +127,12 @@ std::vector<Pair> scattered_pairs(const View& view) {
     const double lot = kGolden * (double(i) + o) + 0.7071 * std::abs(double(i) - o) + 0.4142 * turn;
     if (share >= 1 || lot - std::floor(lot) < share) places.emplace_back(at, Row(k));
   }
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   std::vector<Pair> pairs;
   for (const auto& [place, k] : places) {
     const auto& [i, o, turn] = place;
     if (i >= o) continue;
-    const auto partner = std::lower_bound(places.begin(), places.end(), std::pair(Place{o, i, turn}, Row(0)));
+    const auto partner = std::ranges::lower_bound(places, std::pair(Place{o, i, turn}, Row(0)));
     if (partner == places.end() || partner->first != Place{o, i, turn}) continue;
     const Row j = partner->second;
     pairs.push_back({0, 0, t.theta_i[k], t.theta_o[k], std::abs(view.turn(k)), view.level(k) - view.level(j),

@@ -20,7 +20,7 @@ struct AroundNormal {
 
 // Compares values along the normal by the azimuth that each row states.
 AroundNormal around_normal(std::vector<std::pair<double, double>> values) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   double mean = 0, variance = 0, steps = 0, low = HUGE_VAL, high = -HUGE_VAL;
   for (const auto& [phi, v] : values) {
     mean += v / double(values.size());
@@ -52,7 +52,7 @@ double dark_noise(const View& view, const std::vector<double>& values) {
   }
   const std::size_t count = std::max(kFewest, std::size_t(kDarkest * double(rows.size())));
   if (count > rows.size()) return 0;
-  std::partial_sort(rows.begin(), rows.begin() + std::ptrdiff_t(count), rows.end());
+  std::ranges::partial_sort(rows, rows.begin() + std::ptrdiff_t(count));
   std::vector<double> distances;
   for (std::size_t k = 0; k < count; ++k) distances.push_back(rows[k].second);
   const double deviation = 1.4826 * io::median(std::move(distances)), level = rows[count / 2].first;
@@ -123,7 +123,7 @@ Finding duplicates(const Evidence& e) {
   const io::SampleTable& t = view.table();
   std::vector<std::pair<std::uint64_t, Row>> order;
   for (Row k = 0; k < t.rows(); ++k) order.emplace_back(mixed(angles_of(t, k)), k);
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<Row> copies;
   std::size_t repeated = 0;
   for (std::size_t j = 1, first = 0; j < order.size(); ++j) {
@@ -132,14 +132,13 @@ Finding duplicates(const Evidence& e) {
       first = j;
       continue;
     }
-    const bool same =
-        std::all_of(t.values.begin(), t.values.end(), [&](const auto& v) { return v[k] == v[earlier]; });
+    const bool same = std::ranges::all_of(t.values, [&](const auto& v) { return v[k] == v[earlier]; });
     if (same)
       copies.push_back(k);
     else
       ++repeated;
   }
-  std::sort(copies.begin(), copies.end());
+  std::ranges::sort(copies);
   Finding f = counted(view, "duplicates", copies, "no row occurs twice",
                       "duplicated: the same directions and values as in an earlier row");
   if (copies.empty() && repeated > 0)

@@ -58,7 +58,7 @@ bool is_beyond_chance(const Run& run, const std::vector<Run>& all, std::size_t r
 
 // Returns whether the value of the run hardly occurs elsewhere. A flat curve returns to its value.
 bool is_the_only_place(const Run& run, const std::vector<double>& values) {
-  const auto count = std::size_t(std::count(values.begin(), values.end(), values[run.first]));
+  const auto count = std::size_t(std::ranges::count(values, values[run.first]));
   return count <= run.length + std::max<std::size_t>(1, run.length / 10);
 }
 
@@ -78,7 +78,7 @@ std::vector<Curve> curves_of(const View& view, const Scan& scan, const std::vect
   std::vector<Curve> curves;
   for (auto& [azimuth, curve] : lines) {
     if (curve.size() < 4) continue;
-    std::sort(curve.begin(), curve.end(), [](const Dot& a, const Dot& b) { return a.theta < b.theta; });
+    std::ranges::sort(curve, {}, &Dot::theta);
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -161,7 +161,7 @@ struct PlaneCurve {
 };
 
 std::optional<double> value_at(const std::vector<std::pair<double, double>>& dots, double angle) {
-  const auto above = std::lower_bound(dots.begin(), dots.end(), std::pair(angle - 1e-6, -HUGE_VAL));
+  const auto above = std::ranges::lower_bound(dots, std::pair(angle - 1e-6, -HUGE_VAL));
   if (above == dots.end()) return std::nullopt;
   if (std::abs(above->first - angle) < 1e-3) return above->second;
   return std::nullopt;
@@ -193,7 +193,7 @@ Finding stuck(const Evidence& e) {
   if (t.rows() < kFewestRows) return not_applicable(t.source, "stuck", "too few rows");
   std::map<Row, std::size_t> found;  // first row, length
   for (const auto& values : t.values) {
-    const double largest = *std::max_element(values.begin(), values.end());
+    const double largest = *std::ranges::max_element(values);
     const std::vector<Run> runs = runs_of(view, values);
     for (const Run& run : runs)
       if (values[run.first] < largest && is_beyond_chance(run, runs, t.rows()) &&

@@ -23,8 +23,8 @@ struct Sentences {
 };
 
 const Explanation* tried(const Evidence& e, Cause cause) {
-  const auto found = std::find_if(e.causes.tried.begin(), e.causes.tried.end(),
-                                  [&](const Explanation& x) { return x.cause == cause; });
+  const auto found =
+      std::ranges::find_if(e.causes.tried, [&](const Explanation& x) { return x.cause == cause; });
   return found == e.causes.tried.end() ? nullptr : &*found;
 }
 

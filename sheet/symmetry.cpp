@@ -105,8 +105,7 @@ Finding reciprocity(const Evidence& e) {
   const io::SampleTable& t = e.view.table();
   if (e.pairs.empty()) return not_applicable(t.source, "reciprocity", "no reciprocal pairs in this table");
   std::vector<double> differences;
-  const auto exact =
-      std::size_t(std::count_if(e.pairs.begin(), e.pairs.end(), [](const Pair& p) { return p.exact(); }));
+  const auto exact = std::size_t(std::ranges::count_if(e.pairs, [](const Pair& p) { return p.exact(); }));
   for (const Pair& p : e.pairs)
     if (exact < kFewestPairs || p.exact()) differences.push_back(std::abs(p.log_ratio));
   Finding f = start(t, "reciprocity");

@@ -38,10 +38,10 @@ std::vector<Row> at_ceiling(const io::SampleTable& t, const std::vector<Row>& ro
   }
   std::vector<long> places;
   for (const Row k : top) places.push_back(half_angle(t, k));
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   const auto distinct = std::size_t(std::unique(places.begin(), places.end()) - places.begin());
   // Values of few digits, or of a constant surface, are equal below the ceiling as well.
-  std::sort(below.begin(), below.end());
+  std::ranges::sort(below);
   std::size_t run = 0, longest = 0;
   for (std::size_t k = 0; k < below.size(); ++k) {
     run = k > 0 && below[k] <= below[k - 1] * (1 + kEqual) ? run + 1 : 1;
@@ -137,9 +137,9 @@ Finding saturation_of(const View& view, double scatter) {
   f.statement = "no saturation: the largest values differ";
   constexpr std::size_t kFewestRows = 20;
   const auto is_constant = [](const std::vector<double>& v) {
-    return std::all_of(v.begin(), v.end(), [&](double x) { return x == v.front(); });
+    return std::ranges::all_of(v, [&](double x) { return x == v.front(); });
   };
-  if (t.rows() >= kFewestRows && std::all_of(t.values.begin(), t.values.end(), is_constant))
+  if (t.rows() >= kFewestRows && std::ranges::all_of(t.values, is_constant))
     return undecided(t, "saturation",
                      "all rows have the same value: a computed table, or complete saturation");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <nanoflann.hpp>
-#include <numeric>
 #include <tuple>
 
 #include "io/files/numbers.h"
@@ -65,7 +64,7 @@ std::vector<std::size_t> passes_of(const io::SampleTable& t, const std::vector<R
     const Row k = rows[j];
     if (t.theta_o[k] != 0) order.emplace_back(same(t.theta_o[k]), same(std::remainder(t.phi_o[k], 360.0)), j);
   }
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<std::size_t> passes(rows.size(), 0);
   for (std::size_t n = 1; n < order.size(); ++n) {
     const auto& [theta, phi, j] = order[n];
@@ -111,7 +110,7 @@ class View::Directions {
 View::~View() = default;
 
 View::View(const io::SampleTable& read, const std::vector<bool>& keep) : read_(read) {
-  if (std::find(keep.begin(), keep.end(), false) != keep.end()) {
+  if (std::ranges::find(keep, false) != keep.end()) {
     for (std::size_t k = 0; k < read.rows(); ++k)
       if (keep[k]) origin_.push_back(Row(k));
     kept_ = only(read, origin_);
@@ -131,7 +130,7 @@ void View::find_levels() {
   double least = HUGE_VAL;
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const std::vector<double>& v = t.values[c];
-    positive.push_back(std::size_t(std::count_if(v.begin(), v.end(), [](double x) { return x > 0; })));
+    positive.push_back(std::size_t(std::ranges::count_if(v, [](double x) { return x > 0; })));
     if (double(positive[c]) >= kUsable * double(t.rows())) usable.push_back(c);
     if (const double middle = io::median(v); middle < least) {
       least = middle;
@@ -139,7 +138,7 @@ void View::find_levels() {
     }
   }
   if (usable.empty() && !positive.empty())
-    usable.push_back(std::size_t(std::max_element(positive.begin(), positive.end()) - positive.begin()));
+    usable.push_back(std::size_t(std::ranges::max_element(positive) - positive.begin()));
   levels_.assign(t.rows(), 0);
   for (const std::size_t c : usable)
     for (std::size_t k = 0; k < t.rows(); ++k)
@@ -193,7 +192,7 @@ std::vector<InPlane> in_plane(const View& view, const Scan& scan) {
     if (std::isnan(angle) || (view.table().theta_o[k] == 0 && std::exchange(has_normal, true))) continue;
     line.push_back({angle, k});
   }
-  std::sort(line.begin(), line.end(), [](const InPlane& a, const InPlane& b) { return a.angle < b.angle; });
+  std::ranges::sort(line, {}, &InPlane::angle);
   return line;
 }
 

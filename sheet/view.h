@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "brdf/vec3.h"
 #include "io/samples/samples.h"
 
 namespace brdf::sheet {

@@ -75,7 +75,7 @@ std::string remark_on(const Row& row) {
 Cell verdict_cell(const Row& row) {
   if (row.fault != Fault::none) return {.text = "error", .mark = Mark::bad};
   std::string verdict = text_of(row.json, "verdict");
-  std::replace(verdict.begin(), verdict.end(), '_', ' ');
+  std::ranges::replace(verdict, '_', ' ');
   return {.text = verdict,
           .mark = find_named<Mark>(text_of(row.json, "mark")).value_or(Mark::bad),
           .note = text_of(row.json, "form")};
@@ -116,7 +116,7 @@ std::set<std::string> missing_pictures(const std::vector<Row>& rows) {
 }
 
 std::size_t count(const std::vector<Row>& rows, bool (*is)(const Row&)) {
-  return std::size_t(std::count_if(rows.begin(), rows.end(), is));
+  return std::size_t(std::ranges::count_if(rows, is));
 }
 
 bool is_drawn(const Row& row) {

@@ -18,10 +18,6 @@ namespace {
 
 using io::Json;
 
-Json number(double x) {
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
 // The number of findings with each outcome.
 Json counts(const std::vector<validate::Finding>& findings) {
   Json json = Json::object();
@@ -61,10 +57,13 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
   row["usable"] = fit::usable(best.verdict);
   row["statement"] = fit::verdict_sentence(best);
   row["warnings"] = warnings_of(found.fit);
-  row["median_relative_error"] = number(best.median_relative_error);
-  row["cross_validated_error"] = number(best.left_out ? best.left_out->errors.median : fit::kUnknown);
-  row["residual_over_scatter"] = number(best.lack_of_fit.residual_over_scatter.value_or(fit::kUnknown));
-  row["largest_albedo"] = best.largest_albedo ? number(best.largest_albedo->value) : Json(nullptr);
+  row["median_relative_error"] = io::finite_or_null(best.median_relative_error);
+  row["cross_validated_error"] =
+      io::finite_or_null(best.left_out ? best.left_out->errors.median : fit::kUnknown);
+  row["residual_over_scatter"] =
+      io::finite_or_null(best.lack_of_fit.residual_over_scatter.value_or(fit::kUnknown));
+  row["largest_albedo"] =
+      best.largest_albedo ? io::finite_or_null(best.largest_albedo->value) : Json(nullptr);
   row["keeps_energy"] =
       best.largest_albedo && !relative ? Json(!best.largest_albedo->breaks_energy()) : Json(nullptr);
   row["weakly_determined"] = fit::weakly_determined(best);

@@ -38,7 +38,7 @@ class Study {
         rows_.size(), [this](std::size_t k) { work(k); }, options_.jobs);
     if (is_part_) return std::move(rows_);
     const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
-    if (std::all_of(rows_.begin(), rows_.end(), unreadable)) {
+    if (std::ranges::all_of(rows_, unreadable)) {
       const std::string first = rows_.front().json["error"];
       throw InputError(alone() ? first : "no sample can be used: " + first);
     }

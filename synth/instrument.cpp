@@ -31,16 +31,11 @@ double displayed(double value) {
 }
 
 void check(const Instrument& instrument) {
-  const auto between = [](const char* option, double value, double max, const char* unit) {
-    if (!(value >= 0 && value <= max))
-      throw InputError(std::string(option) + " " + io::to_text(value) + ": must be between 0 and " +
-                       io::to_text(max) + unit);
-  };
-  between("--aperture", instrument.aperture, 90, " degrees");
-  between("--source-aperture", instrument.source_aperture, 90, " degrees");
-  between("--noise", instrument.noise, 2, "");
-  between("--noise-floor", instrument.noise_floor, 1e6, " 1/sr");
-  between("--saturation", instrument.saturation, 1e300, " 1/sr");
+  io::require_between("--aperture", instrument.aperture, 0, 90, " degrees");
+  io::require_between("--source-aperture", instrument.source_aperture, 0, 90, " degrees");
+  io::require_between("--noise", instrument.noise, 0, 2);
+  io::require_between("--noise-floor", instrument.noise_floor, 0, 1e6, " 1/sr");
+  io::require_between("--saturation", instrument.saturation, 0, 1e300, " 1/sr");
   if (instrument.sigma_columns && instrument.noise == 0 && instrument.noise_floor == 0)
     throw InputError("--sigma-columns: needs --noise or --noise-floor, because otherwise every sigma is 0");
 }
@@ -116,12 +111,6 @@ void disturb(const Instrument& instrument, io::SampleTable& table) {
   if (clipped > 0) table.warnings.push_back(std::to_string(clipped) + " negative readings set to 0");
 }
 
-std::string joined(const std::vector<double>& numbers) {
-  std::vector<std::string> words;
-  for (const double number : numbers) words.push_back(io::to_text(number));
-  return io::joined(words, ",");
-}
-
 std::string form_names(const Material& material) {
   std::vector<std::string> names;
   for (const Term& term : material.terms) names.emplace_back(info(term.form).name);
@@ -140,9 +129,9 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
   for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
   add("truth", io::to_line(io::to_json(material)));
   add("grid", io::joined(grid.parts, "+"));
-  if (!grid.theta_i.empty()) add("theta_i", joined(grid.theta_i));
+  if (!grid.theta_i.empty()) add("theta_i", io::joined_numbers(grid.theta_i, ","));
   if (grid.step > 0) add("step", io::to_text(grid.step));
-  add("azimuths", joined(grid.azimuths));
+  add("azimuths", io::joined_numbers(grid.azimuths, ","));
   add("blind_zone", io::to_text(grid.blind_zone));
   add("aperture", io::to_text(instrument.aperture));
   add("source_aperture", io::to_text(instrument.source_aperture));
@@ -168,9 +157,7 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress) {
   check(instrument);
   io::SampleTable table = make_grid(instrument.grid);
-  table.channels = material.channels;
-  table.values.resize(material.channels.size());
-  table.sigma.resize(material.channels.size());
+  table.set_channels(material.channels);
   read_out(material, instrument, progress, table);
   disturb(instrument, table);
   record(material, instrument, table);

@@ -5,7 +5,6 @@
 #include "brdf/math.h"
 #include "brdf/random.h"
 #include "io/samples/degrees.h"
-#include "io/samples/samples.h"
 
 namespace brdf::synth {
 

@@ -9,6 +9,7 @@
 #include "brdf/math.h"
 #include "io/csv/csv.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
@@ -25,25 +26,20 @@ constexpr double kSteepestLight = 75;  // degrees
 constexpr std::size_t kMostTexels = 8192, kMostImages = 100000;
 
 void check(const TexelOptions& o) {
-  const auto between = [](const char* option, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-      throw InputError(std::string(option) + " " + io::to_text(value) + ": must be between " +
-                       io::to_text(low) + " and " + io::to_text(high));
-  };
-  between("--lights", o.lights, 1, double(kMostImages));
-  between("--viewers", o.viewers, 1, double(kMostImages));
-  between("--lights times --viewers", double(o.lights) * o.viewers, 1, double(kMostImages));
-  between("--tilt", o.tilt, 0, 60);
-  between("--noise", o.noise, 0, 2);
-  between("--noise-floor", o.noise_floor, 0, 1e6);
-  between("--saturation", o.saturation, 0, 1e30);
-  between("--dark-level", o.dark_level, 0, 1e6);
+  io::require_between("--lights", o.lights, 1, double(kMostImages));
+  io::require_between("--viewers", o.viewers, 1, double(kMostImages));
+  io::require_between("--lights times --viewers", double(o.lights) * o.viewers, 1, double(kMostImages));
+  io::require_between("--tilt", o.tilt, 0, 60);
+  io::require_between("--noise", o.noise, 0, 2);
+  io::require_between("--noise-floor", o.noise_floor, 0, 1e6);
+  io::require_between("--saturation", o.saturation, 0, 1e30);
+  io::require_between("--dark-level", o.dark_level, 0, 1e6);
   if (!texel::is_in_range(o.rig))
     throw InputError("--light-distance, --viewer-distance, --texel-size: must be from " +
                      io::to_text(texel::kShortest) + " to " + io::to_text(texel::kLongest));
   if (o.rig.is_near() && o.rig.texel_size == 0)
     throw InputError("--light-distance, --viewer-distance: need --texel-size, in their unit");
-  between("--registration", o.registration, 0, 100);
+  io::require_between("--registration", o.registration, 0, 100);
 }
 
 // Adds points that are spread evenly on the cap of the hemisphere (Vogel 1979: the golden angle).
@@ -52,8 +48,7 @@ void add_points(int count, std::vector<double>& theta, std::vector<double>& phi)
   const double cap = 1 - io::cos_degrees(kSteepestLight);
   for (int k = 0; k < count; ++k) {
     const double z = 1 - cap * (k + 0.5) / count, azimuth = std::fmod(k * kGoldenAngle, 360.0);
-    double polar = 0, ignored = 0;
-    io::polar_degrees({std::sqrt(1 - z * z), 0, z}, polar, ignored);
+    const double polar = io::polar_degrees({std::sqrt(1 - z * z), 0, z}).theta;
     theta.push_back(std::round(1e6 * polar) / 1e6);
     phi.push_back(std::round(1e6 * azimuth) / 1e6);
   }

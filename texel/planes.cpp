@@ -46,7 +46,7 @@ std::vector<Region> divided(const Region& grid, std::size_t width, std::size_t h
 }
 
 const std::vector<float>* Planes::find(std::string_view name) const {
-  const auto found = std::find(names.begin(), names.end(), name);
+  const auto found = std::ranges::find(names, name);
   return found == names.end() ? nullptr : &values[std::size_t(found - names.begin())];
 }
 

@@ -23,7 +23,7 @@ std::vector<fs::path> images_in(const fs::path& folder) {
   std::vector<fs::path> images;
   for (const auto& entry : fs::directory_iterator(folder))
     if (is_image(entry.path())) images.push_back(entry.path());
-  std::sort(images.begin(), images.end());
+  std::ranges::sort(images);
   return images;
 }
 

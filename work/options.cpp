@@ -20,7 +20,7 @@ std::vector<std::string> samples_in(const fs::path& folder) {
     files.push_back(entry.path().string());
   }
   if (files.empty()) throw InputError(folder.string() + ": the folder has no files");
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -72,7 +72,7 @@ std::vector<std::string> sample_files(const std::vector<std::string>& named) {
 }
 
 bool names_folder(const std::vector<std::string>& named) {
-  return std::any_of(named.begin(), named.end(), [](const auto& name) { return fs::is_directory(name); });
+  return std::ranges::any_of(named, [](const auto& name) { return fs::is_directory(name); });
 }
 
 }  // namespace brdf::work

@@ -20,7 +20,7 @@ std::vector<UnitFile> files_in(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file())
       out.push_back({entry.path().lexically_relative(folder).string(), io::read_content(entry.path()).bytes});
-  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  std::ranges::sort(out, [](const auto& a, const auto& b) { return a.name < b.name; });
   return out;
 }
 

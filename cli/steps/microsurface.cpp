@@ -144,7 +144,7 @@ Exit validate_microsurface(const micro::TheoryOptions& options, bool json) {
     print_json(rows, options.seed);
   else
     print_table(rows);
-  return std::all_of(rows.begin(), rows.end(), micro::holds) ? Exit::good : Exit::failed;
+  return std::ranges::all_of(rows, micro::holds) ? Exit::good : Exit::failed;
 }
 
 #else

@@ -39,8 +39,8 @@ std::vector<ShaderCost> shader_costs(render::Device& device, const Reflectance& 
         shader::make_function(shader::parse_source("exported.glsl", text), {}, compiler);
     costs.push_back({std::string(form.info().name), function.as_written.size(), driver_time(device, form)});
   }
-  std::sort(costs.begin(), costs.end(),
-            [](const ShaderCost& a, const ShaderCost& b) { return a.operations < b.operations; });
+  std::ranges::sort(costs,
+                    [](const ShaderCost& a, const ShaderCost& b) { return a.operations < b.operations; });
   costs.insert(costs.begin(), {name, operations, driver_time(device, shader)});
   return costs;
 }

@@ -136,8 +136,7 @@ Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool j
     print_costs(costs);
   }
   if (shader) return Exit::good;
-  return std::all_of(rows.begin(), rows.end(),
-                     [&](const render::ProofRow& row) { return render::passes(row, software); })
+  return std::ranges::all_of(rows, [&](const render::ProofRow& row) { return render::passes(row, software); })
              ? Exit::good
              : Exit::failed;
 }

@@ -45,7 +45,7 @@ void say_faults(const std::vector<study::Row>& rows) {
     if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
       Warning() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
   }
-  if (const auto left = std::count_if(rows.begin(), rows.end(), was_left); left > 0)
+  if (const auto left = std::ranges::count_if(rows, was_left); left > 0)
     Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
 }
 
@@ -77,12 +77,11 @@ Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::pat
   if (const auto page = folder / study::kPage; !json && std::filesystem::exists(page))
     print_next_step({open_page(page.string()), command_for(rows, is_readable)});
   const auto has = [&](study::Fault fault) {
-    return std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) { return row.fault == fault; });
+    return std::ranges::any_of(rows, [&](const study::Row& row) { return row.fault == fault; });
   };
   if (has(study::Fault::environment)) return Exit::environment;
-  return std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row.usable(); })
-             ? Exit::good
-             : Exit::failed;
+  return std::ranges::all_of(rows, [](const study::Row& row) { return row.usable(); }) ? Exit::good
+                                                                                       : Exit::failed;
 }
 
 }  // namespace brdf::cli

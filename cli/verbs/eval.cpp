@@ -64,7 +64,7 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   const std::size_t first = table.channels.size(), count = material.channels.size();
   for (const std::string& channel : material.channels) {
     const std::string name = count == 1 ? "f" : "f_" + channel;
-    if (std::find(table.channels.begin(), table.channels.end(), name) != table.channels.end())
+    if (std::ranges::find(table.channels, name) != table.channels.end())
       throw InputError(table.source + ": has a column '" + name + "' already");
     table.channels.push_back(name);
     table.values.emplace_back(table.rows());

@@ -57,8 +57,7 @@ std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double>
     }
     if (blocked < n) {
       x[blocked] =
-          target(Eigen::Index(std::find(set.begin(), set.end(), Eigen::Index(blocked)) - set.begin())) <
-                  low[blocked]
+          target(Eigen::Index(std::ranges::find(set, Eigen::Index(blocked)) - set.begin())) < low[blocked]
               ? low[blocked]
               : high[blocked];
       free[blocked] = false;

@@ -5,7 +5,6 @@
 
 #include "fit/assess/derived.h"
 #include "io/files/error.h"
-#include "io/files/numbers.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
 
@@ -13,11 +12,6 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kDifferenceTolerance = 1e-8;  // for integrals that are subtracted from each other
-
-// An open end is written as null.
-io::Json end_json(double x) {
-  return std::isfinite(x) ? io::Json(x) : io::Json(nullptr);
-}
 
 io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   io::Json json;
@@ -31,8 +25,9 @@ io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   json["converged"] = row.result.converged;
   json["rule"] = name_of(row.result.rule);
   if (row.interval) {
-    json["low"] = end_json(row.interval->low);
-    json["high"] = end_json(row.interval->high);
+    // An open end is written as null.
+    json["low"] = io::finite_or_null(row.interval->low);
+    json["high"] = io::finite_or_null(row.interval->high);
   }
   return json;
 }

@@ -82,10 +82,10 @@ std::vector<std::size_t> deciding_rows(const Reported& r, const Grounds& on, con
     parts.emplace_back(part, stream.data().row[k] + 1);
   }
   count = std::min(count, parts.size());
-  std::partial_sort(parts.begin(), parts.begin() + std::ptrdiff_t(count), parts.end(), std::greater());
+  std::ranges::partial_sort(parts, parts.begin() + std::ptrdiff_t(count), std::greater());
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < count; ++k) rows.push_back(parts[k].second);
-  std::sort(rows.begin(), rows.end());
+  std::ranges::sort(rows);
   return rows;
 }
 

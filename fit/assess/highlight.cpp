@@ -50,10 +50,9 @@ double chance_of(double found, double first, double count, double all) {
 // Returns the rows nearest to the mirror direction in which the counting rows cluster. Empty if chance can
 // explain the cluster.
 std::vector<Row> gathered(std::vector<Row> rows) {
-  const auto count =
-      std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return r.counts; }));
+  const auto count = std::size_t(std::ranges::count_if(rows, [](const Row& r) { return r.counts; }));
   if (count < kFewestSeen) return {};
-  std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+  std::ranges::sort(rows, [](const Row& a, const Row& b) {
     return a.mirror != b.mirror ? a.mirror > b.mirror : a.row < b.row;
   });
   double least = kChance / double(count);

@@ -28,7 +28,7 @@ class NoiseOfSize {
     for (const io::NoiseAtLevel& x : levels) points_.emplace_back(std::log(x.level), std::log(x.relative));
   }
   double logarithm(double log_value) const {
-    const auto above = std::lower_bound(points_.begin(), points_.end(), std::pair(log_value, -HUGE_VAL));
+    const auto above = std::ranges::lower_bound(points_, std::pair(log_value, -HUGE_VAL));
     if (above == points_.begin()) return above->second;
     const auto below = std::prev(above);
     if (above == points_.end()) return below->second;
@@ -77,8 +77,8 @@ MetricChoice choose_metric(const io::SampleTable& table, const FitData& data, st
   const NoiseOfSize of_size(levels);
   for (const Metric metric : kCompared)
     choice.unevenness.push_back({metric, unevenness(data, metric, of_size)});
-  const auto best = std::min_element(choice.unevenness.begin(), choice.unevenness.end(),
-                                     [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  const auto best = std::ranges::min_element(
+      choice.unevenness, [](const auto& a, const auto& b) { return a.factor < b.factor; });
   choice.metric = best->metric;
   choice.reason = "its noise is the most uniform on these data, varying by a factor of " +
                   io::short_number(best->factor, 3);

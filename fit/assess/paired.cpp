@@ -31,7 +31,7 @@ double exact_ranks(const std::vector<int>& twice, int found) {
 double signed_ranks(std::vector<double> d) {
   std::erase(d, 0.0);
   if (d.size() < 2) return 1;
-  std::sort(d.begin(), d.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+  std::ranges::sort(d, [](double x, double y) { return std::abs(x) < std::abs(y); });
   std::vector<int> twice(d.size());
   int found = 0;
   double square = 0;

@@ -103,7 +103,7 @@ double light_of(const std::vector<Predicted>& all) {
 double prediction_error(const SampleStream& stream, std::span<const double> p, const RowMatrix& covariance) {
   std::vector<Predicted> all = predicted(stream, p, covariance);
   const double light = light_of(all);
-  std::sort(all.begin(), all.end(), [](const Predicted& a, const Predicted& b) { return a.error < b.error; });
+  std::ranges::sort(all, {}, &Predicted::error);
   double below = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
     below += all[k].light;

@@ -44,7 +44,7 @@ std::vector<RowRange> drawn_rows(std::size_t replicate, const FitData& data, std
   std::mt19937_64 random(words);
   std::vector<std::size_t> drawn(groups.size());
   for (std::size_t& group : drawn) group = std::size_t(random() % groups.size());
-  std::sort(drawn.begin(), drawn.end());
+  std::ranges::sort(drawn);
   std::vector<RowRange> rows;
   for (const std::size_t group : drawn) rows.push_back(groups[group].range);
   return rows;

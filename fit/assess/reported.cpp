@@ -18,7 +18,7 @@ std::size_t shape_slot(const Model& model, std::size_t term, std::size_t paramet
   for (std::size_t s = 0; s < model.shape_slots(); ++s) {
     const Slot& slot = model.slots()[s];
     if (slot.kind == Slot::Kind::shape && slot.term == term && slot.in_group(group) &&
-        std::find(slot.members.begin(), slot.members.end(), parameter) != slot.members.end())
+        std::ranges::find(slot.members, parameter) != slot.members.end())
       return s;
   }
   return kNoSlot;
@@ -213,8 +213,7 @@ std::vector<std::string> names_with(const std::vector<Reported>& all, Status sta
   std::vector<std::pair<std::string, std::vector<std::string>>> grouped;
   for (const Reported& r : all) {
     if (r.estimate.status != status) continue;
-    auto it = std::find_if(grouped.begin(), grouped.end(),
-                           [&](const auto& g) { return g.first == r.estimate.name; });
+    auto it = std::ranges::find_if(grouped, [&](const auto& g) { return g.first == r.estimate.name; });
     if (it == grouped.end()) it = grouped.insert(grouped.end(), {r.estimate.name, {}});
     if (!r.estimate.channel.empty()) it->second.push_back(r.estimate.channel);
   }
@@ -236,7 +235,7 @@ const Reported* unidentified_split(const std::vector<Reported>& all) {
     const auto is_part = [&](const Reported& r) {
       return r.estimate.status == Status::unidentified && (r.info == f0.info || r.info == f0.divided);
     };
-    if (std::any_of(all.begin(), all.end(), is_part)) return &f0;
+    if (std::ranges::any_of(all, is_part)) return &f0;
   }
   return nullptr;
 }
@@ -247,8 +246,7 @@ std::string advice(const std::vector<Reported>& all, const Model& model) {
   // Returns any unidentifiable parameter with one of these roles.
   const auto unidentified = [&](std::initializer_list<Role> roles) -> const Reported* {
     for (const Reported& r : all)
-      if (r.estimate.status == Status::unidentified &&
-          std::find(roles.begin(), roles.end(), r.info->role) != roles.end())
+      if (r.estimate.status == Status::unidentified && std::ranges::find(roles, r.info->role) != roles.end())
         return &r;
     return nullptr;
   };

@@ -17,8 +17,8 @@ class Value {
  public:
   explicit Value(const FitResult& result)
       : rounding_(result.left_out_rounding),
-        left_out_(std::any_of(result.ranking.begin(), result.ranking.end(),
-                              [](const FormFit& f) { return f.left_out.has_value(); })) {}
+        left_out_(
+            std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); })) {}
   double operator()(const FormFit& f) const {
     if (!f.solved() || (left_out_ && !f.left_out)) return kInfinity;
     const double value =
@@ -69,7 +69,7 @@ std::vector<std::size_t> rank(FitResult& result) {
   const std::vector<FormFit>& fits = result.ranking;
   std::vector<std::size_t> order(fits.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+  std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) {
     const FormFit &a = fits[i], &b = fits[j];
     if (a.solved() != b.solved()) return a.solved();
     const double x = rounded(value(a)), y = rounded(value(b));

@@ -5,7 +5,6 @@
 #include "fit/assess/findings.h"
 #include "fit/assess/profiles.h"
 #include "fit/assess/propagation.h"
-#include "fit/assess/smooth_curves.h"
 #include "fit/solve/profile.h"
 
 namespace brdf::fit {
@@ -70,6 +69,30 @@ RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, doubl
   return working + back * excess.asDiagonal() * back.transpose();
 }
 
+// Returns the coefficients of every shape that is smooth over wavelength, with their standard errors.
+std::vector<SmoothCurve> smooth_curves(const Model& model, std::span<const double> p,
+                                       const RowMatrix& covariance) {
+  std::vector<SmoothCurve> out;
+  if (!model.smooth()) return out;
+  const Matrix by_node = model.smooth()->coefficients();
+  for (std::size_t s = 0; s < model.shape_slots(); ++s) {
+    const Slot& slot = model.slots()[s];
+    if (slot.nodes == 1 || slot.node > 0) continue;
+    SmoothCurve& curve = out.emplace_back(SmoothCurve{slot.name, std::string(name_of(slot.scale)), {}, {}});
+    for (std::size_t power = 0; power < slot.nodes; ++power) {
+      Eigen::VectorXd slope = Eigen::VectorXd::Zero(covariance.rows());
+      double value = 0;
+      for (std::size_t k = 0; k < slot.nodes; ++k) {
+        value += by_node(power, k) * p[s + k];
+        slope(Eigen::Index(s + k)) = by_node(power, k);
+      }
+      curve.coefficients.push_back(value);
+      curve.standard_errors.push_back(std::sqrt(std::max(slope.dot(covariance * slope), 0.0)));
+    }
+  }
+  return out;
+}
+
 double least_trust(const std::vector<Reported>& all) {
   double least = 1;
   for (const Reported& r : all)
@@ -98,7 +121,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
                            std::to_string(3 * per_channel) + ", or fix some parameters");
   }
   const bool unturned =
-      std::any_of(all.begin(), all.end(), [&](const Reported& r) { return asks_for_turn(r, model); }) &&
+      std::ranges::any_of(all, [&](const Reported& r) { return asks_for_turn(r, model); }) &&
       !sample_was_turned(stream.data());
   std::optional<WorkingNoise> working;
   if (!lean && !many && !few) working = working_noise(stream, m, c);
@@ -122,7 +145,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   }
   if (detail == Detail::profiles && !many) profile_all(all, stream, on, profiles, out);
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
-  const bool any_unidentified = std::any_of(all.begin(), all.end(), unidentified);
+  const bool any_unidentified = std::ranges::any_of(all, unidentified);
   if (!lean) {
     std::vector<std::size_t> certain;
     for (std::size_t k = 0; k < all.size(); ++k)

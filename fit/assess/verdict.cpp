@@ -36,8 +36,7 @@ NormalEquations drop_negligible_lobes(const SampleStream& stream, Minimum& m, Be
 Verdict verdict_of(const Minimum& m, const Uncertainty& u, const Misfit& misfit) {
   if (m.termination != Termination::converged || !std::isfinite(m.cost)) return Verdict::diverged;
   const auto any = [&](Status s) {
-    return std::any_of(u.estimates.begin(), u.estimates.end(),
-                       [&](const Estimate& e) { return e.status == s; });
+    return std::ranges::any_of(u.estimates, [&](const Estimate& e) { return e.status == s; });
   };
   // If the form deviates systematically from the surface, no further direction would determine the
   // parameters.

@@ -34,8 +34,7 @@ struct Target {
 };
 
 bool all_diffuse(const ReflectanceInfo& info) {
-  return std::all_of(info.weights.begin(), info.weights.end(),
-                     [](const ParameterInfo& p) { return p.role == Role::diffuse; });
+  return std::ranges::all_of(info.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
 // Returns the constraint of the table. A parameter with a range of a single value is held there.
@@ -130,8 +129,8 @@ class Resolver {
       for (std::size_t k = 0; k < info.weights.size(); ++k)
         if (own == info.weights[k].name) found.push_back({&out_.terms[t].weights[k], &info.weights[k], true});
     }
-    const bool turns = std::any_of(forms_.begin(), forms_.end(),
-                                   [](const Reflectance& form) { return form.info().anisotropic(); });
+    const bool turns =
+        std::ranges::any_of(forms_, [](const Reflectance& form) { return form.info().anisotropic(); });
     if (turns && name == kTangentInfo.name) found.push_back({&out_.tangent, &kTangentInfo, false});
     return found;
   }

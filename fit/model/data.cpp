@@ -66,7 +66,7 @@ void sort_rows(FitData& data) {
   std::vector<std::uint32_t> order(data.rows());
   std::iota(order.begin(), order.end(), 0u);
   const std::vector<std::uint32_t>& group = data.groups.group_of;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     if (group[a] != group[b]) return group[a] < group[b];
     for (const auto* key : keys)
       if ((*key)[a] != (*key)[b]) return (*key)[a] < (*key)[b];
@@ -146,9 +146,9 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
                      io::to_text(options.max_theta) + " degrees");
   // Every model fits a table without positive values by reflecting nothing.
   const auto reflects = [](const std::vector<double>& column) {
-    return std::any_of(column.begin(), column.end(), [](double value) { return value > 0; });
+    return std::ranges::any_of(column, [](double value) { return value > 0; });
   };
-  if (std::none_of(data.values.begin(), data.values.end(), reflects))
+  if (std::ranges::none_of(data.values, reflects))
     throw InputError(table.source +
                      ": all values to fit are 0 or below: the table has no usable measurement");
   sort_rows(data);

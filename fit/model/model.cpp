@@ -200,9 +200,7 @@ void Model::apply_start(std::vector<double>& p) const {
     // Given a value for every channel, a node takes the value of the channel in which the node has its
     // largest share.
     const std::size_t channel =
-        slot.nodes == 1
-            ? slot.group
-            : std::size_t(std::max_element(slot.share.begin(), slot.share.end()) - slot.share.begin());
+        slot.nodes == 1 ? slot.group : std::size_t(std::ranges::max_element(slot.share) - slot.share.begin());
     if (!c.start.empty()) p[s] = slot.to_solver(c.start_in(channel));
   }
 }

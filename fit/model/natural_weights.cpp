@@ -1,7 +1,6 @@
 #include "fit/model/natural_weights.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "io/files/error.h"
@@ -43,7 +42,7 @@ Product times(Product a, const Product& b) {
 }
 
 bool held_at_one(const Constraint& c) {
-  return c.is_fixed() && std::all_of(c.fixed.begin(), c.fixed.end(), [](double value) { return value == 1; });
+  return c.is_fixed() && std::ranges::all_of(c.fixed, [](double value) { return value == 1; });
 }
 
 }  // namespace
@@ -181,8 +180,8 @@ std::vector<double> NaturalWeights::room(const std::vector<Place>& free) const {
       throw InputError("--physical: the weights that --fix holds add up to " + io::to_text(held(c)) +
                        ", which is more than 1");
   }
-  const double least = *std::min_element(room.begin(), room.end());
-  if (std::any_of(free.begin(), free.end(), [&](const Place& place) { return constraint(place).tied; }))
+  const double least = *std::ranges::min_element(room);
+  if (std::ranges::any_of(free, [&](const Place& place) { return constraint(place).tied; }))
     room.assign(room.size(), least);
   for (const Place& place : free)
     if (least <= std::max(constraint(place).low, kRounding))
@@ -297,7 +296,7 @@ bool can_be_dielectric(std::span<const Reflectance> forms, const Constraints& co
       const Constraint& c = constraints.terms[t].weights[k];
       if (&c == &specular || &c == &f0) continue;
       free = free || !c.is_fixed();
-      held = held || std::any_of(c.fixed.begin(), c.fixed.end(), [](double value) { return value != 0; });
+      held = held || std::ranges::any_of(c.fixed, [](double value) { return value != 0; });
     }
   if (held && (free || f0.is_fixed())) return false;
   // A weight that all channels share cannot follow from an f0 that differs between channels.

@@ -74,15 +74,15 @@ class Numbering {
     const std::vector<PairKey> turned = turned_keys();
     std::vector<std::uint32_t> order(keys.size()), place(keys.size());
     for (std::uint32_t g = 0; g < order.size(); ++g) order[g] = g;
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return turned[a] < turned[b]; });
+    std::ranges::sort(order, [&](auto a, auto b) { return turned[a] < turned[b]; });
     const std::size_t folds = std::min(keys.size(), kMostFolds);
     std::vector<std::size_t> fold(keys.size());
     std::vector<std::uint32_t> dealt = order;
     if (keys.size() > folds)
-      std::stable_sort(dealt.begin(), dealt.end(),
-                       [&](auto a, auto b) { return Hash::of(turned[a]) < Hash::of(turned[b]); });
+      std::ranges::stable_sort(dealt,
+                               [&](auto a, auto b) { return Hash::of(turned[a]) < Hash::of(turned[b]); });
     for (std::size_t k = 0; k < dealt.size(); ++k) fold[dealt[k]] = k % folds;
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return fold[a] < fold[b]; });
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return fold[a] < fold[b]; });
     RowGroups out{side == Side::viewer, side == Side::pair, {}, std::move(group_of), folds};
     out.held_out = side == Side::pair   ? HeldOut::interpolation
                    : keys.size() < kFew ? HeldOut::few
@@ -106,7 +106,7 @@ class Numbering {
     std::vector<std::int32_t> azimuths;
     for (const PairKey& key : keys)
       if (key.first.theta != 0) azimuths.push_back(key.first.phi);
-    std::sort(azimuths.begin(), azimuths.end());
+    std::ranges::sort(azimuths);
     std::int32_t start = azimuths.empty() ? 0 : azimuths.front();
     std::int32_t largest = azimuths.empty() ? 0 : azimuths.front() + turn - azimuths.back();
     for (std::size_t k = 1; k < azimuths.size(); ++k)

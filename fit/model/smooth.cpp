@@ -4,8 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "brdf/angle.h"
-#include "io/colour/channel_colours.h"
+#include "io/columns/wavelengths.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
 

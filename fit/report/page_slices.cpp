@@ -56,11 +56,10 @@ std::vector<Slice> slices_of(const io::SampleTable& table) {
     }
   std::vector<Slice> all;
   for (auto& [theta, azimuths] : by_light) {
-    auto& [phi, most] = *std::max_element(azimuths.begin(), azimuths.end(), [](const auto& a, const auto& b) {
-      return a.second.rows.size() < b.second.rows.size();
-    });
+    auto& [phi, most] = *std::ranges::max_element(
+        azimuths, [](const auto& a, const auto& b) { return a.second.rows.size() < b.second.rows.size(); });
     if (most.rows.size() < kLeastRows) continue;
-    std::sort(most.rows.begin(), most.rows.end());
+    std::ranges::sort(most.rows);
     all.push_back(std::move(most));
   }
   return io::evenly(std::move(all), kSlices);
@@ -72,7 +71,7 @@ std::vector<double> angles_of(const Slice& slice) {
   for (const auto& [angle, row] : slice.rows) angles.push_back(angle);
   const double last = angles.back();
   for (double angle = angles.front(); angle < last; angle += kCurveStep) angles.push_back(angle);
-  std::sort(angles.begin(), angles.end());
+  std::ranges::sort(angles);
   angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;
 }

@@ -30,7 +30,7 @@ Cell value_cell(const FormFit& fit, const Estimate& e, const std::vector<std::st
   }
   const bool wrong = fit.lack_of_fit.beyond_scatter && !std::isnan(e.with_lack_of_fit.low);
   const NamedParameter parameter = named(fit, e);
-  const bool is_weak = std::any_of(weak.begin(), weak.end(), [&](const std::string& w) {
+  const bool is_weak = std::ranges::any_of(weak, [&](const std::string& w) {
     const std::size_t bracket = w.find(" (");
     if (w.substr(0, bracket) != parameter.symbol) return false;
     if (bracket == w.npos || e.channel.empty()) return true;
@@ -77,8 +77,8 @@ void add_correlations(io::HtmlReport& report, const FormFit& f) {
   const Correlations& c = f.correlations;
   std::vector<std::size_t> shown;
   for (std::size_t k = 0; k < c.names.size(); ++k) {
-    const auto e = std::find_if(f.estimates.begin(), f.estimates.end(),
-                                [&](const Estimate& estimate) { return label(estimate) == c.names[k]; });
+    const auto e = std::ranges::find_if(
+        f.estimates, [&](const Estimate& estimate) { return label(estimate) == c.names[k]; });
     if (e == f.estimates.end() || !named(f, *e).repeats) shown.push_back(k);
   }
   const std::size_t all = shown.size();
@@ -153,12 +153,12 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
     const auto is_row = [&](const io::Matrix::Property& row) {
       return row.cells[0].text == parameter.symbol;
     };
-    auto row = std::find_if(matrix.rows.begin(), matrix.rows.end(), is_row);
+    auto row = std::ranges::find_if(matrix.rows, is_row);
     if (row == matrix.rows.end()) {
       row = matrix.rows.insert(row, {parameter.plain, io::Row(matrix.subjects.size())});
       row->cells[0] = {parameter.symbol, Mark::none, true};
     }
-    const auto channel = std::find(channels.begin(), channels.end(), e.channel);
+    const auto channel = std::ranges::find(channels, e.channel);
     const std::size_t column =
         one || channel == channels.end() ? 1 : 2 + std::size_t(channel - channels.begin());
     row->cells[column] = value_cell(fit, e, weak);

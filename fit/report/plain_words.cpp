@@ -50,7 +50,7 @@ bool has_one_width(const FormFit& fit, const Estimate& e, const NamedPlace& at) 
   const ParameterInfo& other = at.info == &first ? second : first;
   const std::string partner =
       e.name.substr(0, e.name.size() - at.info->name.size()) + std::string(other.name);
-  return std::any_of(fit.estimates.begin(), fit.estimates.end(), [&](const Estimate& o) {
+  return std::ranges::any_of(fit.estimates, [&](const Estimate& o) {
     return o.name == partner && o.channel == e.channel && o.value == e.value && o.status == e.status &&
            (o.status != Status::free || (o.low == e.low && o.high == e.high));
   });
@@ -61,7 +61,7 @@ bool has_one_width(const FormFit& fit, const Estimate& e, const NamedPlace& at) 
 double weights_of_channel(const FormFit& fit, const Estimate& e) {
   double sum = 0;
   const Material& m = fit.material;
-  const auto channel = std::find(m.channels.begin(), m.channels.end(), e.channel);
+  const auto channel = std::ranges::find(m.channels, e.channel);
   const std::size_t c = channel == m.channels.end() ? 0 : std::size_t(channel - m.channels.begin());
   for (const Term& term : m.terms) {
     const auto& table = info(term.form).weights;
@@ -86,8 +86,8 @@ bool is_weak(const FormFit& fit, const Estimate& e) {
 // upper bound 1".
 bool begins_with_name(const FormFit& fit, std::string_view text) {
   const std::string_view word = text.substr(0, text.find_first_of(" ,"));
-  return std::any_of(fit.estimates.begin(), fit.estimates.end(),
-                     [&](const Estimate& e) { return e.name == word || named(fit, e).symbol == word; });
+  return std::ranges::any_of(
+      fit.estimates, [&](const Estimate& e) { return e.name == word || named(fit, e).symbol == word; });
 }
 
 }  // namespace
@@ -98,8 +98,7 @@ std::vector<std::string> weakly_determined(const FormFit& fit) {
     if (!is_weak(fit, e)) continue;
     const NamedParameter parameter = named(fit, e);
     if (parameter.repeats) continue;
-    auto at =
-        std::find_if(weak.begin(), weak.end(), [&](const auto& w) { return w.first == parameter.symbol; });
+    auto at = std::ranges::find_if(weak, [&](const auto& w) { return w.first == parameter.symbol; });
     if (at == weak.end()) at = weak.insert(at, {parameter.symbol, {}});
     if (!e.channel.empty()) at->second.push_back(e.channel);
   }

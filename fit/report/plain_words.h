@@ -2,7 +2,6 @@
 // its parameters.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

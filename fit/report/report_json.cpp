@@ -10,34 +10,30 @@
 namespace brdf::fit {
 namespace {
 
+using io::finite_or_null;
 using io::Json;
 
-// JSON cannot represent infinite or undefined numbers; they become null.
-Json number(double x) {
-  return std::isfinite(x) ? Json(x) : Json(nullptr);
-}
-
 Json extent_json(const Extent& e) {
-  return {{"low", number(e.low)}, {"high", number(e.high)}};
+  return {{"low", finite_or_null(e.low)}, {"high", finite_or_null(e.high)}};
 }
 
 Json estimate_json(const Estimate& e) {
   Json j{{"status", name_of(e.status)}};
   // The value of an unidentifiable parameter is null. The material needs a value, but readers must not use
   // it.
-  j["value"] = e.status == Status::unidentified ? Json(nullptr) : number(e.value);
+  j["value"] = e.status == Status::unidentified ? Json(nullptr) : finite_or_null(e.value);
   // An open end is null.
   if (e.status != Status::fixed) j.update(extent_json(interval_of(e)));
-  if (e.status != Status::fixed) j["deciding_values"] = number(e.deciding);
+  if (e.status != Status::fixed) j["deciding_values"] = finite_or_null(e.deciding);
   if (e.status == Status::free)
-    j.update(Json{{"standard_error", number(e.standard_error)},
+    j.update(Json{{"standard_error", finite_or_null(e.standard_error)},
                   {"with_lack_of_fit", extent_json(interval_with_lack_of_fit(e))},
                   {"left_out", extent_json(e.left_out)},
                   {"other_metrics", extent_json(e.other_metrics)}});
   if (std::isfinite(e.bootstrap_error))
-    j["bootstrap"] = {{"low", number(e.bootstrap.low)},
-                      {"high", number(e.bootstrap.high)},
-                      {"standard_error", number(e.bootstrap_error)}};
+    j["bootstrap"] = {{"low", finite_or_null(e.bootstrap.low)},
+                      {"high", finite_or_null(e.bootstrap.high)},
+                      {"standard_error", finite_or_null(e.bootstrap_error)}};
   return j;
 }
 
@@ -57,16 +53,16 @@ Json correlations_json(const Correlations& c) {
 }
 
 Json metrics_json(const Metrics& m) {
-  return {{"log", number(m.log)},
-          {"cosine_l2", number(m.cosine_l2)},
-          {"cube_root", number(m.cube_root)},
-          {"log_relative", number(m.log_relative)}};
+  return {{"log", finite_or_null(m.log)},
+          {"cosine_l2", finite_or_null(m.cosine_l2)},
+          {"cube_root", finite_or_null(m.cube_root)},
+          {"log_relative", finite_or_null(m.log_relative)}};
 }
 
 Json errors_json(const RelativeErrors& e) {
-  return {{"median", number(e.median)},
-          {"ninth_decile", number(e.ninth_decile)},
-          {"light_off_by_two", number(e.off_by_two)}};
+  return {{"median", finite_or_null(e.median)},
+          {"ninth_decile", finite_or_null(e.ninth_decile)},
+          {"light_off_by_two", finite_or_null(e.off_by_two)}};
 }
 
 // Returns the held-out values of the groups, which are the same for every form.
@@ -79,7 +75,7 @@ Json left_out_json(const RowGroups& groups, const std::vector<double>& values) {
                  {"phi" + side, group.phi},
                  {"rows", group.range.rows},
                  {"fold", group.fold},
-                 {"value", number(values[g])}});
+                 {"value", finite_or_null(values[g])}});
   }
   return j;
 }
@@ -88,12 +84,12 @@ Json region_json(const WorstRegion& w) {
   return {{"theta_h", {w.range.low.theta_h, w.range.high.theta_h}},
           {"theta_d", {w.range.low.theta_d, w.range.high.theta_d}},
           {"rows", w.rows},
-          {"measured_over_model", number(w.ratio)},
-          {"share_of_residual", number(w.share)}};
+          {"measured_over_model", finite_or_null(w.ratio)},
+          {"share_of_residual", finite_or_null(w.share)}};
 }
 
 Json lack_of_fit_json(const LackOfFit& lack) {
-  Json j{{"residual_over_scatter", number(lack.residual_over_scatter.value_or(kUnknown))},
+  Json j{{"residual_over_scatter", finite_or_null(lack.residual_over_scatter.value_or(kUnknown))},
          {"beyond_scatter", lack.beyond_scatter},
          {"judged", lack.judged()}};
   j["worst"] = lack.worst ? region_json(*lack.worst) : Json(nullptr);
@@ -109,7 +105,8 @@ Json smooth_json(const std::vector<SmoothCurve>& curves) {
     j[curve.parameter] = {{"scale", curve.scale}, {"coefficients", Json::array()}};
     for (std::size_t k = 0; k < curve.coefficients.size(); ++k)
       j[curve.parameter]["coefficients"].push_back(
-          {{"value", number(curve.coefficients[k])}, {"standard_error", number(curve.standard_errors[k])}});
+          {{"value", finite_or_null(curve.coefficients[k])},
+           {"standard_error", finite_or_null(curve.standard_errors[k])}});
   }
   return j;
 }
@@ -126,7 +123,7 @@ Json conditions_json(const FormFit& fit) {
 }
 
 Json albedo_json(const LargestAlbedo& a) {
-  return {{"value", number(a.value)}, {"theta", a.theta}, {"channel", a.channel}};
+  return {{"value", finite_or_null(a.value)}, {"theta", a.theta}, {"channel", a.channel}};
 }
 
 Json statistics_json(const FormFit& fit) {
@@ -137,21 +134,21 @@ Json statistics_json(const FormFit& fit) {
          {"conditions", conditions_json(fit)},
          {"findings", fit.findings},
          {"weakly_determined", weakly_determined(fit)},
-         {"median_relative_error", number(fit.median_relative_error)},
+         {"median_relative_error", finite_or_null(fit.median_relative_error)},
          {"errors", errors_json(fit.errors)},
          {"lack_of_fit", lack_of_fit_json(fit.lack_of_fit)}};
   if (fit.left_out) {
-    j["left_out"] = number(fit.left_out->value);
+    j["left_out"] = finite_or_null(fit.left_out->value);
     j["left_out_errors"] = errors_json(fit.left_out->errors);
-    j["cross_validated_error"] = number(fit.left_out->errors.median);
-    j["cross_validated_standard_error"] = number(fit.left_out->median_standard_error);
+    j["cross_validated_error"] = finite_or_null(fit.left_out->errors.median);
+    j["cross_validated_standard_error"] = finite_or_null(fit.left_out->median_standard_error);
   }
   if (fit.replicates > 0) j["bootstrap_replicates"] = fit.replicates;
-  if (fit.prediction_error) j["prediction_error"] = number(*fit.prediction_error);
+  if (fit.prediction_error) j["prediction_error"] = finite_or_null(*fit.prediction_error);
   if (fit.largest_albedo) j["largest_albedo"] = albedo_json(*fit.largest_albedo);
   if (fit.largest_measured_albedo) j["largest_measured_albedo"] = albedo_json(*fit.largest_measured_albedo);
-  if (fit.about.hidden_width) j["hidden_highlight"] = number(*fit.about.hidden_width);
-  j["bic"] = number(fit.bic);
+  if (fit.about.hidden_width) j["hidden_highlight"] = finite_or_null(*fit.about.hidden_width);
+  j["bic"] = finite_or_null(fit.bic);
   j["parameters"] = fit.parameters;
   j["metrics"] = metrics_json(fit.metrics);
   j["intervals_by"] = name_of(fit.intervals);
@@ -165,12 +162,13 @@ Json statistics_json(const FormFit& fit) {
 Json choice_json(const MetricChoice& choice) {
   if (choice.asked) return nullptr;
   Json j{{"reason", choice.reason}, {"noise_unevenness", Json::object()}};
-  for (const Unevenness& u : choice.unevenness) j["noise_unevenness"][name_of(u.metric)] = number(u.factor);
+  for (const Unevenness& u : choice.unevenness)
+    j["noise_unevenness"][name_of(u.metric)] = finite_or_null(u.factor);
   return j;
 }
 
 Json optional_json(const std::optional<double>& x) {
-  return x ? number(*x) : Json(nullptr);
+  return x ? finite_or_null(*x) : Json(nullptr);
 }
 
 Json samples_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
@@ -195,14 +193,23 @@ Json samples_json(const FitResult& result, const io::SampleTable& table, const F
   return j;
 }
 
+// Returns the keys of the run that reports and materials share.
+Json run_json(const FitResult& result, const io::SampleTable& table, const FitOptions& options) {
+  Json j = io::to_json(io::provenance(options.seed));
+  j["metric"] = name_of(result.metric.metric);
+  j["metric_choice"] = choice_json(result.metric);
+  j["samples"] = samples_json(result, table, options);
+  return j;
+}
+
 Json steps_json(const std::vector<Step>& steps) {
   Json j = Json::array();
   for (const Step& s : steps)
     j.push_back({{"added", s.added},
                  {"model", s.model},
-                 {"left_out", number(s.left_out)},
-                 {"difference", number(s.difference)},
-                 {"standard_error", number(s.standard_error)},
+                 {"left_out", finite_or_null(s.left_out)},
+                 {"difference", finite_or_null(s.difference)},
+                 {"standard_error", finite_or_null(s.standard_error)},
                  {"p", s.p},
                  {"tried", s.tried},
                  {"kept", s.kept}});
@@ -220,19 +227,16 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
     Json minima = Json::array();
     for (const MinimumReport& m : fit.minima)
       minima.push_back(
-          {{"cost", number(m.cost)}, {"starts", m.basin}, {"material", io::to_json(m.material)}});
+          {{"cost", finite_or_null(m.cost)}, {"starts", m.basin}, {"material", io::to_json(m.material)}});
     j["minima"] = minima;
     j["correlations"] = correlations_json(fit.correlations);
-    j["condition"] = number(fit.condition);
+    j["condition"] = finite_or_null(fit.condition);
     j["solver"] = {{"status", fit.solver_status}, {"message", fit.solver_message},
                    {"starts", fit.starts},        {"iterations", fit.iterations},
                    {"passes", fit.passes},        {"loss_scale", fit.loss_scale}};
     ranking.push_back(std::move(j));
   }
-  Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(result.metric.metric);
-  j["metric_choice"] = choice_json(result.metric);
-  j["samples"] = samples_json(result, table, options);
+  Json j = run_json(result, table, options);
   j["interrupted"] = result.interrupted;
   const bool any = !result.ranking.empty() && usable(result.ranking[result.recommended].verdict);
   j["recommended"] = any ? Json(result.ranking[result.recommended].form) : Json(nullptr);
@@ -243,10 +247,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
 
 Json material_block(const FormFit& fit, const FitResult& result, const io::SampleTable& table,
                     const FitOptions& options) {
-  Json j = io::to_json(io::provenance(options.seed));
-  j["metric"] = name_of(result.metric.metric);
-  j["metric_choice"] = choice_json(result.metric);
-  j["samples"] = samples_json(result, table, options);
+  Json j = run_json(result, table, options);
   j.update(statistics_json(fit));
   constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // limits for a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)

@@ -113,7 +113,7 @@ void order_lobes(const Model& model, Minimum& m) {
     const Role role = model.slots()[s].role;
     return role == Role::width || role == Role::slope || role == Role::exponent;
   };
-  const auto found = std::find_if(first.begin(), first.end(), has_width);
+  const auto found = std::ranges::find_if(first, has_width);
   const std::size_t k = found == first.end() ? 0 : std::size_t(found - first.begin());
   const bool exponent = model.slots()[first[k]].role == Role::exponent;
   if ((m.p[first[k]] > m.p[second[k]]) == exponent) return;

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kFew = 3, kMany = 12;
 
 bool has_one_per_channel(const std::vector<NamedValues>& named) {
-  return std::any_of(named.begin(), named.end(), [](const NamedValues& n) { return n.values.size() > 1; });
+  return std::ranges::any_of(named, [](const NamedValues& n) { return n.values.size() > 1; });
 }
 
 std::vector<std::size_t> spread(std::size_t count) {

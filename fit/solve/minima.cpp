@@ -31,7 +31,7 @@ void add_minimum(const SampleStream& stream, Minimum m, std::vector<Minimum>& mi
 }
 
 void sort_minima(std::vector<Minimum>& minima) {
-  std::sort(minima.begin(), minima.end(), [](const Minimum& a, const Minimum& b) { return a.cost < b.cost; });
+  std::ranges::sort(minima, {}, &Minimum::cost);
 }
 
 Minimum to_minimum(const Model& model, Solution s) {

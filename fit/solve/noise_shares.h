@@ -19,7 +19,7 @@ class NoiseShares {
     squares_ += variance * variance;
     if (!(variance > largest_[least_])) return;
     largest_[least_] = variance;
-    least_ = std::size_t(std::min_element(largest_.begin(), largest_.end()) - largest_.begin());
+    least_ = std::size_t(std::ranges::min_element(largest_) - largest_.begin());
   }
 
   // Adds the parts of several values.

@@ -45,7 +45,7 @@ std::vector<std::vector<double>> grid_starts(const Model& model) {
     const auto same = [&](const std::vector<std::size_t>& d) {
       return model.slots()[d[0]].same_parameter(slot);
     };
-    const auto found = std::find_if(dimensions.begin(), dimensions.end(), same);
+    const auto found = std::ranges::find_if(dimensions, same);
     if (found == dimensions.end())
       dimensions.push_back({s});
     else

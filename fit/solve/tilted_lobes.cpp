@@ -49,7 +49,7 @@ void SampleStream::fill_tilted(const Shapes& shapes, std::size_t first, std::siz
   for (const TermModel& term : model_.terms())
     for (std::size_t q = 0; q < std::size_t(term.normal_partial); ++q)
       for (double* column : w.derivatives[term.first_partial + q]) scale(ratio, rows, column);
-  std::fill(w.by_normal.begin(), w.by_normal.end(), 0.0);
+  std::ranges::fill(w.by_normal, 0.0);
   for (int a = 0; a < 2; ++a)
     for (const double side : {1.0, -1.0}) {
       const Directions<double> directions = tilt(moved(shapes.normal, a, side * kTiltStep), first, rows, w);

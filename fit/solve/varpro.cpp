@@ -1,7 +1,6 @@
 #include "fit/solve/varpro.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "fit/algebra/box_quadratic.h"
 #include "fit/algebra/eigen_view.h"

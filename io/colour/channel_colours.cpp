@@ -40,11 +40,11 @@ std::optional<Three> by_wavelength(const std::vector<std::string>& channels) {
   Three found{};
   for (std::size_t k = 0; k < 3 && known.size() >= 3; ++k) {
     const auto distance = [&](const auto& entry) { return std::abs(entry.first - kPrimaries[k]); };
-    const auto nearest =
-        known.size() == 3 ? known.begin() + std::ptrdiff_t(k)
-                          : std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
-                              return distance(a) < distance(b);
-                            });
+    const auto nearest = known.size() == 3
+                             ? known.begin() + std::ptrdiff_t(k)
+                             : std::ranges::min_element(known, [&](const auto& a, const auto& b) {
+                                 return distance(a) < distance(b);
+                               });
     found[k] = nearest->second;
   }
   const auto nm = [&](std::size_t k) { return *wavelength_of(channels[found[k]]); };

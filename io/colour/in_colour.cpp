@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "io/colour/channel_colours.h"
 #include "io/colour/spectrum.h"
+#include "io/columns/wavelengths.h"
 #include "io/files/error.h"
 
 namespace brdf::io {
@@ -23,8 +23,7 @@ std::vector<Tristimulus> channel_weights(const std::vector<std::string>& channel
   const std::vector<double> wavelengths = wavelengths_of(channels);
   std::vector<std::size_t> order(channels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return wavelengths[a] < wavelengths[b]; });
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return wavelengths[a] < wavelengths[b]; });
   std::vector<double> ascending;
   for (const std::size_t c : order) ascending.push_back(wavelengths[c]);
   const std::vector<Tristimulus> sorted = srgb_weights(ascending);

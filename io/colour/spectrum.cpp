@@ -67,7 +67,7 @@ struct Between {
 };
 
 Between find(std::span<const double> wavelengths, double nm) {
-  const auto above = std::upper_bound(wavelengths.begin(), wavelengths.end(), nm);
+  const auto above = std::ranges::upper_bound(wavelengths, nm);
   const auto high = std::min(std::size_t(above - wavelengths.begin()), wavelengths.size() - 1);
   const std::size_t low = above == wavelengths.begin() ? 0 : std::size_t(above - wavelengths.begin()) - 1;
   const double gap = wavelengths[high] - wavelengths[low];

@@ -76,8 +76,7 @@ AngleNames all_names() {
 }
 
 bool holds_any(std::string_view text, std::initializer_list<const char*> parts) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const char* part) { return text.find(part) != text.npos; });
+  return std::ranges::any_of(parts, [&](const char* part) { return text.find(part) != text.npos; });
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ class HeaderReading {
 
   // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side.
   bool states(bool azimuth, AngleSide side) const {
-    return std::any_of(angles_.begin(), angles_.end(), [&](const auto& angle) {
+    return std::ranges::any_of(angles_, [&](const auto& angle) {
       return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
     });
   }
@@ -153,9 +153,8 @@ class HeaderReading {
     std::vector<std::pair<std::size_t, std::size_t>> found;
     if (!has_light && light && (has_viewer || viewer)) found.emplace_back(*light, 0);
     if (!has_viewer && viewer && (has_light || light)) found.emplace_back(*viewer, 2);
-    const auto values =
-        std::size_t(std::count_if(out_.columns.begin(), out_.columns.end(),
-                                  [](const Column& c) { return c.kind == Column::Kind::value; }));
+    const auto values = std::size_t(
+        std::ranges::count_if(out_.columns, [](const Column& c) { return c.kind == Column::Kind::value; }));
     if (values <= found.size() && facts_.needs_values) return;
     for (const auto& [k, angle] : found) {
       Column& column = out_.columns[k];
@@ -205,9 +204,8 @@ class HeaderReading {
 
   void note_the_only_azimuth() {
     const std::size_t stated = *out_.only_azimuth, other = 4 - stated;
-    const auto column = std::find_if(out_.columns.begin(), out_.columns.end(), [&](const Column& c) {
-      return c.kind == Column::Kind::angle && c.index == stated;
-    });
+    const auto column = std::ranges::find_if(
+        out_.columns, [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == stated; });
     out_.assume("only one azimuth, " + shown(column->name) + ": interpreted as " +
                 std::string(kAngleNames[stated]) + " with " + std::string(kAngleNames[other]) +
                 " 0, so that the mirror direction is at 180 degrees");
@@ -270,12 +268,12 @@ bool names_angles(const std::vector<std::string_view>& names) {
 }
 
 bool Columns::has_angle(std::size_t angle) const {
-  return std::any_of(columns.begin(), columns.end(),
-                     [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; });
+  return std::ranges::any_of(
+      columns, [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; });
 }
 
 bool Columns::has(Column::Kind kind) const {
-  return std::any_of(columns.begin(), columns.end(), [&](const Column& c) { return c.kind == kind; });
+  return std::ranges::any_of(columns, [&](const Column& c) { return c.kind == kind; });
 }
 
 void Columns::assume(const std::string& sentence) {

@@ -28,9 +28,7 @@ std::vector<std::string_view> keys_of(std::string_view json) {
 
 std::string foreign_json(const Content& content) {
   const std::vector<std::string_view> keys = keys_of(content.bytes);
-  const auto has = [&](std::string_view key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
+  const auto has = [&](std::string_view key) { return std::ranges::find(keys, key) != keys.end(); };
   const std::string end = std::string(", which is not read: ") + std::string(kExportAsCsv);
   const std::string json = "is JSON, but not a material: the content looks like ";
   if (has("lookupTable"))

@@ -65,10 +65,8 @@ bool is_an_angle(std::string_view name) {
 NoValues holds_no_values(std::string_view name) {
   if (is_an_angle(name)) return NoValues::yes;
   const std::vector<std::string> words = name_words(name);
-  if (std::any_of(words.begin(), words.end(), [](const auto& word) { return is_in(word, kYes); }))
-    return NoValues::yes;
-  const bool is_plain =
-      std::all_of(words.begin(), words.end(), [](const auto& word) { return is_in(word, kPerhaps); });
+  if (std::ranges::any_of(words, [](const auto& word) { return is_in(word, kYes); })) return NoValues::yes;
+  const bool is_plain = std::ranges::all_of(words, [](const auto& word) { return is_in(word, kPerhaps); });
   const bool has_number = name.find_first_of("0123456789") != name.npos;
   return is_plain && !words.empty() && !has_number ? NoValues::perhaps : NoValues::no;
 }

@@ -9,9 +9,8 @@ bool is_plain_angle_name(std::string_view name) {
 }
 
 bool has_plain_angle_names(const std::vector<std::string_view>& names) {
-  return std::all_of(std::begin(kAngleNames), std::end(kAngleNames), [&](std::string_view angle) {
-    return std::find(names.begin(), names.end(), angle) != names.end();
-  });
+  return std::all_of(std::begin(kAngleNames), std::end(kAngleNames),
+                     [&](std::string_view angle) { return std::ranges::find(names, angle) != names.end(); });
 }
 
 }  // namespace brdf::io

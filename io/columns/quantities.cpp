@@ -1,10 +1,8 @@
 #include "io/columns/quantities.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "brdf/angle.h"
 #include "io/columns/quantity_words.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/text.h"
@@ -209,16 +207,6 @@ std::string known_quantities() {
 std::string refusal_of(const QuantityKind& kind) {
   const bool may_be = kind.use == Use::asked;
   return "is " + std::string(kind.meaning) + (may_be ? ": " : ", not f_r: ") + std::string(kind.advice);
-}
-
-std::string documented(const QuantityKind& kind) {
-  std::string words(kind.words);
-  if (!kind.forms.empty()) (words += words.empty() ? "" : "; ") += kind.forms;
-  for (std::size_t at = 0; (at = words.find("; ", at)) != words.npos;) words.replace(at, 2, ", ");
-  const std::string use = kind.use == Use::converted ? Quantity{&kind}.operation()
-                          : kind.use == Use::asked   ? "ambiguous: " + std::string(kind.advice)
-                                                     : "refused: " + std::string(kind.advice);
-  return "| " + words + " | " + use + " |\n";
 }
 
 namespace {

@@ -79,8 +79,6 @@ std::optional<Quantity> quantity_in_title(std::string_view title);
 
 // Returns the names that options accept, for help and messages: "f_r, BRF, f_r*cos_o, ..."
 std::string known_quantities();
-// Returns the row of a kind in the documentation's table.
-std::string documented(const QuantityKind& kind);
 // Returns the reason against reading values of this kind as f_r: "is a transmittance, not f_r: ..."
 std::string refusal_of(const QuantityKind& kind);
 

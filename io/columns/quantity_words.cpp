@@ -428,7 +428,7 @@ bool is_filling(std::string_view rest) {
       "factor "
       "weighted times multiplied by corrected ";
   const std::vector<Token> tokens = tokens_of(rest);
-  return std::all_of(tokens.begin(), tokens.end(), [&](const Token& token) {
+  return std::ranges::all_of(tokens, [&](const Token& token) {
     return token.type == Token::Type::sign || kFillers.find(" " + token.text + " ") != kFillers.npos;
   });
 }

@@ -5,7 +5,6 @@
 #include <map>
 #include <utility>
 
-#include "brdf/angle.h"
 #include "io/files/text.h"
 
 namespace brdf::io {

@@ -94,13 +94,12 @@ class Values {
   }
 
   bool any(Rank rank) const {
-    return std::any_of(candidates_.begin(), candidates_.end(),
-                       [&](const Candidate& c) { return c.rank == rank; });
+    return std::ranges::any_of(candidates_, [&](const Candidate& c) { return c.rank == rank; });
   }
 
   Candidate* named(std::string_view name) {
-    const auto at = std::find_if(candidates_.begin(), candidates_.end(),
-                                 [&](const Candidate& c) { return c.column->name == name; });
+    const auto at =
+        std::ranges::find_if(candidates_, [&](const Candidate& c) { return c.column->name == name; });
     return at == candidates_.end() ? nullptr : &*at;
   }
 
@@ -114,7 +113,7 @@ class Values {
     for (Candidate& c : candidates_)
       if (c.is_perhaps && !has_others) c.rank = Rank::neutral;
     // "(s)" means seconds, unless another column has the other polarisation.
-    const bool has_p = std::any_of(candidates_.begin(), candidates_.end(), [](const Candidate& c) {
+    const bool has_p = std::ranges::any_of(candidates_, [](const Candidate& c) {
       const auto of = polarised_name(c.column->name).of;
       return of && *of != Polarisation::s;
     });
@@ -128,7 +127,7 @@ class Values {
 
   void rank_tristimulus() {
     std::array<Candidate*, 3> xyz{named("X"), named("Y"), named("Z")};
-    if (std::any_of(xyz.begin(), xyz.end(), [](const Candidate* c) { return !c; })) return;
+    if (std::ranges::any_of(xyz, [](const Candidate* c) { return !c; })) return;
     for (Candidate* c : xyz) {
       c->rank = Rank::asked;
       c->refusal =
@@ -323,7 +322,7 @@ class Values {
 
   const Candidate* find_kept(const std::string& text) {
     Candidate* const found = find(text);
-    return found && std::find(kept_.begin(), kept_.end(), found) != kept_.end() ? found : nullptr;
+    return found && std::ranges::find(kept_, found) != kept_.end() ? found : nullptr;
   }
 
   void note(const std::string& sentence) { header_.assume(sentence); }
@@ -347,8 +346,8 @@ class Values {
     std::vector<std::pair<Quantity, std::vector<std::string>>> groups;
     for (const Candidate* c : kept_) {
       if (c->named.quantity.is_f_r()) continue;
-      const auto at = std::find_if(groups.begin(), groups.end(),
-                                   [&](const auto& group) { return group.first == c->named.quantity; });
+      const auto at =
+          std::ranges::find_if(groups, [&](const auto& group) { return group.first == c->named.quantity; });
       if (at == groups.end())
         groups.push_back({c->named.quantity, {c->column->name}});
       else

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "io/columns/column_names.h"
 #include "io/columns/quantities.h"

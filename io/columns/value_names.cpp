@@ -26,8 +26,8 @@ std::optional<std::string> deviation_of(const std::string& name) {
                                          "err",
                                          "u"};
   std::string lower = lower_case(name);
-  std::replace_if(
-      lower.begin(), lower.end(), [](char c) { return c == '_' || c == '-'; }, ' ');
+  std::ranges::replace_if(
+      lower, [](char c) { return c == '_' || c == '-'; }, ' ');
   for (const std::string_view word : kWords) {
     const std::size_t size = word.size();
     if (lower == word && size > 1) return "";

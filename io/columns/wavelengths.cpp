@@ -1,5 +1,6 @@
 #include "io/columns/wavelengths.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/columns/angle_names.h"
@@ -12,9 +13,7 @@ constexpr double kLight = 299792458;             // m/s
 constexpr double kElectronvoltNm = 1239.841984;  // energy times wavelength of a photon
 
 bool is_one_of(const std::string& key, std::initializer_list<const char*> words) {
-  for (const char* word : words)
-    if (key == word) return true;
-  return false;
+  return std::ranges::find(words, key) != words.end();
 }
 
 bool is_of_light(const Unit& unit) {

@@ -10,7 +10,6 @@
 #include "io/csv/long_format.h"
 #include "io/files/error.h"
 #include "io/samples/mirror_side.h"
-#include "io/samples/table_rules.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io {
@@ -108,7 +107,7 @@ class CsvReader {
       return c.kind == Column::Kind::wavelength && !c.unit;
     });
     if (!lacks_unit) return;
-    const auto largest = std::max_element(bands_.begin(), bands_.end());
+    const auto largest = std::ranges::max_element(bands_);
     if (!are_micrometres(largest->nm)) {
       for (Band& band : bands_) band.nm = without_noise(band.nm);
       return;
@@ -132,7 +131,7 @@ class CsvReader {
   std::string other_separator(std::string_view line, std::size_t width) const {
     for (const auto& [c, words] : {std::pair(',', "','"), std::pair(';', "';'"), std::pair('\t', "a tab")})
       if (words != dialect_.separator_in_words() && fields_.size() == 1 &&
-          static_cast<std::size_t>(std::count(line.begin(), line.end(), c)) == width - 1)
+          static_cast<std::size_t>(std::ranges::count(line, c)) == width - 1)
         return std::string("; this line is separated by ") + words;
     return "";
   }

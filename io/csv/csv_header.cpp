@@ -28,7 +28,7 @@ bool is_number(Dialect& dialect, std::string_view field) {
 bool all_numbers(Dialect dialect, std::string_view line) {
   Fields fields;
   return dialect.split_header(line, fields) &&
-         std::all_of(fields.begin(), fields.end(), [&](std::string_view f) { return is_number(dialect, f); });
+         std::ranges::all_of(fields, [&](std::string_view f) { return is_number(dialect, f); });
 }
 
 // Returns whether the line is a header row beyond doubt. Lines above such a row are titles.
@@ -41,8 +41,8 @@ bool is_header(Dialect dialect, std::string_view line) {
 // false if the fields are not units.
 bool add_units(Dialect& dialect, const Fields& fields, std::vector<std::string>& names) {
   const auto is_one = [&](std::string_view field) { return !is_number(dialect, field) && is_unit(field); };
-  if (fields.size() != names.size() || !std::all_of(fields.begin(), fields.end(), is_one) ||
-      std::all_of(fields.begin(), fields.end(), [](std::string_view f) { return f.empty(); }))
+  if (fields.size() != names.size() || !std::ranges::all_of(fields, is_one) ||
+      std::ranges::all_of(fields, [](std::string_view f) { return f.empty(); }))
     return false;
   for (std::size_t k = 0; k < names.size(); ++k) {
     const std::string_view unit = fields[k];
@@ -138,8 +138,8 @@ void CsvHeader::read_names(std::string_view line) {
   Fields fields;
   if (!dialect_.split_header(line, fields)) fail(std::string(kBadQuotation));
   if (read_matrix(fields)) return;
-  const bool has_names = std::any_of(fields.begin(), fields.end(),
-                                     [&](std::string_view name) { return !is_number(dialect_, name); });
+  const bool has_names =
+      std::ranges::any_of(fields, [&](std::string_view name) { return !is_number(dialect_, name); });
   std::unordered_set<std::string_view> seen;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const std::string at = "column " + std::to_string(k + 1);
@@ -229,9 +229,9 @@ void CsvHeader::look_ahead(std::vector<std::string>& names, HeaderFacts& facts) 
 
 // Returns whether the header row consists of words between blanks, without any angle.
 bool CsvHeader::is_a_title() const {
-  return dialect_.separates_by_blanks() &&
-         std::none_of(columns_.columns.begin(), columns_.columns.end(),
-                      [](const Column& c) { return c.kind == Column::Kind::angle; });
+  return dialect_.separates_by_blanks() && std::ranges::none_of(columns_.columns, [](const Column& c) {
+           return c.kind == Column::Kind::angle;
+         });
 }
 
 void CsvHeader::check_columns() const {
@@ -260,8 +260,8 @@ void CsvHeader::check_columns() const {
   for (const auto& [kind, name] : {std::pair(Column::Kind::wavelength, "wavelengths"),
                                    std::pair(Column::Kind::polarisation, "polarisations"),
                                    std::pair(Column::Kind::rotation, "sample rotations")})
-    if (std::count_if(columns_.columns.begin(), columns_.columns.end(),
-                      [kind = kind](const Column& c) { return c.kind == kind; }) > 1)
+    if (std::ranges::count_if(columns_.columns, [kind = kind](const Column& c) { return c.kind == kind; }) >
+        1)
       fail(std::string("two columns of ") + name);
 }
 

@@ -4,7 +4,6 @@
 
 #include "io/columns/plain_names.h"
 #include "io/files/text.h"
-#include "io/samples/table_rules.h"
 
 namespace brdf::io {
 namespace {
@@ -74,7 +73,7 @@ char Dialect::separator_of(std::string_view line) {
   constexpr int kFewest = 2;  // few tables have fewer than three columns
   const std::string bare = bare_text(line);
   for (const char c : {'\t', ';', ','})
-    if (std::count(bare.begin(), bare.end(), c) >= kFewest) return c;
+    if (std::ranges::count(bare, c) >= kFewest) return c;
   separator_ = ' ';
   names.clear();
   if (split(line, names)) join_units(names);
@@ -107,7 +106,7 @@ bool Dialect::split_quoted(std::string_view line, std::vector<std::string_view>&
     if (line.starts_with('"')) {
       if (!take_quotation(line, fields)) return false;
     } else {
-      const auto end = std::find_if(line.begin(), line.end(), [&](char c) { return separates(c); });
+      const auto end = std::ranges::find_if(line, [&](char c) { return separates(c); });
       const auto size = static_cast<std::size_t>(end - line.begin());
       fields.push_back(trimmed(line.substr(0, size)));
       line.remove_prefix(size);

@@ -18,7 +18,7 @@ using Rows = std::vector<std::size_t>;
 using Pair = std::span<const std::size_t>;
 
 std::vector<Band> each_once(std::vector<Band> bands) {
-  std::sort(bands.begin(), bands.end());
+  std::ranges::sort(bands);
   bands.erase(std::unique(bands.begin(), bands.end()), bands.end());
   return bands;
 }
@@ -31,7 +31,7 @@ auto directions_of(const SampleTable& table, std::size_t row) {
 Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
   Rows rows(table.rows());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
-  std::sort(rows.begin(), rows.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::sort(rows, [&](std::size_t a, std::size_t b) {
     return std::tuple(directions_of(table, a), bands[a], a) <
            std::tuple(directions_of(table, b), bands[b], b);
   });
@@ -39,7 +39,7 @@ Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
 }
 
 std::size_t first_row(Pair pair) {
-  return *std::min_element(pair.begin(), pair.end());
+  return *std::ranges::min_element(pair);
 }
 
 // Returns the pairs in the order of their first rows.
@@ -52,7 +52,7 @@ std::vector<Pair> pairs_of(const SampleTable& table, const Rows& sorted) {
     pairs.emplace_back(begin, end);
     begin = end;
   }
-  std::sort(pairs.begin(), pairs.end(), [](Pair a, Pair b) { return first_row(a) < first_row(b); });
+  std::ranges::sort(pairs, [](Pair a, Pair b) { return first_row(a) < first_row(b); });
   return pairs;
 }
 

@@ -19,7 +19,7 @@ namespace brdf::io {
 bool is_of_the_name(int error) {
   constexpr std::array kOfTheName{EACCES, EINVAL, EISDIR,  ELOOP, ENAMETOOLONG, ENODEV,
                                   ENOENT, ENXIO,  ENOTDIR, EPERM, EROFS,        ETXTBSY};
-  return std::find(kOfTheName.begin(), kOfTheName.end(), error) != kOfTheName.end();
+  return std::ranges::find(kOfTheName, error) != kOfTheName.end();
 }
 
 namespace {
@@ -134,7 +134,7 @@ std::string make_utf8(Content& text) {
   std::string note;
   if (is_utf16(text.bytes)) note = from_utf16(text);
   if (text.bytes.find('\n') == text.bytes.npos && text.bytes.find('\r') != text.bytes.npos) {
-    std::replace(text.bytes.begin(), text.bytes.end(), '\r', '\n');
+    std::ranges::replace(text.bytes, '\r', '\n');
     note += std::string(note.empty() ? "" : "; ") + "lines end with CR only";
   }
   if (const std::size_t nul = text.bytes.find('\0'); nul != std::string::npos)

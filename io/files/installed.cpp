@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <initializer_list>
 #include <system_error>
 
 namespace brdf::io {

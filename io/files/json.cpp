@@ -56,13 +56,12 @@ class Follower {
 };
 
 void write(const Json& json, const std::string& indent, std::string& out) {
-  const bool is_flat = json.is_array() && std::none_of(json.begin(), json.end(),
-                                                       [](const Json& item) { return item.is_structured(); });
+  const bool is_flat =
+      json.is_array() && std::ranges::none_of(json, [](const Json& item) { return item.is_structured(); });
   if (!json.is_structured() || json.empty() || is_flat) {
     std::string text = to_line(json);
-    if (is_flat && std::all_of(json.begin(), json.end(), [](const Json& item) { return item.is_number(); })) {
+    if (is_flat && std::ranges::all_of(json, [](const Json& item) { return item.is_number(); }))
       for (std::size_t k = 0; (k = text.find(',', k)) != text.npos; k += 2) text.insert(k + 1, " ");
-    }
     out += text;
     return;
   }
@@ -103,7 +102,7 @@ Json parse_json(const std::string& text, const std::string& file) {
     // bracket.
     std::string message = error.what();
     if (const std::size_t stop = message.find("] "); stop != message.npos) message.erase(0, stop + 2);
-    std::replace(message.begin(), message.end(), '\n', ' ');
+    std::ranges::replace(message, '\n', ' ');
     throw InputError(file + ": " + printable(message, kLongest));
   }
 }
@@ -141,7 +140,7 @@ void JsonPlace::fail(const std::string& rule) const {
 void JsonPlace::allow_keys(std::initializer_list<std::string_view> keys) const {
   if (!value_->is_object()) fail("must be an object");
   for (const auto& [key, value] : value_->items()) {
-    if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+    if (std::ranges::find(keys, key) != keys.end()) continue;
     std::string known;
     for (const std::string_view name : keys) (known += known.empty() ? "" : ", ") += name;
     throw InputError(file_ + ": " + path_ + ": unknown key \"" + printable(key, 60) + "\" (known: " + known +
@@ -160,6 +159,10 @@ JsonPlace JsonPlace::at(std::string_view key) const {
 JsonPlace JsonPlace::at(std::size_t index) const {
   if (index >= size()) fail("must have more than " + std::to_string(index) + " members");
   return {value_->at(index), file_, path_ + "[" + std::to_string(index) + "]"};
+}
+
+Json finite_or_null(double x) {
+  return std::isfinite(x) ? Json(x) : Json(nullptr);
 }
 
 std::size_t JsonPlace::size() const {

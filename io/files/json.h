@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "brdf/names.h"
 #include "io/files/content.h"
 #include "io/files/provenance.h"
 
@@ -27,6 +28,9 @@ std::string to_line(const Json& json);
 
 // Converts a provenance record to the keys "brdf_version", "command" and "seed".
 Json to_json(const Provenance& made);
+
+// Converts a number; JSON cannot represent infinite or undefined numbers, they become null.
+Json finite_or_null(double x);
 
 // A value in a JSON document with its path, for messages ("FILE: $.weights.kd: ...") and strict reading.
 // The accessors throw InputError if the value does not have the required type or range.
@@ -51,6 +55,13 @@ class JsonPlace {
   double number(double min, double max) const;
   double whole(double min, double max) const;  // without a fractional part
   std::string text() const;
+  // Returns the enumerator with this name; the message has the known names.
+  template <class Enum>
+  Enum named() const {
+    const std::optional<Enum> found = find_named<Enum>(text());
+    if (!found) fail("must be one of " + known_names<Enum>());
+    return *found;
+  }
 
  private:
   const Json* value_;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/files/error.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -37,11 +38,24 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   return text;
 }
 
+std::string joined_numbers(const std::vector<double>& numbers, const std::string& separator) {
+  std::vector<std::string> words;
+  for (const double number : numbers) words.push_back(to_text(number));
+  return joined(words, separator);
+}
+
+void require_between(const std::string& option, double value, double low, double high,
+                     const std::string& unit) {
+  if (!(value >= low && value <= high))
+    throw InputError(option + " " + to_text(value) + ": must be between " + to_text(low) + " and " +
+                     to_text(high) + unit);
+}
+
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return NAN;
   const auto place =
       values.begin() + std::ptrdiff_t(std::min(share * double(values.size()), double(values.size() - 1)));
-  std::nth_element(values.begin(), place, values.end());
+  std::ranges::nth_element(values, place);
   return *place;
 }
 

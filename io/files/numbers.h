@@ -20,6 +20,12 @@ std::string plural(std::size_t n, const std::string& word);
 
 // Joins words with a separator: "a, b, c".
 std::string joined(const std::vector<std::string>& words, const std::string& separator = ", ");
+// Joins numbers, as to_text() writes them.
+std::string joined_numbers(const std::vector<double>& numbers, const std::string& separator = ", ");
+
+// Throws InputError "OPTION VALUE: must be between LOW and HIGH UNIT" unless low <= value <= high.
+void require_between(const std::string& option, double value, double low, double high,
+                     const std::string& unit = "");
 
 // Returns the quantile of the values for `share` in [0, 1]: the element of rank floor(share * n), so that
 // the median of an even number of values is the upper of the two in the middle. Returns NaN if `values` is

@@ -25,7 +25,7 @@ void record_command_line(int argc, const char* const* argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string_view word = argv[k];
     const std::string_view option = word.substr(0, word.find('='));
-    if (std::find(kOfNoConsequence.begin(), kOfNoConsequence.end(), option) != kOfNoConsequence.end()) {
+    if (std::ranges::find(kOfNoConsequence, option) != kOfNoConsequence.end()) {
       if (option == word) ++k;
       continue;
     }

@@ -30,7 +30,7 @@ std::string shell_word(std::string_view word) {
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   const bool is_utf8 = utf8::is_valid(word.begin(), word.end());
-  if (!is_utf8 || std::any_of(word.begin(), word.end(), is_control)) return with_escapes(word, !is_utf8);
+  if (!is_utf8 || std::ranges::any_of(word, is_control)) return with_escapes(word, !is_utf8);
   std::string result = "'";
   for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";

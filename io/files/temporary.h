@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <string>
 
 #include "io/files/leftovers.h"
 

@@ -134,6 +134,12 @@ std::string shown(std::string_view text) {
   return "'" + printable(text, kLongest) + "'";
 }
 
+std::string csv_quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
 void append_number(std::string& out, double value) {
   char digits[32];
   const auto result = std::to_chars(digits, digits + sizeof digits, value);

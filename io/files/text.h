@@ -53,6 +53,9 @@ std::string with_escaped_marks(std::string json);
 // Returns text from a file in single quotes for messages: the first 60 bytes as printable() shows them.
 std::string shown(std::string_view text);
 
+// Returns the text in double quotes as a field of CSV; quotes inside are doubled.
+std::string csv_quoted(std::string_view text);
+
 // Writes the shortest decimal that reads back to the same double.
 void append_number(std::string& out, double value);
 std::string to_text(double value);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "brdf/angle.h"
 #include "brdf/vec3.h"
 #include "io/columns/stated_quantity.h"
 #include "io/files/content.h"
@@ -179,10 +178,8 @@ class Reader {
       return;
     }
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
-    double angles[4];
-    polar_degrees(pair.light, angles[0], angles[1]);
-    polar_degrees(pair.viewer, angles[2], angles[3]);
-    table_.add_directions(std::min(angles[0], 90.0), angles[1], std::min(angles[2], 90.0), angles[3]);
+    const Polar light = polar_degrees(pair.light), viewer = polar_degrees(pair.viewer);
+    table_.add_directions(std::min(light.theta, 90.0), light.phi, std::min(viewer.theta, 90.0), viewer.phi);
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
       table_.values[c].push_back(number(dimensions_ + c) / (divides_ ? pair.viewer.z : 1));
     table_.lines.push_back(static_cast<std::uint32_t>(lines_.line()));

@@ -92,8 +92,7 @@ class AstmReader {
   void lay_out() {
     is_laid_out_ = true;
     std::size_t missing = 0;
-    for (const std::string_view angle : kAngles)
-      missing += std::find(names_.begin(), names_.end(), angle) == names_.end();
+    for (const std::string_view angle : kAngles) missing += std::ranges::find(names_, angle) == names_.end();
     if (missing > 1) fail("VARS names fewer than three of theta_i, phi_i, theta_s, phi_s");
     if (missing == 1 && fields_.size() == names_.size() + 1) insert_missing_angle();
     if (fields_.size() != names_.size())
@@ -143,7 +142,7 @@ class AstmReader {
 
   void insert_missing_angle() {
     for (std::size_t k = 0; k < 4; ++k) {
-      if (std::find(names_.begin(), names_.end(), kAngles[k]) != names_.end()) continue;
+      if (std::ranges::find(names_, kAngles[k]) != names_.end()) continue;
       names_.insert(names_.begin() + static_cast<std::ptrdiff_t>(k), std::string(kAngles[k]));
       table_.assume("VARS omits the name " + std::string(kAngles[k]) + ": column " + std::to_string(k + 1) +
                     " is interpreted as this angle");
@@ -297,7 +296,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   if (table.rows() == 0) throw InputError(table.name() + ": holds no rows");
   std::string text;
   (text += kUnit) += " degrees\n";
-  if (std::any_of(table.channels.begin(), table.channels.end(), says_other)) (text += kQuantity) += " f_r\n";
+  if (std::ranges::any_of(table.channels, says_other)) (text += kQuantity) += " f_r\n";
   std::size_t lost = 0, lines = 2;
   for (const Comment& comment : table.metadata) {
     if (is_keyword(comment) && lines++ < kLongestHeader)

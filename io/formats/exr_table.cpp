@@ -87,8 +87,8 @@ std::string to_exr(const SampleTable& table) {
   if (!table.metadata.empty()) header.insert(std::string(kExrComments), Imf::StringAttribute(comments));
   for (const auto& [key, value] : table.metadata) {
     if (key.empty() || key.size() + kExrPrefix.size() > kLongestKey) continue;
-    const bool is_reserved = std::find(kReserved.begin(), kReserved.end(), key) != kReserved.end() ||
-                             header.find(key.c_str()) != header.end();
+    const bool is_reserved =
+        std::ranges::find(kReserved, key) != kReserved.end() || header.find(key.c_str()) != header.end();
     header.insert(is_reserved ? std::string(kExrPrefix) + key : key, Imf::StringAttribute(value));
   }
   Imf::StdOSStream bytes;

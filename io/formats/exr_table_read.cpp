@@ -19,7 +19,6 @@
 #include "io/files/text.h"
 #include "io/formats/exr_stream.h"
 #include "io/formats/exr_table.h"
-#include "io/samples/table_rules.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io {

@@ -60,10 +60,9 @@ CellDirections cell_directions(std::size_t cell) {
   // Rotate the direction of incidence from the frame of the half vector to that of the surface. The viewing
   // direction is its mirror image about the half vector.
   const double x = d.sine * p.cosine, y = d.sine * p.sine, z = d.cosine;
-  CellDirections c;
-  polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x}, c.theta_i, c.phi_i);
-  polar_degrees({h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x}, c.theta_o, c.phi_o);
-  return c;
+  const Polar light = polar_degrees({h.cosine * x + h.sine * z, y, h.cosine * z - h.sine * x});
+  const Polar viewer = polar_degrees({h.sine * z - h.cosine * x, -y, h.cosine * z + h.sine * x});
+  return {light.theta, light.phi, viewer.theta, viewer.phi};
 }
 
 std::size_t find_cell(double theta_i, double phi_i, double theta_o, double phi_o) {
@@ -124,7 +123,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
     const auto is_valid = [&](const std::vector<double>& plane) {
       return plane[cell] >= 0 && std::isfinite(plane[cell]);
     };
-    if (!std::all_of(table.values.begin(), table.values.end(), is_valid)) continue;
+    if (!std::ranges::all_of(table.values, is_valid)) continue;
     const CellDirections d = cell_directions(cell);
     if (d.theta_i > 90 || d.theta_o > 90) continue;
     table.add_directions(d.theta_i, d.phi_i, d.theta_o, d.phi_o);
@@ -142,7 +141,7 @@ SampleTable read(const Content& content, const Supplied& supplied) {
 bool recognises(const Content& content) {
   if (content.bytes.size() < sizeof(Header)) return false;
   const Header header = header_of(content);
-  return std::all_of(header.begin(), header.end(), [](std::int32_t n) { return n > 0 && n < (1 << 16); });
+  return std::ranges::all_of(header, [](std::int32_t n) { return n > 0 && n < (1 << 16); });
 }
 
 std::vector<std::string> write(const std::filesystem::path& path, const SampleTable& given) {
@@ -180,8 +179,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
                 static_cast<std::streamsize>(kCells * sizeof(double)));
     }
   });
-  const auto filled =
-      static_cast<std::size_t>(std::count_if(count.begin(), count.end(), [](auto n) { return n > 0; }));
+  const auto filled = static_cast<std::size_t>(std::ranges::count_if(count, [](auto n) { return n > 0; }));
   std::vector<std::string> lost = {
       "the absolute azimuth: MERL files are isotropic and reciprocal",
       "directions: each value is stored at the centre of its cell (1 degree, finer in theta_half)"};

@@ -143,8 +143,7 @@ class Reader {
       fail(std::to_string(fields_.size()) + " columns, but " + std::to_string(width_) + " are expected");
     if (material_) {
       const std::string found(fields_[*material_]);
-      if (std::find(materials_.begin(), materials_.end(), found) == materials_.end())
-        materials_.push_back(found);
+      if (std::ranges::find(materials_, found) == materials_.end()) materials_.push_back(found);
       if (found != asked_) return;
     }
     constexpr double kShortest = 1e-3, kLongest = 1e9;  // in any unit: X rays to radio waves
@@ -183,15 +182,14 @@ class Reader {
 
   OpticalConstants sorted() {
     const std::vector<double>& wavelengths = read_n_.wavelengths;
-    const bool is_micrometres = unit_ == StatedUnit::micrometres ||
-                                (unit_ == StatedUnit::unsaid &&
-                                 are_micrometres(*std::max_element(wavelengths.begin(), wavelengths.end())));
+    const bool is_micrometres =
+        unit_ == StatedUnit::micrometres ||
+        (unit_ == StatedUnit::unsaid && are_micrometres(*std::ranges::max_element(wavelengths)));
     std::vector<std::pair<double, Index>> rows;
     for (std::size_t r = 0; r < wavelengths.size(); ++r)
       rows.push_back({is_micrometres ? std::round(1e7 * wavelengths[r]) / 1e4 : wavelengths[r],
                       {read_n_.values[r], read_k_.values.empty() ? 0.0 : read_k_.values[r]}});
-    std::stable_sort(rows.begin(), rows.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(rows, [](const auto& a, const auto& b) { return a.first < b.first; });
     OpticalConstants out{name_ + (asked_.empty() ? "" : ":" + asked_), {}, {}};
     for (const auto& [nm, index] : rows) {
       if (!out.nm.empty() && nm == out.nm.back())

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "io/columns/foreign_json.h"
 #include "io/files/error.h"

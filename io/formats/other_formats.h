@@ -1,8 +1,6 @@
 // Recognises files by their content that are not supported as tables, and explains the remedy.
 #pragma once
 
-#include <string>
-
 #include "io/files/content.h"
 
 namespace brdf::io {

@@ -3,7 +3,6 @@
 #include <span>
 
 #include "io/columns/foreign_json.h"
-#include "io/columns/stated_quantity.h"
 #include "io/csv/csv.h"
 #include "io/files/error.h"
 #include "io/files/text.h"

@@ -86,8 +86,7 @@ Measurement::Measurement(const Content& content) : data_(std::make_unique<Data>(
   const auto &ndf = file.shape("ndf"), &sigma = file.shape("sigma"), &vndf = file.shape("vndf"),
              &bands = file.shape(values);
   const auto ascends = [](const std::vector<float>& nodes) {
-    return !nodes.empty() &&
-           std::adjacent_find(nodes.begin(), nodes.end(), std::greater_equal<>()) == nodes.end();
+    return !nodes.empty() && std::ranges::adjacent_find(nodes, std::greater_equal<>()) == nodes.end();
   };
   const auto at_least_two = [](std::size_t a, std::size_t b) { return a >= 2 && b >= 2; };
   const std::size_t azimuths = data_->phi_i.size(), angles = data_->theta_i.size();
@@ -163,16 +162,14 @@ SampleTable read(const Content& content, const Supplied& supplied) {
   SampleTable table;
   table.source = content.name;
   table.format = "rgl";
-  table.channels = measurement.channels();
-  table.values.resize(table.channels.size());
-  table.sigma.resize(table.channels.size());
+  table.set_channels(measurement.channels());
   table.add_comment("sample", measurement.description());
   table.add_comment("instrument", "RGL gonio-photometer, adaptive tensor file");
   std::vector<double> values(table.channels.size());
   const auto add = [&](double theta_i, double phi_i, double theta_o, double phi_o) {
     const Vec3<double> wi = unit_vector(theta_i, phi_i), wo = unit_vector(theta_o, phi_o);
     measurement.eval_cos_o(wi, wo, values);
-    if (!std::all_of(values.begin(), values.end(), [&](double v) { return std::isfinite(v / wo.z); })) {
+    if (!std::ranges::all_of(values, [&](double v) { return std::isfinite(v / wo.z); })) {
       ++table.skipped;
       return;
     }

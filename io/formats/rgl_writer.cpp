@@ -8,7 +8,7 @@
 #include "io/colour/channel_colours.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
-#include "io/formats/tensor_writer.h"
+#include "io/formats/tensor_file.h"
 
 namespace brdf::io::rgl {
 namespace {
@@ -74,7 +74,7 @@ class Tables {
   // the horizon.
   double reflected(const Vec3<double>& wi, const Vec3<double>& m) {
     const Vec3<double> wo = m * (2 * dot(m, wi)) - wi;
-    std::fill(f_.begin(), f_.end(), 0.0);
+    std::ranges::fill(f_, 0.0);
     if (!(wo.z > 0)) return 0;
     values_(wi, wo, f_);
     for (double& f : f_) f = std::max(f * wo.z, 0.0);
@@ -93,7 +93,7 @@ class Tables {
           mean[k] += wi.z * reflected(wi, at(theta, kPi * (turn + 0.5) / 12));
       }
     }
-    const double least = std::max(kFaint * *std::max_element(mean.begin(), mean.end()), 1e-30);
+    const double least = std::max(kFaint * *std::ranges::max_element(mean), 1e-30);
     for (std::size_t k = 0; k < kProfile; ++k) ndf_[k] = float(std::max(mean[k], least));
   }
 
@@ -160,7 +160,7 @@ std::vector<double> wavelengths_of(const std::vector<std::string>& channels) {
   for (const std::string& channel : channels)
     if (const auto length = wavelength_of(channel)) nm.push_back(*length);
   if (nm.size() == channels.size() && nm.size() >= 2) {
-    if (!std::is_sorted(nm.begin(), nm.end(), std::less_equal<>()))
+    if (!std::ranges::is_sorted(nm, std::less_equal<>()))
       throw InputError("RGL file: the wavelengths must ascend");
     return nm;
   }

@@ -11,9 +11,21 @@
 namespace brdf::io {
 namespace {
 
+// The first bytes of the container (name and version 1.0), and the
+// numbers of element types.
+constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
+enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
+
 // Bytes of an element by the number of its type: integers of 8 to 64 bits, each unsigned and signed, then
 // floats.
 constexpr std::array<std::size_t, 12> kElementSize{0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
+
+template <class T>
+void append(std::string& out, T value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  out.append(raw, sizeof value);
+}
 
 }  // namespace
 
@@ -65,7 +77,7 @@ void TensorFile::fail(const std::string& what) const {
 
 const TensorFile::Field* TensorFile::find(const std::string& name) const {
   const auto same = [&](const Field& field) { return field.name == name; };
-  const auto found = std::find_if(fields_.begin(), fields_.end(), same);
+  const auto found = std::ranges::find_if(fields_, same);
   return found == fields_.end() ? nullptr : &*found;
 }
 
@@ -88,7 +100,7 @@ std::vector<float> TensorFile::floats(const std::string& name) const {
   std::vector<float> values(field.count);
   if (values.empty()) return values;  // memcpy to a null pointer is undefined
   std::memcpy(values.data(), content_.bytes.data() + field.offset, values.size() * sizeof(float));
-  if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); }))
+  if (!std::ranges::all_of(values, [](float x) { return std::isfinite(x); }))
     fail("field \"" + name + "\" holds a value that is not finite");
   return values;
 }
@@ -96,6 +108,35 @@ std::vector<float> TensorFile::floats(const std::string& name) const {
 std::string TensorFile::bytes(const std::string& name) const {
   const Field& field = require(name, kUint8, "bytes");
   return content_.bytes.substr(field.offset, field.count);
+}
+
+void TensorWriter::add(const std::string& name, const std::string& bytes) {
+  fields_.push_back({name, kUint8, {bytes.size()}, bytes});
+}
+
+void TensorWriter::add(const std::string& name, std::vector<std::uint64_t> shape,
+                       const std::vector<float>& values) {
+  std::string data(values.size() * sizeof(float), '\0');
+  std::memcpy(data.data(), values.data(), data.size());
+  fields_.push_back({name, kFloat32, std::move(shape), std::move(data)});
+}
+
+std::string TensorWriter::bytes() const {
+  std::string out(kTensorMagic);
+  append(out, std::uint32_t(fields_.size()));
+  std::uint64_t offset = out.size();
+  for (const Field& f : fields_) offset += 2 + f.name.size() + 2 + 1 + 8 + 8 * f.shape.size();
+  for (const Field& f : fields_) {
+    append(out, std::uint16_t(f.name.size()));
+    out += f.name;
+    append(out, std::uint16_t(f.shape.size()));
+    append(out, f.type);
+    append(out, offset);
+    for (const std::uint64_t size : f.shape) append(out, size);
+    offset += f.data.size();
+  }
+  for (const Field& f : fields_) out += f.data;
+  return out;
 }
 
 }  // namespace brdf::io

@@ -1,4 +1,4 @@
-// Reads the container of RGL's files: named arrays in one file.
+// Reads and writes the container of RGL's files: named arrays one after another in one file.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,6 @@
 #include "io/files/content.h"
 
 namespace brdf::io {
-
-// Constants that reader and writer share: the first bytes of the container (name and version 1.0), and the
-// numbers of element types.
-inline constexpr std::string_view kTensorMagic("tensor_file\0\1\0", 14);
-enum TensorType : std::uint8_t { kUint8 = 1, kFloat32 = 10 };
 
 // The fields of a container.
 class TensorFile {
@@ -45,6 +40,25 @@ class TensorFile {
   [[noreturn]] void fail(const std::string& what) const;
 
   const Content& content_;
+  std::vector<Field> fields_;
+};
+
+class TensorWriter {
+ public:
+  // Adds an array of bytes.
+  void add(const std::string& name, const std::string& bytes);
+  // `shape` lists the sizes from slow to fast.
+  void add(const std::string& name, std::vector<std::uint64_t> shape, const std::vector<float>& values);
+  // Returns the bytes of the file.
+  std::string bytes() const;
+
+ private:
+  struct Field {
+    std::string name;
+    std::uint8_t type;
+    std::vector<std::uint64_t> shape;
+    std::string data;
+  };
   std::vector<Field> fields_;
 };
 

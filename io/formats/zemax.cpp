@@ -170,9 +170,7 @@ SampleTable read(const Content& text, const Supplied& supplied) {
   SampleTable table = std::move(lines.table);
   table.source = text.name;
   table.format = "zemax";
-  table.channels = header.channels;
-  table.values.resize(raw.size());
-  table.sigma.resize(raw.size());
+  table.set_channels(header.channels);
   std::size_t entry = 0, below = 0;
   for (const double rotation : header.rotation)
     for (const double theta_i : header.theta_i)
@@ -184,10 +182,8 @@ SampleTable read(const Content& text, const Supplied& supplied) {
           below += !is_measured;
           for (const auto& values : raw) is_measured &= values[k] != 0;
           if (!is_measured) continue;
-          double theta_o, phi_o;
-          polar_degrees(wo, theta_o, phi_o);
-          theta_o = set_point(theta_o);
-          phi_o = theta_o == 0 ? 0 : set_point(phi_o);
+          const Polar viewer = polar_degrees(wo);
+          const double theta_o = set_point(viewer.theta), phi_o = theta_o == 0 ? 0 : set_point(viewer.phi);
           table.add_directions(theta_i, 180 - rotation, theta_o, phi_o - rotation);
           for (std::size_t c = 0; c < raw.size(); ++c) table.values[c].push_back(raw[c][k]);
           table.lines.push_back(at_line[k]);

@@ -29,12 +29,12 @@ struct Place {
 };
 
 Place place_of(const SampleTable& table, std::size_t row, std::optional<double> only_phi_i) {
-  Place p{row, only_phi_i ? 0 : 180 - table.phi_i[row], table.theta_i[row], 0, 0};
-  const double phi = table.phi_o[row] - (only_phi_i ? *only_phi_i - 180 : -p.rotation);
+  const double rotation = only_phi_i ? 0 : 180 - table.phi_i[row], theta_i = table.theta_i[row];
+  const double phi = table.phi_o[row] - (only_phi_i ? *only_phi_i - 180 : -rotation);
   const Vec3<double> w = unit_vector(table.theta_o[row], phi);
-  const double s = sin_degrees(p.theta_i), c = cos_degrees(p.theta_i);
-  polar_degrees({s * w.z - c * w.x, -w.y, s * w.x + c * w.z}, p.radial, p.azimuth);
-  return p;
+  const double s = sin_degrees(theta_i), c = cos_degrees(theta_i);
+  const Polar at = polar_degrees({s * w.z - c * w.x, -w.y, s * w.x + c * w.z});
+  return {row, rotation, theta_i, at.phi, at.theta};
 }
 
 // The azimuth of a direction becomes less accurate near the mirror direction.
@@ -73,8 +73,8 @@ class Grid {
     };
     count(grazing_, "row", " at 90 degrees");
     count(zero_, "row", " with the value 0, which the format defines as 'not measured'");
-    count(std::size_t(std::count_if(table_.metadata.begin(), table_.metadata.end(),
-                                    [](const Comment& c) { return !is_kept(c.first, c.second); })),
+    count(std::size_t(std::ranges::count_if(table_.metadata,
+                                            [](const Comment& c) { return !is_kept(c.first, c.second); })),
           "comment", " that cannot be written as a short key with a value");
     if (table_.channels.size() == 1 && table_.channels[0] != "fr") out.push_back("the channel's name");
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
@@ -114,8 +114,8 @@ class Grid {
       if (phi != table_.phi_i[0]) only_phi_i_ = std::nullopt;
     for (std::size_t row = 0; row < table_.rows(); ++row) {
       const bool is_grazing = table_.theta_i[row] >= 90 || table_.theta_o[row] >= 90;
-      const bool is_zero = std::any_of(table_.values.begin(), table_.values.end(),
-                                       [&](const std::vector<double>& v) { return v[row] == 0; });
+      const bool is_zero =
+          std::ranges::any_of(table_.values, [&](const std::vector<double>& v) { return v[row] == 0; });
       grazing_ += is_grazing;
       zero_ += is_zero && !is_grazing;
       if (!is_grazing && !is_zero) places_.push_back(place_of(table_, row, only_phi_i_));
@@ -125,7 +125,7 @@ class Grid {
 
   // Collects the angles. Rows that determine the azimuth best come first.
   void find_angles() {
-    std::stable_sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
+    std::ranges::stable_sort(places_, [](const Place& a, const Place& b) {
       return std::abs(a.radial - 90) < std::abs(b.radial - 90);
     });
     for (const Place& p : places_) {

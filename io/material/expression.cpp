@@ -106,7 +106,7 @@ class Parser {
       refuse(at_ < text_.size() ? "'" + std::string(text_.substr(at_)) + "' is not understood"
                                 : "ends early");
     if (!take('(')) {
-      if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+      if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
       return std::make_shared<const Node>(Node{'v', 0, name});
     }
     return call(name);
@@ -203,7 +203,7 @@ Condition::Condition(std::string_view text, std::string_view option) {
 
 bool Condition::holds(const std::function<double(std::string_view)>& of_name) const {
   constexpr double kRounding = 1e-12;
-  return std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+  return std::ranges::all_of(parts_, [&](const Part& part) {
     const double less = part.less.value(of_name), more = part.more.value(of_name);
     return part.strict ? less < more : less <= more + kRounding * (1 + std::abs(more));
   });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "brdf/trace.h"
 #include "io/colour/channel_colours.h"

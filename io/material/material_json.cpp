@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "io/columns/foreign_json.h"
 #include "io/files/content.h"
@@ -82,7 +81,7 @@ Term read_term(const JsonPlace& place, const Reflectance& form, std::size_t chan
   const JsonPlace shape = has_shape ? place.at("shape") : JsonPlace(kNone, place.file(), place.path());
   check_parameter_names(shape, table.shape);
   const auto is_array = [&](const ParameterInfo& p) { return shape.at(p.name).value().is_array(); };
-  const bool per_channel = std::any_of(table.shape.begin(), table.shape.end(), is_array);
+  const bool per_channel = std::ranges::any_of(table.shape, is_array);
   term.shape.resize(per_channel ? channels : 1);
   for (const ParameterInfo& p : table.shape) {
     const std::vector<double> values = read_values(shape.at(p.name), p, channels);

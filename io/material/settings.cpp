@@ -93,7 +93,7 @@ bool apply(Term& term, const Setting& setting) {
 std::string known_parameters(std::string_view name, const Material& material) {
   std::vector<std::string> known;
   const auto add = [&](std::string_view other) {
-    if (std::find(known.begin(), known.end(), other) == known.end()) known.emplace_back(other);
+    if (std::ranges::find(known, other) == known.end()) known.emplace_back(other);
   };
   for (const Term& term : material.terms) {
     const ReflectanceInfo& table = info(term.form);
@@ -134,7 +134,7 @@ std::vector<Setting> parse_settings(const std::vector<std::string>& texts, std::
       setting.values.push_back(value);
     }
     const auto same = [&](const Setting& s) { return s.name == setting.name; };
-    if (std::any_of(settings.begin(), settings.end(), same)) throw refused("is set twice");
+    if (std::ranges::any_of(settings, same)) throw refused("is set twice");
     settings.push_back(std::move(setting));
   }
   return settings;

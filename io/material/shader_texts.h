@@ -10,7 +10,7 @@ namespace brdf::io {
 
 enum class ShaderLanguage {
   hlsl,      // shader model 5: `precise`, asuint and asfloat
-  cpp,       // C++17 in float, a header (io/material/cpp_text.h)
+  cpp,       // C++17 in float, a header
   explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
 };
 

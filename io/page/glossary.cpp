@@ -156,8 +156,8 @@ std::vector<GlossaryTerm> parameters() {
   std::vector<GlossaryTerm> terms;
   for (const std::string& name : order) {
     const auto& meanings = found[name];
-    const auto most = std::max_element(meanings.begin(), meanings.end(),
-                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::ranges::max_element(meanings, [](const auto& a, const auto& b) { return a.second < b.second; });
     terms.push_back({name, "Parameter. " + most->first, is_symbol(name)});
   }
   return terms;
@@ -176,8 +176,7 @@ const std::vector<GlossaryTerm>& glossary() {
 
 const GlossaryTerm* glossary_term(std::string_view word) {
   const auto& terms = glossary();
-  const auto found =
-      std::find_if(terms.begin(), terms.end(), [&](const GlossaryTerm& t) { return t.term == word; });
+  const auto found = std::ranges::find_if(terms, [&](const GlossaryTerm& t) { return t.term == word; });
   return found == terms.end() ? nullptr : &*found;
 }
 

@@ -1,7 +1,5 @@
 #include "io/page/html_markup.h"
 
-#include <array>
-
 #include "io/files/base64.h"
 
 namespace brdf::io {

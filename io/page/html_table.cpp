@@ -27,8 +27,7 @@ const char* css_class(const Cell& cell) {
 }
 
 bool applies(const Matrix::Property& row) {
-  return std::any_of(row.cells.begin(), row.cells.end(),
-                     [](const Cell& c) { return c.mark != Mark::absent; });
+  return std::ranges::any_of(row.cells, [](const Cell& c) { return c.mark != Mark::absent; });
 }
 
 // Exchanges rows and columns: a row per subject, a column per property.
@@ -57,8 +56,7 @@ const std::string* HtmlReport::meaning(std::string_view word) const {
 std::string HtmlReport::term(std::string_view word) {
   const std::string* const found = meaning(word);
   if (!found) return html_escaped(word);
-  auto at =
-      std::find_if(used_terms_.begin(), used_terms_.end(), [&](const auto& t) { return t.first == word; });
+  auto at = std::ranges::find_if(used_terms_, [&](const auto& t) { return t.first == word; });
   if (at == used_terms_.end()) at = used_terms_.insert(at, {std::string(word), *found});
   const std::string number = std::to_string(at - used_terms_.begin());
   return "<button type=\"button\" class=\"term\" popovertarget=\"term" + number + "\" title=\"" +

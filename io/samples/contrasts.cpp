@@ -117,8 +117,7 @@ Contrasts::Contrasts(const SampleTable& table, std::span<const std::uint32_t> ro
 }
 
 void Contrasts::for_each(Neighbours neighbours, std::size_t most, const Use& use) {
-  const bool by_half_vector =
-      std::find(kOfHalfVectors.begin(), kOfHalfVectors.end(), neighbours) != kOfHalfVectors.end();
+  const bool by_half_vector = std::ranges::find(kOfHalfVectors, neighbours) != kOfHalfVectors.end();
   if (by_half_vector && half_.empty())
     for (const std::uint32_t k : rows_) {
       const Vec3<double> wi = unit_vector(table_.theta_i[k], table_.phi_i[k]),
@@ -223,8 +222,8 @@ std::vector<Contrasts::Place> Contrasts::places(Neighbours neighbours, std::size
   for (std::size_t k = 0; k < rows_.size(); ++k)
     if (place(k, neighbours, p) && (end == counts.size() || bucket_of(p.key, neighbours) < end))
       all.push_back(p);
-  std::sort(all.begin(), all.end(),
-            [](const Place& a, const Place& b) { return a.key != b.key ? a.key < b.key : a.x < b.x; });
+  std::ranges::sort(
+      all, [](const Place& a, const Place& b) { return a.key != b.key ? a.key < b.key : a.x < b.x; });
   return neighbours == Neighbours::repeated ? two_each(all) : one_each(all);
 }
 

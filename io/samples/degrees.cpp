@@ -53,15 +53,20 @@ double cos_degrees(double degrees) {
   return sin_quadrants(degrees, 1);
 }
 
+double within_turn(double phi) {
+  const double rest = std::fmod(phi, 360.0);
+  return rest < 0 ? rest + 360 : rest + 0.0;  // + 0 turns -0 into 0
+}
+
 Vec3<double> unit_vector(double theta, double phi) {
   const double sin_theta = sin_degrees(theta);
   return {sin_theta * cos_degrees(phi), sin_theta * sin_degrees(phi), cos_degrees(theta)};
 }
 
-void polar_degrees(const Vec3<double>& w, double& theta, double& phi) {
-  theta = radians(std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z)).degrees();
-  phi = radians(std::atan2(w.y, w.x)).degrees();
-  if (phi < 0) phi += 360.0;
+Polar polar_degrees(const Vec3<double>& w) {
+  const double theta = radians(std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z)).degrees();
+  const double phi = radians(std::atan2(w.y, w.x)).degrees();
+  return {theta, phi < 0 ? phi + 360.0 : phi};
 }
 
 }  // namespace brdf::io

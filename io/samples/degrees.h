@@ -9,9 +9,16 @@ namespace brdf::io {
 // same on every machine.
 Vec3<double> unit_vector(double theta, double phi);
 
-// Computes the polar angle in [0, 180] and the azimuth in [0, 360) of a direction, in degrees. The length
-// of `w` does not matter.
-void polar_degrees(const Vec3<double>& w, double& theta, double& phi);
+// Degrees: theta in [0, 180], phi in [0, 360).
+struct Polar {
+  double theta, phi;
+};
+
+// Returns the polar angle and the azimuth of a direction. The length of `w` does not matter.
+Polar polar_degrees(const Vec3<double>& w);
+
+// Returns the azimuth in [0, 360), never -0.
+double within_turn(double phi);
 
 // Return the sine and the cosine of an angle in degrees: exact at multiples of 90, otherwise within 1.5 ulp
 // of the true value for |degrees| <= 1e6. The functions use plain arithmetic only, because the functions of

@@ -68,7 +68,7 @@ struct Decision {
 };
 
 Decision decide(const SampleTable& table, MirrorSide asked) {
-  if (std::any_of(table.theta_i.begin(), table.theta_i.end(), [](double theta) { return theta < 0; }))
+  if (std::ranges::any_of(table.theta_i, [](double theta) { return theta < 0; }))
     return {false, true,
             "both angles have signs on the same scale (some angles of incidence are negative), so the mirror "
             "direction is at -theta_i"};

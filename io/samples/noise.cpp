@@ -27,7 +27,7 @@ Spread robust_scale(std::vector<double>& sizes) {
   // The mean square of a standard normal variable x, given |x| < 1.0364334.
   constexpr double kShare = 0.7, kMeanSquare = 0.3095613;
   const auto end = sizes.begin() + std::ptrdiff_t(kShare * double(sizes.size()));
-  std::nth_element(sizes.begin(), end, sizes.end());
+  std::ranges::nth_element(sizes, end);
   const double sum = std::inner_product(sizes.begin(), end, sizes.begin(), 0.0);
   return {std::sqrt(sum / double(end - sizes.begin()) / kMeanSquare), double(sizes.size())};
 }
@@ -36,7 +36,7 @@ Spread robust_scale(std::vector<double>& sizes) {
 // few contrasts. There must be at least `least` of them, with this share of all contrasts; otherwise
 // returns std::nullopt. If `share` is 0, the lowest scale must be among them. Sorts `scales`.
 std::optional<Spread> lowest_agreeing(std::vector<Spread>& scales, std::size_t least, double share) {
-  std::sort(scales.begin(), scales.end(), [](const Spread& a, const Spread& b) { return a.value < b.value; });
+  std::ranges::sort(scales, {}, &Spread::value);
   double all = 0;
   for (const Spread& s : scales) all += s.count;
   for (auto first = scales.begin(); first != scales.end(); ++first) {
@@ -82,8 +82,7 @@ class Gatherer {
     Ways found(channels + (channels > 1), std::vector<std::vector<Spread>>(bands_));
     for (const Neighbours n : kOfInstruments) add(n, found);
     const auto& all = found.back();
-    const auto known =
-        std::count_if(all.begin(), all.end(), [](const auto& ways) { return ways.size() > 1; });
+    const auto known = std::ranges::count_if(all, [](const auto& ways) { return ways.size() > 1; });
     if (2 * std::size_t(known) < bands_)
       for (const Neighbours n : kOfHalfVectors) add(n, found);
     return found;
@@ -172,7 +171,7 @@ std::vector<std::uint32_t> some(const SampleTable& t, std::span<const std::uint3
 // Returns the edges that divide these values into bands of equal count. Sorts its copy of the values.
 template <class T>
 std::vector<T> edges_of(std::vector<T> values, std::size_t bands) {
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   std::vector<T> edges;
   for (std::size_t b = 1; b < bands; ++b) edges.push_back(values[b * values.size() / bands]);
   return edges;
@@ -180,7 +179,7 @@ std::vector<T> edges_of(std::vector<T> values, std::size_t bands) {
 
 template <class T>
 std::size_t band_in(const std::vector<T>& edges, T value) {
-  return std::size_t(std::upper_bound(edges.begin(), edges.end(), value) - edges.begin());
+  return std::size_t(std::ranges::upper_bound(edges, value) - edges.begin());
 }
 
 // Small tables have two bands, so that one of them can be free of the highlight.

@@ -90,7 +90,7 @@ class Choice {
   }
 
   void take(SampleTable& out, const std::string& name, const Sum& sum) const {
-    if (std::find(out.channels.begin(), out.channels.end(), name) != out.channels.end())
+    if (std::ranges::find(out.channels, name) != out.channels.end())
       refuse("channel " + shown(name) + " has the same name as polarised channels");
     out.channels.push_back(name);
     std::vector<double>& values = out.values.emplace_back(table_.rows(), 0.0);
@@ -98,9 +98,7 @@ class Choice {
       for (std::size_t k = 0; k < values.size(); ++k) values[k] += table_.values[c][k];
     for (double& value : values) value *= sum.factor;
     std::vector<double>& sigma = out.sigma.emplace_back();
-    if (!std::all_of(sum.channels.begin(), sum.channels.end(),
-                     [&](std::size_t c) { return table_.has_sigma(c); }))
-      return;
+    if (!std::ranges::all_of(sum.channels, [&](std::size_t c) { return table_.has_sigma(c); })) return;
     sigma.assign(table_.rows(), 0.0);
     for (const std::size_t c : sum.channels)
       for (std::size_t k = 0; k < sigma.size(); ++k) sigma[k] = std::hypot(sigma[k], table_.sigma[c][k]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/files/numbers.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::io {
 namespace {
@@ -17,15 +18,12 @@ using Group = std::vector<std::size_t>;  // rows
 
 // Returns groups of rows with the same directions, in the order of their first rows.
 std::vector<Group> groups_of(const SampleTable& table) {
-  const auto turned = [](double phi) {
-    const double rest = std::fmod(phi, 360.0);
-    return rest < 0 ? rest + 360 : rest + 0.0;
-  };
   std::map<std::array<double, 4>, std::size_t> seen;
   std::vector<Group> groups;
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const auto [at, is_new] = seen.try_emplace(
-        {table.theta_i[k], turned(table.phi_i[k]), table.theta_o[k], turned(table.phi_o[k])}, groups.size());
+        {table.theta_i[k], within_turn(table.phi_i[k]), table.theta_o[k], within_turn(table.phi_o[k])},
+        groups.size());
     if (is_new) groups.emplace_back();
     groups[at->second].push_back(k);
   }
@@ -55,16 +53,14 @@ class Scatter {
       const double mean = mean_of(values, group), squares = squares_of(values, group, mean);
       if (squares > 0) repeated_.push_back({std::abs(mean), squares, double(group.size() - 1)});
     }
-    std::sort(repeated_.begin(), repeated_.end(),
-              [](const Repeated& a, const Repeated& b) { return a.size < b.size; });
+    std::ranges::sort(repeated_, {}, &Repeated::size);
   }
 
   bool is_known() const { return !repeated_.empty(); }
 
   // Returns the variance of a single value of about this size.
   double variance(double size) const {
-    auto first = std::lower_bound(repeated_.begin(), repeated_.end(), size,
-                                  [](const Repeated& r, double s) { return r.size < s; });
+    auto first = std::ranges::lower_bound(repeated_, size, {}, &Repeated::size);
     auto last = first;
     double freedom = 0, squares = 0, sizes = 0;
     while (freedom < kPooled && (first != repeated_.begin() || last != repeated_.end())) {

@@ -1,10 +1,12 @@
 #include "io/samples/repetition.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
 #include <unordered_set>
 
+#include "io/samples/degrees.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io {
@@ -12,19 +14,14 @@ namespace {
 
 using Angles = std::array<double, 4>;
 
-double turned(double phi) {
-  const double rest = std::fmod(phi, 360.0);
-  return rest < 0 ? rest + 360 : rest + 0.0;  // + 0 turns -0 into 0
-}
-
 Angles angles_of(const SampleTable& t, std::size_t k) {
   return {t.theta_i[k], t.phi_i[k], t.theta_o[k], t.phi_o[k]};
 }
 
 // Returns four angles that are equal for all notations of a pair of directions.
 Angles four_angles(const SampleTable& t, std::size_t k) {
-  return {t.theta_i[k], t.theta_i[k] == 0 ? 0 : turned(t.phi_i[k]), t.theta_o[k],
-          t.theta_o[k] == 0 ? 0 : turned(t.phi_o[k])};
+  return {t.theta_i[k], t.theta_i[k] == 0 ? 0 : within_turn(t.phi_i[k]), t.theta_o[k],
+          t.theta_o[k] == 0 ? 0 : within_turn(t.phi_o[k])};
 }
 
 // Returns whether the column writes some azimuth in two ways. A column with very many azimuths is assumed
@@ -40,14 +37,12 @@ bool has_turns(const std::vector<double>& azimuths) {
   }
   std::set<double> plain;
   for (const double phi : found)
-    if (!plain.insert(turned(phi)).second) return true;
+    if (!plain.insert(within_turn(phi)).second) return true;
   return false;
 }
 
 bool in_one_turn(const std::vector<double>& azimuths) {
-  for (const double phi : azimuths)
-    if (!(phi >= 0 && phi < 360)) return false;
-  return true;
+  return std::ranges::all_of(azimuths, [](double phi) { return phi >= 0 && phi < 360; });
 }
 
 bool have_turns(const std::vector<double>& azimuths) {

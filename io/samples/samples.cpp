@@ -24,6 +24,12 @@ void SampleTable::add_comment(std::string_view key, std::string_view value) {
   metadata.push_back(parse_comment(comment_text({std::string(key), std::string(value)})));
 }
 
+void SampleTable::set_channels(std::vector<std::string> names) {
+  channels = std::move(names);
+  values.assign(channels.size(), {});
+  sigma.assign(channels.size(), {});
+}
+
 void SampleTable::reserve(std::size_t rows) {
   for (auto* column : {&theta_i, &phi_i, &theta_o, &phi_o}) column->reserve(rows);
   for (auto& column : values) column.reserve(rows);
@@ -35,6 +41,11 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
   phi_i.push_back(phi_of_light);
   theta_o.push_back(theta_of_viewer);
   phi_o.push_back(phi_of_viewer);
+}
+
+void SampleTable::add_directions(const Vec3<double>& wi, const Vec3<double>& wo) {
+  const Polar light = polar_degrees(wi), viewer = polar_degrees(wo);
+  add_directions(light.theta, light.phi, viewer.theta, viewer.phi);
 }
 
 DirectionArrays<double> unit_directions(const SampleTable& table) {

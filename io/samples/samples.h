@@ -2,12 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "brdf/directions.h"
@@ -54,10 +51,13 @@ struct SampleTable {
   void assume(const std::string& sentence);
   // Adds a comment in the form that a file can hold: on one line, and as free text if the key is reserved.
   void add_comment(std::string_view key, std::string_view value);
+  // Sets the names of the channels, and gives each channel an empty column of values and of deviations.
+  void set_channels(std::vector<std::string> names);
   void reserve(std::size_t rows);
   // Adds a row of directions, in degrees. The caller adds the values.
   void add_directions(double theta_of_light, double phi_of_light, double theta_of_viewer,
                       double phi_of_viewer);
+  void add_directions(const Vec3<double>& wi, const Vec3<double>& wo);
 };
 
 // The origin of a table's values. Measured values are finite, which is a rule of the format. Computed

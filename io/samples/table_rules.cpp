@@ -2,11 +2,9 @@
 
 #include <utf8.h>
 
-#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
-#include "io/columns/comments.h"
 #include "io/columns/plain_names.h"
 #include "io/columns/polarisation_names.h"
 #include "io/columns/wavelengths.h"

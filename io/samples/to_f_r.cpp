@@ -1,6 +1,5 @@
 #include "io/samples/to_f_r.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/files/error.h"

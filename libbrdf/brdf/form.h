@@ -19,7 +19,6 @@
 //   Sampler              the sampler of its specular lobe (brdf/samplers.h)
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <string_view>
 #include <tuple>

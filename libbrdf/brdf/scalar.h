@@ -5,7 +5,6 @@
 // select(condition, a, b), never an `if`.
 #pragma once
 
-#include <concepts>
 #include <type_traits>
 
 // Fast mathematics breaks (x + magic) - magic and compensated sums. g++ from version 12 on defines a macro

@@ -39,7 +39,7 @@ void eval_aperture(const Material& material, const Vec3<double>& wi, const Vec3<
                    std::span<const ApertureNode> source, std::span<const ApertureNode> detector,
                    std::span<double> out) {
   std::vector<double> value(out.size());
-  std::fill(out.begin(), out.end(), 0.0);
+  std::ranges::fill(out, 0.0);
   for (const ApertureNode& from : source) {
     const Vec3<double> light = aperture_direction(wi, from);
     for (const ApertureNode& to : detector) {

@@ -55,7 +55,7 @@ class FloatValues {
 template <class Evaluate>
 void sum_terms(const Material& material, const Vec3<double>& wi, const Vec3<double>& wo,
                std::span<double> out, Evaluate&& evaluate) {
-  std::fill(out.begin(), out.end(), 0.0);
+  std::ranges::fill(out, 0.0);
   for (const Term& term : material.terms)
     for (std::size_t k = 0; k < out.size(); ++k) {
       double value = 0;
@@ -77,9 +77,9 @@ Material make_material(const Reflectance& form, std::vector<std::string> channel
 }
 
 bool is_anisotropic(const Material& material) {
-  return std::any_of(material.terms.begin(), material.terms.end(), [](const Term& term) {
+  return std::ranges::any_of(material.terms, [](const Term& term) {
     const auto axes = info(term.form).axes();
-    return axes.across >= 0 && std::any_of(term.shape.begin(), term.shape.end(), [&](const auto& set) {
+    return axes.across >= 0 && std::ranges::any_of(term.shape, [&](const auto& set) {
              return set[std::size_t(axes.along)] != set[std::size_t(axes.across)];
            });
   });

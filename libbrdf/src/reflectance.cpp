@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "brdf/samplers.h"
 #include "brdf/targets.h"
@@ -36,8 +35,7 @@ void by_double(const ParameterValues<float>& p, const Directions<float>& d, floa
 }  // namespace
 
 bool ReflectanceInfo::violates(std::string_view check) const {
-  return std::any_of(violations.begin(), violations.end(),
-                     [&](const Violation& v) { return v.check == check; });
+  return std::ranges::any_of(violations, [&](const Violation& v) { return v.check == check; });
 }
 
 int ReflectanceInfo::shape_index(std::string_view parameter) const {
@@ -130,7 +128,7 @@ std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> form
     const auto same = [&](const std::vector<Reflectance>& g) {
       return g.front().info().family == form.info().family;
     };
-    const auto group = std::find_if(groups.begin(), groups.end(), same);
+    const auto group = std::ranges::find_if(groups, same);
     if (group == groups.end())
       groups.push_back({form});
     else
@@ -141,7 +139,7 @@ std::vector<std::vector<Reflectance>> families(std::span<const Reflectance> form
 
 int catalogue_index(const Reflectance& reflectance) {
   const auto all = catalogue();
-  const auto found = std::find(all.begin(), all.end(), reflectance);
+  const auto found = std::ranges::find(all, reflectance);
   return found == all.end() ? -1 : int(found - all.begin());
 }
 

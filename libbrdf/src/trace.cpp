@@ -41,8 +41,7 @@ bool is_product(std::string_view op) {
   return op == "*" || op == "/";
 }
 bool has_constant(const Trace::Node& node) {
-  return std::any_of(node.operands.begin(), node.operands.end(),
-                     [](int operand) { return Trace::current()[operand].constant; });
+  return std::ranges::any_of(node.operands, [](int operand) { return Trace::current()[operand].constant; });
 }
 bool share_factor(const Trace::Node& a, const Trace::Node& b) {
   return a.code == "*" && b.code == "*" &&
@@ -70,7 +69,7 @@ void keep_as_written(std::string_view op, Traced& a, Traced& b) {
     return (is_sum(op) && is_sum(operand.code)) || (is_product(op) && is_product(operand.code));
   };
   const auto holds = [](const Trace::Node& node, Traced operand) {
-    return std::find(node.operands.begin(), node.operands.end(), operand.node()) != node.operands.end();
+    return std::ranges::find(node.operands, operand.node()) != node.operands.end();
   };
   const bool first =
       (joins(x) && ((y.constant && has_constant(x)) || holds(x, b))) || (is_sum(op) && share_factor(x, y));

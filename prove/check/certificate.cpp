@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "io/files/digest.h"
-#include "io/files/error.h"
 #include "io/files/fingerprint.h"
 #include "prove/check/rows.h"
 

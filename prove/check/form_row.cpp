@@ -1,11 +1,9 @@
 // Checks rows about forms over their whole domain.
 #include <algorithm>
 
-#include "brdf/integrals.h"
 #include "io/files/numbers.h"
 #include "io/material/settings.h"
 #include "io/samples/degrees.h"
-#include "io/samples/samples.h"
 #include "prove/check/channel.h"
 #include "prove/check/cover_walk.h"
 #include "prove/check/rows.h"
@@ -17,13 +15,6 @@ namespace brdf::prove {
 namespace {
 
 using io::JsonPlace;
-
-template <class Enum>
-Enum named(const JsonPlace& place) {
-  const auto found = find_named<Enum>(place.text());
-  if (!found) place.fail("must be one of " + known_names<Enum>());
-  return *found;
-}
 
 int catalogue_place(const JsonPlace& place) {
   const auto form = find_form(place.text());
@@ -156,9 +147,9 @@ void check_boxes(CheckedResult& r, const Claim& claim, const JsonPlace& row, lon
 }  // namespace
 
 Claim claim_of_row(const JsonPlace& row, int form) {
-  const auto property = named<Property>(row.at("property"));
+  const auto property = row.at("property").named<Property>();
   return {form, property,
-          is_of_a_precision(property) ? named<Precision>(row.at("scalar")) : Precision::double_type};
+          is_of_a_precision(property) ? row.at("scalar").named<Precision>() : Precision::double_type};
 }
 
 std::string other_words(const JsonPlace& row, const Claim& claim, std::string_view arithmetic) {

@@ -1,7 +1,6 @@
 #include "prove/energy/facet_albedo.h"
 
 #include <queue>
-#include <vector>
 
 namespace brdf::prove {
 namespace {

@@ -1,9 +1,6 @@
 // The rate at which an unbounded albedo grows towards grazing incidence.
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "prove/scalar/enclosed.h"
 
 namespace brdf::prove {

@@ -39,8 +39,6 @@ Domain domain_of(int form);
 // Encloses all values of f and of f cos_i on the box (low and high of each variable), rounded or exact.
 // lo = -inf if some intermediate value may leave the range of that precision.
 Bounds enclose_value(int form, Precision precision, std::span<const Bounds> box);
-// Encloses f alone.
-Bounds enclose_f(int form, Precision precision, std::span<const Bounds> box);
 
 // Returns the common bound of the two halves.
 double cut_of(const Variable& variable, Bounds range);

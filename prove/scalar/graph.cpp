@@ -71,7 +71,7 @@ std::vector<int> joined(std::string_view op, int a, int b) {
   std::vector<int> parts = Graph::current().parts(op, a);
   const std::vector<int> others = Graph::current().parts(op, b);
   parts.insert(parts.end(), others.begin(), others.end());
-  std::sort(parts.begin(), parts.end(), smaller_node);
+  std::ranges::sort(parts, smaller_node);
   return parts;
 }
 

@@ -52,15 +52,15 @@ struct OnBox {
   }
 };
 
-// Encloses f on the box; with `with_cosine`, also f cos_i.
+// Encloses f and f cos_i on the box.
 template <class F, class Base>
-Bounds enclose(std::span<const Bounds> box, bool with_cosine) {
+Bounds enclose(std::span<const Bounds> box) {
   using I = Interval<Base>;
   const OnBox<F, I> b(box);
   const auto value = [&](auto side) {
     sign_of_product = {side, false};
     const I f = eval(F{}, b.weights, b.first, b.shape, b.g);
-    return with_cosine ? hull(f, eval_cos(F{}, b.weights, b.first, b.shape, b.g)) : f;
+    return hull(f, eval_cos(F{}, b.weights, b.first, b.shape, b.g));
   };
   I f = value(Side::negative);
   if (sign_of_product.open) f = hull(f, value(Side::other));

@@ -15,7 +15,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -208,9 +207,8 @@ class Rounded {
   // sup_y exp(-y) (exp(e y) - 1) <= e/(1 - e) exp(-1), plus the results that are flushed to 0.
   friend Rounded exp(const Rounded& x) {
     constexpr double lowest = I::kSingle ? -80 : -690, highest = I::kSingle ? 88 : 709;
-    if (!(x.range.hi + x.absolute <= highest)) {
+    if (!(x.range.hi + x.absolute <= highest))
       if (!(x.range.hi <= 0 && x.relative.known())) return unknown();
-    }
     Rounded r = unknown();
     r.range = {x.range.lo <= -745 ? 0 : exp_at(x.range.lo).lo, exp_at(std::max(x.range.hi, -745.0)).hi};
     if (x.range.lo - x.absolute > lowest && x.absolute < 0.25)

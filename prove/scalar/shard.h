@@ -20,14 +20,13 @@ void with_form_of_shard(int place, const Call& call) {
   }(std::make_index_sequence<kFormCount>{});
 }
 
-// Encloses f, or f and f cos_i, of a form of this shard.
+// Encloses f and f cos_i of a form of this shard.
 template <int kShard>
-Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> box, bool with_cosine) {
+Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> box) {
   Bounds result{};
   with_form_of_shard<kShard>(place, [&](auto form) {
     using F = decltype(form);
-    result = precision == Precision::float_type ? enclose<F, float>(box, with_cosine)
-                                                : enclose<F, double>(box, with_cosine);
+    result = precision == Precision::float_type ? enclose<F, float>(box) : enclose<F, double>(box);
   });
   return result;
 }

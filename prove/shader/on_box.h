@@ -8,7 +8,6 @@
 // the language, the result of the operation is poison, and so are all results that depend on it.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 

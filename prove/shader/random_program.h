@@ -1,7 +1,6 @@
 // Random shaders: sound ones, and shaders with a planted violation that few samples would meet.
 #pragma once
 
-#include <cstdint>
 #include <random>
 #include <string>
 

@@ -160,9 +160,8 @@ BytePicture lobe_picture(const std::vector<LobeCurve>& curves, double theta_i_de
     left += text_width(text, pixels) + 1.5f * float(pixels);
   };
   word("incidence " + io::short_number(theta_i_degrees, 3) + "°", kLobeLight);
-  for (std::size_t c = 0; c < curves.size(); ++c) {
+  for (std::size_t c = 0; c < curves.size(); ++c)
     if (is_shown(solo, c)) word(curves[c].name, curves[c].color);
-  }
   if (dots.empty()) return out;
   left = float(pixels);
   line += 2 * float(pixels);

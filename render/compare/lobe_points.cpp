@@ -12,8 +12,7 @@ namespace {
 
 bool was_turned(const io::SampleTable& table) {
   const auto off = [](double phi) { return std::abs(io::sin_degrees(phi)) > io::sin_degrees(kNearLight); };
-  return std::any_of(table.phi_i.begin(), table.phi_i.end(), off) &&
-         !std::all_of(table.phi_i.begin(), table.phi_i.end(), off);
+  return std::ranges::any_of(table.phi_i, off) && !std::ranges::all_of(table.phi_i, off);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "render/compare/pictures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "io/formats/read.h"
@@ -211,9 +210,8 @@ void Pictures::measure_noise() {
 
 void Pictures::draw_other_material(const ViewState& state) {
   PreparedScene other = prepared_;
-  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k) {
+  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k)
     if (state.everywhere || k == state.selected) other.scene.objects[k].material = *state.material;
-  }
   update_items(other);
   if (b_) {
     b_->update(other);

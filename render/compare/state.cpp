@@ -29,9 +29,8 @@ Scene with_absolute_names(Scene scene) {
   for (Object& object : scene.objects) {
     const std::filesystem::path file = scene.folder / object.mesh;
     if (std::filesystem::is_regular_file(file)) object.mesh = std::filesystem::absolute(file).string();
-    for (auto& texture : object.textures) {
+    for (auto& texture : object.textures)
       if (texture) texture = std::filesystem::absolute(scene.folder / *texture);
-    }
   }
   return scene;
 }
@@ -61,14 +60,14 @@ ViewState state_from_json(const JsonPlace& root) {
   ViewState state;
   state.scene = scene_from_json(root.at("scene"), "");
   state.selected = std::size_t(root.at("selected").number(0, double(state.scene.objects.size() - 1)));
-  state.other = read_named<Other>(root.at("compare_with"));
+  state.other = root.at("compare_with").named<Other>();
   if (root.has("material")) {
     state.material = io::material_from_json(root.at("material")).material;
     state.material_name = root.at("material_name").text();
     if (root.has("everywhere")) state.everywhere = read_flag(root.at("everywhere"));
   }
   if (root.has("samples")) state.samples = root.at("samples").text();
-  state.display = read_named<Display>(root.at("display"));
+  state.display = root.at("display").named<Display>();
   state.split = float(root.at("split").number(0, 1));
   state.turntable = read_flag(root.at("turntable"));
   const JsonPlace plot = root.at("plot");
@@ -88,7 +87,7 @@ ViewState state_from_json(const JsonPlace& root) {
 bool is_model(const std::filesystem::path& file) {
   const std::string suffix = lower_case_suffix(file);
   const std::array known{".obj", ".x", ".ply", ".stl", ".fbx", ".dae", ".gltf", ".glb", ".3ds"};
-  return std::find(known.begin(), known.end(), suffix) != known.end();
+  return std::ranges::find(known, suffix) != known.end();
 }
 
 }  // namespace
@@ -263,32 +262,20 @@ void fit(Camera& camera, const glm::vec4& bounds) {
 
 namespace {
 
-struct SceneBox {
-  glm::vec3 low{1e30f}, high{-1e30f};
-  glm::vec3 size() const { return high - low; }
-  bool flat() const {
-    return std::min({size().x, size().y, size().z}) < 1e-3f * std::max({size().x, size().y, size().z});
-  }
-  void add(const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-};
-
-glm::vec4 sphere_round(const SceneBox& box) {
+glm::vec4 sphere_round(const PointBox& box) {
   return glm::vec4((box.low + box.high) / 2.0f, std::max(glm::length(box.size()) / 2, 1e-4f));
 }
 
 }  // namespace
 
 glm::vec4 bounds_of(const PreparedScene& scene, std::optional<std::size_t> object) {
-  SceneBox solid;
+  PointBox solid;
   for (const Item& item : scene.layers[0]) {
     if (object && item.object != *object) continue;
-    SceneBox own;
+    PointBox own;
     for (const Vertex& vertex : scene.meshes[item.object]->vertices)
       own.add(item.origin + item.linear * vertex.position);
-    if (!object && own.flat()) continue;
+    if (!object && own.is_flat()) continue;
     solid.add(own.low);
     solid.add(own.high);
   }

@@ -1,7 +1,5 @@
 #include "render/gpu/classic_pass.h"
 
-#include <cmath>
-
 #include "render/gpu/passes.h"
 #include "render/gpu/shader_code.h"
 
@@ -55,11 +53,11 @@ VkPipeline ClassicPass::pipeline(const Scene& scene) {
 void ClassicPass::record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, Image& color,
                          Image& depth) {
   const VkPipeline drawing = pipeline(scene.scene);
-  const std::array sets{gpu.frame_set(), table_set(scene.scene.as_coded)};
+  const VkDescriptorSet table = table_set(scene.scene.as_coded);
   begin_forward(commands, color, depth);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, drawing);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0,
-                          std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+  bind(commands, layout_.get(), 0, gpu.frame_set());
+  bind(commands, layout_.get(), 1, table);
   for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
     gpu.draw(commands, layout_.get(), object, item_index(scene, 0, object),
              scene.scene.shading == Shading::flat);

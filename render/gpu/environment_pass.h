@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <utility>
 
 #include "render/gpu/passes.h"
 #include "render/gpu/running_mean.h"

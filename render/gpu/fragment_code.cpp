@@ -15,14 +15,13 @@ void require_shader(const Reflectance& reflectance) {
 }
 
 void ReflectanceNumbers::add(const Reflectance& reflectance) {
-  if (catalogue_index(reflectance) < 0 &&
-      std::find(others_.begin(), others_.end(), reflectance) == others_.end())
+  if (catalogue_index(reflectance) < 0 && std::ranges::find(others_, reflectance) == others_.end())
     others_.push_back(reflectance);
 }
 
 int ReflectanceNumbers::of(const Reflectance& reflectance) const {
   if (const int index = catalogue_index(reflectance); index >= 0) return index;
-  const auto found = std::find(others_.begin(), others_.end(), reflectance);
+  const auto found = std::ranges::find(others_, reflectance);
   return int(catalogue().size()) + int(found - others_.begin());
 }
 

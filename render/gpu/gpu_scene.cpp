@@ -114,9 +114,8 @@ GpuScene::GpuScene(Device& device, const PreparedScene& scene) : device_(&device
   maps_layout_ = make_set_layout(device, kMapBindings);
   frame_pool_ = make_descriptor_pool(device, kFrameBindings, 1);
   frame_set_ = allocate_set(device, frame_pool_.get(), frame_layout_.get());
-  for (const auto& mesh : sources_) {
+  for (const auto& mesh : sources_)
     if (!meshes_.contains(mesh.get())) meshes_.emplace(mesh.get(), upload_mesh(*mesh));
-  }
   upload_textures(scene);
   set_shadow_map(white_.view(), sampler_.get());
   update(scene);

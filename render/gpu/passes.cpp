@@ -13,14 +13,26 @@ constexpr std::array<Binding, 1> kTargetBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kTargetCount)}};
 constexpr VkImageLayout kColorLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
 
-VkRenderingInfo rendering_info(VkExtent2D extent, std::span<const VkRenderingAttachmentInfo> colors,
-                               const VkRenderingAttachmentInfo* depth) {
+// Begins to draw on the whole extent.
+void begin_rendering(VkCommandBuffer commands, VkExtent2D extent,
+                     std::span<const VkRenderingAttachmentInfo> colors,
+                     const VkRenderingAttachmentInfo* depth = nullptr) {
   VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
   info.renderArea.extent = extent;
   info.layerCount = 1;
   info.colorAttachmentCount = std::uint32_t(colors.size());
   info.pColorAttachments = colors.data();
   info.pDepthAttachment = depth;
+  vkCmdBeginRendering(commands, &info);
+  set_viewport(commands, extent);
+}
+
+// Makes the image the depth attachment, cleared at the beginning and left out at the end.
+VkRenderingAttachmentInfo cleared_depth(VkCommandBuffer commands, Image& depth) {
+  depth.transition(commands, Use::depth_attachment, true);
+  VkRenderingAttachmentInfo info =
+      attachment(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+  info.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
   return info;
 }
 
@@ -49,8 +61,7 @@ void draw_screen(VkCommandBuffer commands, VkPipeline pipeline) {
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer) {
   std::vector<Reflectance> forms;
   for (const Item& item : layer)
-    if (item.form && std::find(forms.begin(), forms.end(), *item.form) == forms.end())
-      forms.push_back(*item.form);
+    if (item.form && std::ranges::find(forms, *item.form) == forms.end()) forms.push_back(*item.form);
   return forms;
 }
 
@@ -91,10 +102,7 @@ VkRenderingAttachmentInfo attachment(const Image& image, VkImageLayout layout, V
 void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images, VkAttachmentLoadOp load) {
   std::vector<VkRenderingAttachmentInfo> colors;
   for (const Image* image : images) colors.push_back(attachment(*image, kColorLayout, load, glm::vec4(0)));
-  const VkExtent2D extent = (*images.begin())->extent();
-  const VkRenderingInfo info = rendering_info(extent, colors, nullptr);
-  vkCmdBeginRendering(commands, &info);
-  set_viewport(commands, extent);
+  begin_rendering(commands, (*images.begin())->extent(), colors);
 }
 
 VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
@@ -136,10 +144,8 @@ void SkyPass::record(VkCommandBuffer commands, const PreparedScene& scene, const
   const auto target =
       attachment(color, kColorLayout, sky ? VK_ATTACHMENT_LOAD_OP_DONT_CARE : VK_ATTACHMENT_LOAD_OP_CLEAR,
                  glm::vec4(scene.scene.background, 0));
-  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, nullptr);
-  vkCmdBeginRendering(commands, &info);
+  begin_rendering(commands, color.extent(), {&target, 1});
   if (sky) {
-    set_viewport(commands, color.extent());
     bind(commands, layout_.get(), 0, gpu.frame_set());
     draw_screen(commands, pipeline_.get());
   }
@@ -154,9 +160,8 @@ DeferredPass::DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer
   targets_layout_ = make_set_layout(device, kTargetBindings);
   targets_pool_ = make_descriptor_pool(device, kTargetBindings, 1);
   targets_set_ = allocate_set(device, targets_pool_.get(), targets_layout_.get());
-  for (std::uint32_t k = 0; k < kTargetCount; ++k) {
+  for (std::uint32_t k = 0; k < kTargetCount; ++k)
     write_image(device, targets_set_, 0, gbuffer.targets[k].view(), sampler_.get(), k);
-  }
   const std::array geometry_sets{gpu.frame_layout(), gpu.maps_layout()};
   const std::array lighting_sets{gpu.frame_layout(), targets_layout_.get()};
   geometry_layout_ = make_pipeline_layout(device, geometry_sets, sizeof(int));
@@ -198,14 +203,8 @@ void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer) {
     gbuffer.targets[k].transition(commands, Use::color_attachment, true);
     colors[k] = attachment(gbuffer.targets[k], kColorLayout, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
   }
-  gbuffer.depth.transition(commands, Use::depth_attachment, true);
-  VkRenderingAttachmentInfo depth = attachment(gbuffer.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL,
-                                               VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
-  depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-  const VkExtent2D extent = gbuffer.depth.extent();
-  const VkRenderingInfo info = rendering_info(extent, colors, &depth);
-  vkCmdBeginRendering(commands, &info);
-  set_viewport(commands, extent);
+  const VkRenderingAttachmentInfo depth = cleared_depth(commands, gbuffer.depth);
+  begin_rendering(commands, gbuffer.depth.extent(), colors, &depth);
 }
 
 void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
@@ -225,34 +224,24 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
                                    std::size_t layer, Image& color) {
   for (Image& target : gbuffer_->targets) target.transition(commands, Use::sampled);
   color.transition(commands, Use::color_attachment);
-  const auto target = attachment(color, kColorLayout, VK_ATTACHMENT_LOAD_OP_LOAD, glm::vec4(0));
-  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, nullptr);
-  vkCmdBeginRendering(commands, &info);
-  set_viewport(commands, color.extent());
+  begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, lighting_layout_.get(), 0, gpu.frame_set());
   bind(commands, lighting_layout_.get(), 1, targets_set_);
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = covered_by_form(scene, layer, form, color.extent());
     vkCmdSetScissor(commands, 0, 1, &scissor);
     const int single = only_item(scene, layer, form);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0));
     vkCmdPushConstants(commands, lighting_layout_.get(), kDrawingStages, 0, sizeof single, &single);
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    draw_screen(commands, lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0));
   }
   vkCmdEndRendering(commands);
 }
 
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth, VkAttachmentLoadOp load) {
   color.transition(commands, Use::color_attachment, load == VK_ATTACHMENT_LOAD_OP_CLEAR);
-  depth.transition(commands, Use::depth_attachment, true);
   const auto target = attachment(color, kColorLayout, load, glm::vec4(0));
-  VkRenderingAttachmentInfo depth_target =
-      attachment(depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
-  depth_target.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
-  const VkRenderingInfo info = rendering_info(color.extent(), {&target, 1}, &depth_target);
-  vkCmdBeginRendering(commands, &info);
-  set_viewport(commands, color.extent());
+  const VkRenderingAttachmentInfo depth_target = cleared_depth(commands, depth);
+  begin_rendering(commands, color.extent(), {&target, 1}, &depth_target);
 }
 
 ForwardPass::ForwardPass(Device& device, const GpuScene& gpu)

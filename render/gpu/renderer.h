@@ -1,7 +1,6 @@
 // Draws a prepared scene without a window; the viewer records the same passes into its own frames.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -30,8 +30,7 @@ ShadowPass::ShadowPass(Device& device, GpuScene& gpu)
 void ShadowPass::record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu) {
   begin_forward(commands, map_, depth_, VK_ATTACHMENT_LOAD_OP_CLEAR);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
-  const VkDescriptorSet frame = gpu.frame_set();
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_.get(), 0, 1, &frame, 0, nullptr);
+  bind(commands, layout_.get(), 0, gpu.frame_set());
   for (std::size_t object = 0; object < scene.meshes.size(); ++object)
     gpu.draw(commands, layout_.get(), object, item_index(scene, 0, object));
   vkCmdEndRendering(commands);

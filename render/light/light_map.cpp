@@ -36,7 +36,7 @@ struct Cell {
 Cell cell_at(std::span<const float> ends, double u) {
   // The value stays below 1, so that cells without probability are never found.
   const float below = std::min(float(u), 1 - 0x1p-24f);
-  const auto found = std::upper_bound(ends.begin(), ends.end(), below);
+  const auto found = std::ranges::upper_bound(ends, below);
   const auto index = found - ends.begin();
   const double low = index > 0 ? double(ends[std::size_t(index - 1)]) : 0, high = double(*found);
   return {int(index), std::clamp((u - low) / std::max(high - low, 1e-30), 0.0, 1 - 0x1p-24)};
@@ -60,7 +60,7 @@ LightMap::LightMap(int width, int height, const std::vector<glm::vec3>& radiance
     }
     set_distribution(row, row_of(y));
   }
-  if (std::all_of(sums.begin(), sums.end(), [](double s) { return s == 0; }))
+  if (std::ranges::all_of(sums, [](double s) { return s == 0; }))
     for (std::size_t y = 0; y < sums.size(); ++y) sums[y] = solid_angle(int(y), width, height);
   set_distribution(sums, rows_);
   texels_.reserve(radiance.size());

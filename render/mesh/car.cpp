@@ -54,9 +54,8 @@ void smooth_normals(Mesh& mesh, int around) {
     glm::vec3& last = mesh.vertices[first + row - 1].normal;
     last = mesh.vertices[first].normal = mesh.vertices[first].normal + last;
   }
-  for (Vertex& v : mesh.vertices) {
+  for (Vertex& v : mesh.vertices)
     v.normal = glm::dot(v.normal, v.normal) > 0 ? glm::normalize(v.normal) : glm::vec3(0, 1, 0);
-  }
 }
 
 // Returns a Catmull-Rom interpolation of a few stations with many stations.

@@ -159,9 +159,8 @@ void make_tangents(Mesh& mesh) {
 
 void clean(Mesh& mesh, const std::string& source) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (!finite(mesh.vertices[v].position)) {
+    if (!finite(mesh.vertices[v].position))
       throw InputError(source + ": vertex " + std::to_string(v + 1) + " is not finite");
-    }
   }
   std::vector<std::uint32_t> kept;
   for (std::size_t f = 0; f + 2 < mesh.indices.size(); f += 3) {
@@ -191,12 +190,9 @@ Mesh flat_shaded(const Mesh& mesh) {
 }
 
 glm::vec4 bounding_sphere(const Mesh& mesh) {
-  glm::vec3 low(INFINITY), high(-INFINITY);
-  for (const Vertex& v : mesh.vertices) {
-    low = glm::min(low, v.position);
-    high = glm::max(high, v.position);
-  }
-  const glm::vec3 center = (low + high) / 2.0f;
+  PointBox box;
+  for (const Vertex& v : mesh.vertices) box.add(v.position);
+  const glm::vec3 center = (box.low + box.high) / 2.0f;
   float radius = 0;
   for (const Vertex& v : mesh.vertices) radius = std::max(radius, glm::distance(center, v.position));
   return {center, radius};
@@ -232,7 +228,7 @@ Mesh make_mesh(const std::string& specification, const std::filesystem::path& fo
   if (kind == "checker_odd") return make_plane(plain ? 8 : count_of(specification, colon, 2, 1000), 1);
   const std::string part = plain ? "" : specification.substr(colon + 1);
   const auto is_part = [&](std::initializer_list<std::string_view> parts) {
-    return plain || std::find(parts.begin(), parts.end(), part) != parts.end();
+    return plain || std::ranges::find(parts, part) != parts.end();
   };
   if (kind == "car" && is_part({"body", "cabin", "wheels"})) return make_car(part);
   if (kind == "shader_ball" && is_part({"ball", "stand"})) return make_shader_ball(part);

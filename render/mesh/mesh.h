@@ -1,6 +1,7 @@
 // Triangle meshes: procedural shapes, text wrapped round a sphere, and models read by Assimp.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -15,6 +16,21 @@ struct Vertex {
   glm::vec3 normal;
   glm::vec4 tangent;  // w: handedness, bitangent = w * cross(normal, tangent)
   glm::vec2 uv;       // v upwards
+};
+
+// The smallest box, along the axes, that holds points. Without a point, low exceeds high.
+struct PointBox {
+  glm::vec3 low{1e30f}, high{-1e30f};
+
+  void add(const glm::vec3& point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  glm::vec3 size() const { return high - low; }
+  bool is_flat() const {
+    const glm::vec3 s = size();
+    return std::min({s.x, s.y, s.z}) < 1e-3f * std::max({s.x, s.y, s.z});
+  }
 };
 
 struct Mesh {

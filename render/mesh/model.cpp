@@ -115,9 +115,8 @@ Mesh load_model(const std::filesystem::path& file) {
       file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_JoinIdenticalVertices |
                          aiProcess_GenSmoothNormals | aiProcess_CalcTangentSpace);
   if (failure) std::rethrow_exception(failure);
-  if (!scene || !scene->mRootNode) {
+  if (!scene || !scene->mRootNode)
     throw InputError(file.string() + ": cannot be read as a model: " + importer.GetErrorString());
-  }
   Mesh mesh;
   collect(*scene, *scene->mRootNode, glm::mat4(1), file.string(), mesh);
   clean(mesh, file.string());

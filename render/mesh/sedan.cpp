@@ -2,12 +2,13 @@
 // of one surface, and wheels made by the lathe.
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "brdf/scalar.h"
+#include "render/mesh/lathe.h"
 #include "render/mesh/loft.h"
 #include "render/mesh/mesh.h"
 #include "render/mesh/spline.h"
-#include "render/mesh/wheel.h"
 
 namespace brdf::render {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using glm::vec3;
 
 constexpr float kHalfLength = 2.2f, kSill = 0.19f, kWidest = 0.52f;  // the height at which the body is widest
+constexpr float kTyreRadius = 0.34f;
 constexpr float kAxle = 1.34f, kHub = kTyreRadius, kArch = 0.425f;
 constexpr float kInner = 0.5f;  // from the middle to the wall behind a wheel
 
@@ -88,7 +90,7 @@ std::vector<float> stations() {
     for (int k = 0; k <= 40; ++k)
       out.push_back(axle - (kArch - 1e-4f) * std::cos(float(kPi) * float(k) / 40));
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   return out;
 }
 
@@ -176,6 +178,42 @@ Mesh cabin(bool glass) {
 // --- Wheels, lamps and dark parts
 // -----------------------------------------------------------------------------
 
+// Turns a mesh of the lathe, which has the axis y, onto the axle.
+Mesh onto_axle(const Mesh& turned) {
+  Mesh out;
+  append(out, turned, glm::rotate(glm::mat4(1), float(kPi / 2), {1, 0, 0}));
+  return out;
+}
+
+Mesh tyre() {
+  return onto_axle(lathe(filleted({{{0, -0.1f}},
+                                   {{0.3f, -0.1f}, 0.02f},
+                                   {{kTyreRadius, -0.07f}, 0.05f},
+                                   {{kTyreRadius, 0.07f}, 0.05f},
+                                   {{0.30f, 0.105f}, 0.03f},
+                                   {{0.235f, 0.09f}, 0.01f},
+                                   {{0.225f, 0.02f}, 0.01f},
+                                   {{0, 0.0f}}},
+                                  6),
+                         96));
+}
+
+// Ten spokes.
+Mesh rim() {
+  const Mesh ring = lathe(
+      filleted({{{0.236f, 0.03f}}, {{0.236f, 0.1f}, 0.006f}, {{0.214f, 0.1f}, 0.006f}, {{0.214f, 0.0f}}}, 4),
+      96);
+  const Mesh hub = lathe(filleted({{{0.055f, 0.0f}}, {{0.055f, 0.085f}, 0.02f}, {{0, 0.085f}}}, 6), 48);
+  Mesh all = onto_axle(ring);
+  append(all, onto_axle(hub));
+  const Mesh rod = make_sphere(24, 16);
+  for (int k = 0; k < 10; ++k) {
+    const glm::mat4 turn = glm::rotate(glm::mat4(1), 2 * float(kPi) * float(k) / 10, {0, 0, 1});
+    append(all, placed(rod, {0.135f, 0, 0.058f}, {0.1f, 0.02f, 0.022f}), turn);
+  }
+  return all;
+}
+
 // Places a wheel at each axle end. The axle of `wheel` runs along z, its outer side is at positive z.
 Mesh at_every_wheel(const Mesh& wheel) {
   const Mesh lying = placed(wheel, vec3(0));
@@ -194,7 +232,7 @@ Mesh lamps() {
 Mesh trim() {
   Mesh all = housing(-kAxle);
   append(all, housing(kAxle));
-  append(all, at_every_wheel(make_tyre()));
+  append(all, at_every_wheel(tyre()));
   const Mesh ball = make_sphere(64, 32);
   append(all, placed(ball, {2.03f, 0.40f, 0}, {0.2f, 0.06f, 0.5f}));   // the air intake
   append(all, placed(ball, {-2.03f, 0.38f, 0}, {0.2f, 0.05f, 0.5f}));  // below the boot
@@ -217,7 +255,7 @@ Mesh make_sedan(std::string_view part) {
   if (wanted("body")) append(sedan, painted());
   if (wanted("windows")) append(sedan, cabin(true));
   if (wanted("trim")) append(sedan, trim());
-  if (wanted("metal")) append(sedan, at_every_wheel(make_rim()));
+  if (wanted("metal")) append(sedan, at_every_wheel(rim()));
   if (wanted("lamps")) append(sedan, lamps());
   make_tangents(sedan);
   clean(sedan, "sedan");

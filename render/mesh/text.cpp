@@ -85,9 +85,8 @@ std::pair<std::vector<Contour>, double> text_outlines(std::string_view text,
     outline.offset.x += double(face->glyph->advance.x);
   }
   const double em = face->units_per_EM;
-  for (Contour& contour : outline.contours) {
+  for (Contour& contour : outline.contours)
     for (glm::dvec2& p : contour) p /= em;
-  }
   return {std::move(outline.contours), outline.offset.x / em};
 }
 
@@ -141,9 +140,8 @@ Triangles tessellated(const std::vector<Contour>& contours) {
 // that no gap opens.
 void add_refined(std::array<glm::dvec2, 3> t, Triangles& out) {
   int longest = 0;
-  for (int e = 1; e < 3; ++e) {
+  for (int e = 1; e < 3; ++e)
     if (glm::distance(t[e], t[(e + 1) % 3]) > glm::distance(t[longest], t[(longest + 1) % 3])) longest = e;
-  }
   const glm::dvec2 a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3];
   if (glm::distance(a, b) <= kLongestEdge) {
     out.push_back(t);
@@ -165,9 +163,8 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) 
   // The longitude is proportional to x, and the text goes round at most once; the middle of the capitals
   // lies on the equator.
   const double scale = std::min(double(kLatitude), 2 * kPi / width);
-  for (Contour& contour : contours) {
+  for (Contour& contour : contours)
     for (glm::dvec2& p : contour) p = (p - glm::dvec2(width / 2, 0.36)) * scale;
-  }
   Triangles fine;
   for (const auto& triangle : tessellated(contours)) add_refined(triangle, fine);
   Mesh mesh;

@@ -33,7 +33,7 @@ Mesh grooved_ball() {
                                        {on(sign * kLip, 1.0005f), 0.022f},
                                        {on(sign * kFloor, kCore), 0.022f},
                                        {on(sign * (kFloor - 2), kCore)}};
-    if (sign > 0) std::reverse(corners.begin(), corners.end());
+    if (sign > 0) std::ranges::reverse(corners);
     return filleted(corners, 10);
   };
   const Profile core = arc({0, 0}, kCore, radians_of(-kFloor + 2), radians_of(kFloor - 2), 12);

@@ -49,15 +49,13 @@ float distance_to_segment(glm::vec2 p, glm::vec2 a, glm::vec2 b) {
 void blend(BytePicture& picture, int x, int y, ByteColor color, float share) {
   if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) return;
   ByteColor& pixel = picture.pixels[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)];
-  for (std::size_t c = 0; c < 3; ++c) {
+  for (std::size_t c = 0; c < 3; ++c)
     pixel[c] = std::uint8_t(std::lround(glm::mix(float(pixel[c]), float(color[c]), share)));
-  }
 }
 
 void fill(BytePicture& picture, glm::ivec2 corner, glm::ivec2 size, ByteColor color, float share) {
-  for (int y = corner.y; y < corner.y + size.y; ++y) {
+  for (int y = corner.y; y < corner.y + size.y; ++y)
     for (int x = corner.x; x < corner.x + size.x; ++x) blend(picture, x, y, color, share);
-  }
 }
 
 void draw_path(BytePicture& picture, const std::vector<glm::vec2>& points, float width, ByteColor color) {
@@ -114,9 +112,8 @@ void draw_text(BytePicture& picture, glm::vec2 baseline, const std::string& text
     const int top = int(std::lround(baseline.y)) - glyph.bitmap_top;
     for (unsigned y = 0; y < glyph.bitmap.rows; ++y) {
       const unsigned char* row = glyph.bitmap.buffer + std::ptrdiff_t(y) * glyph.bitmap.pitch;
-      for (unsigned x = 0; x < glyph.bitmap.width; ++x) {
+      for (unsigned x = 0; x < glyph.bitmap.width; ++x)
         if (row[x]) blend(picture, left + int(x), top + int(y), color, float(row[x]) / 255);
-      }
     }
   });
 }

@@ -26,9 +26,8 @@ std::array<std::uint8_t, 3> to_bytes(glm::vec3 c, float threshold = 0.5f) {
 
 Picture picture_from(int width, int height, const std::vector<float>& rgba) {
   Picture picture(width, height);
-  for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
     picture.pixels[k] = {rgba[4 * k], rgba[4 * k + 1], rgba[4 * k + 2], rgba[4 * k + 3]};
-  }
   return picture;
 }
 
@@ -96,7 +95,7 @@ std::vector<double> surface_brightness(const Picture& picture) {
     const float most = std::max({p.r, p.g, p.b});
     if (is_surface(p) && most > 0) out.push_back(double(most));
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   return out;
 }
 

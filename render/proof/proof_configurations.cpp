@@ -1,7 +1,7 @@
 #include <cmath>
 #include <random>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 #include "brdf/random.h"
 #include "render/proof/shader_proof.h"
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "brdf/geometry.h"
 #include "io/files/error.h"
 #include "render/gpu/fragment_code.h"
 #include "render/gpu/reflectance_glsl.h"

@@ -1,7 +1,5 @@
 #include "render/reference/environment_light.h"
 
-#include <cmath>
-
 namespace brdf::render {
 namespace {
 

@@ -69,9 +69,8 @@ class SceneRays {
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.vertices.size()));
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
       vertices[v] = item.origin + item.linear * mesh.vertices[v].position;
-    }
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles()));
     std::copy(mesh.indices.begin(), mesh.indices.end(), indices);

@@ -82,7 +82,7 @@ SurfaceHit surface_at(const PreparedScene& scene, const Item& item, std::uint32_
   s.tangent = glm::normalize(t - s.normal * glm::dot(s.normal, t));
   s.bitangent = glm::cross(s.normal, s.tangent) * (tangent.w < 0 ? -1.0f : 1.0f);
   const TextureSet& maps = scene.textures[item.object];
-  if (std::any_of(maps.begin(), maps.end(), [](const auto& map) { return bool(map); })) {
+  if (std::ranges::any_of(maps, [](const auto& map) { return bool(map); })) {
     apply_maps(maps, item, a.uv * w + b.uv * u + c.uv * v, ray, s);
     s.diffuse = diffuse_of(s, diffuse);
   }

@@ -79,7 +79,7 @@ void update_items(PreparedScene& prepared) {
     layers = std::max(layers, items.back().size());
   }
   prepared.layers.assign(layers, {});
-  glm::vec3 low(1e30f), high(-1e30f);
+  PointBox box;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const glm::vec4 bound = bounding_sphere(*prepared.meshes[k]);
     items[k].resize(layers);
@@ -94,11 +94,11 @@ void update_items(PreparedScene& prepared) {
       item.extent = stretch * (glm::length(glm::vec3(bound)) + bound.w);
       prepared.layers[layer].push_back(item);
       const glm::vec3 center = item.origin + item.linear * glm::vec3(bound);
-      low = glm::min(low, center - stretch * bound.w);
-      high = glm::max(high, center + stretch * bound.w);
+      box.add(center - stretch * bound.w);
+      box.add(center + stretch * bound.w);
     }
   }
-  prepared.bounds = glm::vec4((low + high) / 2.0f, glm::length(high - low) / 2);
+  prepared.bounds = glm::vec4((box.low + box.high) / 2.0f, glm::length(box.size()) / 2);
 }
 
 namespace {

@@ -38,7 +38,7 @@ void read(const JsonPlace& place, std::string_view key, bool& out) {
 }
 template <class Enum>
 void read(const JsonPlace& place, std::string_view key, Enum& out) {
-  if (place.has(key)) out = read_named<Enum>(place.at(key));
+  if (place.has(key)) out = place.at(key).named<Enum>();
 }
 
 void require_direction(const JsonPlace& place, const glm::vec3& v) {

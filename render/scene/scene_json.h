@@ -14,12 +14,5 @@ io::Json to_json(const Scene& scene);
 void require_format(const io::JsonPlace& place, std::string_view format);
 // Reads true or false. Throws InputError for any other value.
 bool read_flag(const io::JsonPlace& place);
-// Reads the name of an enumerator. Throws InputError with the known names for any other text.
-template <class Enum>
-Enum read_named(const io::JsonPlace& place) {
-  const std::optional<Enum> found = find_named<Enum>(place.text());
-  if (!found) place.fail("must be one of " + known_names<Enum>());
-  return *found;
-}
 
 }  // namespace brdf::render

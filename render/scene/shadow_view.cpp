@@ -6,30 +6,16 @@
 namespace brdf::render {
 namespace {
 
-struct Box {
-  glm::vec3 low{1e30f}, high{-1e30f};
-  void add(const glm::vec3& p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  glm::vec3 size() const { return high - low; }
-};
-
-bool is_flat(const Box& box) {
-  const glm::vec3 size = box.size();
-  return std::min({size.x, size.y, size.z}) < 1e-3f * std::max({size.x, size.y, size.z});
-}
-
 // Returns the box of the objects in the axes of `rows`; flat objects count only if there are no others.
-Box box_along(const PreparedScene& prepared, const glm::mat3& rows) {
-  Box solid, all;
+PointBox box_along(const PreparedScene& prepared, const glm::mat3& rows) {
+  PointBox solid, all;
   for (const Item& item : prepared.layers[0]) {
-    Box own, turned;
+    PointBox own, turned;
     for (const Vertex& vertex : prepared.meshes[item.object]->vertices) {
       own.add(vertex.position);
       turned.add((item.origin + item.linear * vertex.position) * rows);
     }
-    for (Box* box : {&all, is_flat(own) ? nullptr : &solid}) {
+    for (PointBox* box : {&all, own.is_flat() ? nullptr : &solid}) {
       if (!box) continue;
       box->add(turned.low);
       box->add(turned.high);
@@ -52,7 +38,7 @@ std::optional<ShadowView> shadow_view(const PreparedScene& prepared) {
   const glm::vec3 to_light = -glm::normalize(prepared.scene.lights[*light].vector);
   const glm::vec3 other = std::abs(to_light.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 right = glm::normalize(glm::cross(other, to_light)), up = glm::cross(to_light, right);
-  const Box box = box_along(prepared, {right, up, to_light});
+  const PointBox box = box_along(prepared, {right, up, to_light});
   // A border of one per cent keeps the filter's taps inside.
   const glm::vec2 half = 0.505f * glm::max(glm::vec2(box.size()), glm::vec2(1e-6f));
   const glm::vec2 middle = (glm::vec2(box.low) + glm::vec2(box.high)) / 2.0f;

@@ -81,8 +81,7 @@ Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::str
   constexpr float kTurn = -30, kAbove = 14;  // degrees
   Scene scene = material_scene(materials);
   const auto& shapes = dressed_shapes();
-  const auto found =
-      std::find_if(shapes.begin(), shapes.end(), [&](const Shape& s) { return s.name == shape; });
+  const auto found = std::ranges::find_if(shapes, [&](const Shape& s) { return s.name == shape; });
   const Shape chosen = found == shapes.end() ? Shape{shape, shape, kTurn, {}} : *found;
   std::vector<Object> objects;
   for (const Object& sphere : scene.objects) {

@@ -26,9 +26,7 @@ class Noise {
     for (int o = 0; o < octaves; ++o, cells *= 2) {
       lattices_.emplace_back();
       lattices_.back().cells = cells;
-      for (int i = 0; i < cells * cells; ++i) {
-        lattices_.back().values.push_back(float(uniform01(random)));
-      }
+      for (int i = 0; i < cells * cells; ++i) lattices_.back().values.push_back(float(uniform01(random)));
     }
   }
   // Returns a value in [0, 1], centred about 0.5; uv in units of the tile.

@@ -3,11 +3,8 @@
 // with C++) and rules.glsl (the texture rule and the display's colours, traced). The other outputs are the
 // proof's compute shader, its negative control without `precise`, and the sources that are compiled again
 // at run time.
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 
 #include "io/page/hatching.h"
 #include "render/compare/arrange.h"

@@ -24,9 +24,8 @@ Font::Font(const std::filesystem::path& file) {
   if (FT_Init_FreeType(&library)) throw EnvironmentError("FreeType cannot be started");
   library_.reset(library);
   FT_Face face = nullptr;
-  if (FT_New_Face(library, file.c_str(), 0, &face)) {
+  if (FT_New_Face(library, file.c_str(), 0, &face))
     throw EnvironmentError("cannot read the font " + file.string() + " (Debian: fonts-dejavu-core)");
-  }
   face_.reset(face);
 }
 

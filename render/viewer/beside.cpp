@@ -60,7 +60,7 @@ const std::vector<double>* Beside::residuals(const Session& session) {
     mapped_ = material;
     residuals_ = map_->cells(io::in_colour(material));
   }
-  const bool none = std::all_of(residuals_.begin(), residuals_.end(), [](double v) { return std::isnan(v); });
+  const bool none = std::ranges::all_of(residuals_, [](double v) { return std::isnan(v); });
   return none ? nullptr : &residuals_;
 }
 

@@ -27,8 +27,8 @@ void next_form(Session& session, const Whereabouts&) {
 void next_family(Session& session, const Whereabouts&) {
   const Term& term = session.state().scene.objects[session.state().selected].material.terms.front();
   const std::vector<std::vector<Reflectance>> groups = families();
-  const auto own = std::find_if(groups.begin(), groups.end(), [&](const std::vector<Reflectance>& group) {
-    return std::find(group.begin(), group.end(), term.form) != group.end();
+  const auto own = std::ranges::find_if(groups, [&](const std::vector<Reflectance>& group) {
+    return std::ranges::find(group, term.form) != group.end();
   });
   const bool last = own == groups.end() || own + 1 == groups.end();
   session.switch_form(0, (last ? groups.front() : own[1]).front());
@@ -220,8 +220,7 @@ const Command* command_of(int key, int mods) {
 }
 
 const Command& command(std::string_view name) {
-  const auto found =
-      std::find_if(kEdits.begin(), kEdits.end(), [&](const Command& c) { return c.name == name; });
+  const auto found = std::ranges::find_if(kEdits, [&](const Command& c) { return c.name == name; });
   if (found == kEdits.end()) throw std::logic_error("no command " + std::string(name));
   return *found;
 }

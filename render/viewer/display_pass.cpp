@@ -59,9 +59,8 @@ VkPipeline DisplayPass::pipeline(Display display, ToneMap tone_map) {
 void DisplayPass::show(const Image& a, const Image& b, Renderer* targets) {
   write_image(*device_, set_, 0, a.view(), sampler_.get(), 0);
   write_image(*device_, set_, 0, b.view(), sampler_.get(), 1);
-  for (std::uint32_t k = 0; k < kTargetCount; ++k) {
+  for (std::uint32_t k = 0; k < kTargetCount; ++k)
     write_image(*device_, set_, 1, targets ? targets->target(Target(k)).view() : a.view(), sampler_.get(), k);
-  }
 }
 
 void DisplayPass::record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place,

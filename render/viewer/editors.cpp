@@ -37,7 +37,7 @@ void form_panel(Session& session, std::size_t place) {
   std::size_t family = 0, form = 0;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     names.emplace_back(info(groups[k].front()).family);
-    const auto own = std::find(groups[k].begin(), groups[k].end(), term.form);
+    const auto own = std::ranges::find(groups[k], term.form);
     if (own == groups[k].end()) continue;
     family = k;
     form = std::size_t(own - groups[k].begin());
@@ -233,9 +233,8 @@ void edit_lights(Scene& scene) {
     }
     ImGui::PopID();
   }
-  if (scene.lights.size() < kMostLights && ImGui::Button("add a point light")) {
+  if (scene.lights.size() < kMostLights && ImGui::Button("add a point light"))
     scene.lights.push_back({true, {2, 2, 2}, glm::vec3(1), 3});
-  }
   if (!scene.lights.empty()) {
     ImGui::SameLine();
     if (ImGui::Button("remove the last light")) scene.lights.pop_back();

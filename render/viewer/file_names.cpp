@@ -17,7 +17,7 @@ constexpr std::array kEndings{".json", ".csv", ".txt", ".bsdf", ".astm", ".binar
 
 bool may_be_opened(const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
 // Returns the path of the list, which has its own file so that an error cannot damage other data.
@@ -46,7 +46,7 @@ std::vector<std::string> names_that_go_on(const std::string& typed, std::size_t 
     else if (may_be_opened(entry->path()))
       names.push_back(before + name);
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   if (names.size() > most) names.resize(most);
   return names;
 }

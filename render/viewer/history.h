@@ -1,7 +1,6 @@
 // The changes of a state, step by step, for undo and redo.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 

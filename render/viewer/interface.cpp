@@ -87,7 +87,7 @@ void Interface::begin_frame() {
 
 void Interface::key(int key, int scancode, int action, int mods) {
   if (action == GLFW_PRESS) pressed_.push_back(key);
-  if (action == GLFW_RELEASE && std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end())
+  if (action == GLFW_RELEASE && std::ranges::find(pressed_, key) != pressed_.end())
     late_.push_back({key, scancode, mods});
   else
     ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, mods);

@@ -3,8 +3,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <cmath>
-
 namespace brdf::render {
 namespace {
 

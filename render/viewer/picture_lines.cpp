@@ -1,7 +1,6 @@
 // Draws names, numbers and messages round the picture.
 #include <imgui.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/files/numbers.h"

@@ -1,8 +1,6 @@
 // Draws the plot of the lobes and the sections on samples.
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "io/files/numbers.h"
 #include "io/samples/in_plane.h"
 #include "render/compare/lobe_plot.h"

@@ -127,7 +127,7 @@ void Session::switch_form(std::size_t term, const Reflectance& form) {
   Term& own = state_.scene.objects[state_.selected].material.terms.at(term);
   std::vector<Term>& known = forms_[{state_.selected, term}];
   const auto of = [&](const Reflectance& wanted) {
-    return std::find_if(known.begin(), known.end(), [&](const Term& t) { return t.form == wanted; });
+    return std::ranges::find_if(known, [&](const Term& t) { return t.form == wanted; });
   };
   if (const auto old = of(own.form); old != known.end())
     *old = own;

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <vector>
 
 #include "render/compare/state.h"
 #include "render/viewer/by_hand.h"

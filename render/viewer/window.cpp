@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
-#include <array>
 
 #include "io/files/error.h"
 
@@ -66,9 +65,8 @@ VkSurfaceFormatKHR pick_format(VkPhysicalDevice physical, VkSurfaceKHR surface) 
   vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, nullptr);
   std::vector<VkSurfaceFormatKHR> formats(count);
   vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface, &count, formats.data());
-  for (const VkSurfaceFormatKHR& format : formats) {
+  for (const VkSurfaceFormatKHR& format : formats)
     if (format.format == VK_FORMAT_B8G8R8A8_UNORM || format.format == VK_FORMAT_R8G8B8A8_UNORM) return format;
-  }
   throw EnvironmentError("the window offers no 8-bit UNORM format");
 }
 

@@ -26,8 +26,8 @@ bool layer_installed(const char* name) {
   vkEnumerateInstanceLayerProperties(&count, nullptr);
   std::vector<VkLayerProperties> layers(count);
   vkEnumerateInstanceLayerProperties(&count, layers.data());
-  return std::any_of(layers.begin(), layers.end(),
-                     [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
+  return std::ranges::any_of(
+      layers, [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
 }
 
 bool has_needed_features(VkPhysicalDevice physical) {
@@ -46,9 +46,8 @@ int graphics_family(VkPhysicalDevice physical) {
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::uint32_t i = 0; i < count; ++i)
     if (families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) return int(i);
-  }
   return -1;
 }
 
@@ -60,9 +59,8 @@ std::string megabytes(std::uint64_t bytes) {
 
 void check(VkResult result, const char* call) {
   if (result >= 0) return;
-  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY) {
+  if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
     throw EnvironmentError(std::string("the Vulkan device is out of memory (") + call + ")");
-  }
   throw EnvironmentError(std::string(call) + " failed with VkResult " + std::to_string(int(result)));
 }
 
@@ -122,7 +120,7 @@ void Device::pick_physical_device() {
   vkEnumeratePhysicalDevices(instance_.get(), &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
   vkEnumeratePhysicalDevices(instance_.get(), &count, devices.data());
-  const auto usable = std::find_if(devices.begin(), devices.end(), [](VkPhysicalDevice device) {
+  const auto usable = std::ranges::find_if(devices, [](VkPhysicalDevice device) {
     return has_needed_features(device) && graphics_family(device) >= 0;
   });
   if (usable == devices.end()) {
@@ -215,9 +213,8 @@ void Device::release(VkDeviceMemory memory, std::uint64_t bytes) {
 std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags flags) const {
   VkPhysicalDeviceMemoryProperties properties;
   vkGetPhysicalDeviceMemoryProperties(physical_, &properties);
-  for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i) {
+  for (std::uint32_t i = 0; i < properties.memoryTypeCount; ++i)
     if ((allowed >> i & 1) && (properties.memoryTypes[i].propertyFlags & flags) == flags) return i;
-  }
   throw EnvironmentError("the Vulkan device has no memory of the required kind");
 }
 

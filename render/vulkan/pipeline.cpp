@@ -116,9 +116,8 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
 Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings,
                                              VkShaderStageFlags stages) {
   std::vector<VkDescriptorSetLayoutBinding> entries(bindings.size());
-  for (std::uint32_t i = 0; i < entries.size(); ++i) {
+  for (std::uint32_t i = 0; i < entries.size(); ++i)
     entries[i] = {i, bindings[i].type, bindings[i].count, stages};
-  }
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   info.bindingCount = std::uint32_t(entries.size());
   info.pBindings = entries.data();

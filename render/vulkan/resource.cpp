@@ -6,8 +6,6 @@
 #include <cstring>
 #include <utility>
 
-#include "io/files/error.h"
-
 namespace brdf::render {
 namespace {
 

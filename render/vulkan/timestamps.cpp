@@ -38,8 +38,7 @@ std::vector<std::pair<std::string, double>> Timestamps::read() const {
         "vkGetQueryPoolResults");
   for (std::size_t k = 0; k + 1 < ticks.size(); ++k) {
     const double ms = double(ticks[k + 1] - ticks[k]) * device_->timestamp_period_ns() * 1e-6;
-    const auto same =
-        std::find_if(out.begin(), out.end(), [&](const auto& entry) { return entry.first == names_[k]; });
+    const auto same = std::ranges::find_if(out, [&](const auto& entry) { return entry.first == names_[k]; });
     if (same != out.end()) {
       same->second += ms;
     } else {

@@ -29,7 +29,7 @@ std::string name_in(std::string_view head) {
   std::size_t begin = end;
   while (begin > 0 && is_word(head[begin - 1])) --begin;
   const std::string_view before = head.substr(0, begin);
-  const bool typed = std::any_of(before.begin(), before.end(), is_word);
+  const bool typed = std::ranges::any_of(before, is_word);
   return typed && head.find('=') == head.npos ? std::string(head.substr(begin, end - begin)) : "";
 }
 

@@ -138,8 +138,7 @@ std::string why(const std::vector<LeftOut>& before, const IncludedFile& file, co
     if (!d.is_declaration && message.find("'" + d.name + "'") != message.npos)
       return message.substr(0, message.find(": ")) + ": calls " + d.name +
              "(), which does not compile: " + d.why;
-    if (d.is_declaration &&
-        std::any_of(tokens.begin(), tokens.end(), [&](const Token& t) { return t.is(d.name); }))
+    if (d.is_declaration && std::ranges::any_of(tokens, [&](const Token& t) { return t.is(d.name); }))
       return d.why;
   }
   return message;
@@ -170,9 +169,8 @@ Translated translate_in_part(Files files, const Source& source, const Attempt& a
   while (out.spirv.empty() && out.line > 0 && std::clock() - begin < kMostSeconds * CLOCKS_PER_SEC) {
     const IncludedFile& file = *files.find(out.file);
     const std::vector<Definition> parts = definitions_of(file.bare, true);
-    const auto faulty = std::find_if(parts.begin(), parts.end(), [&](const Definition& d) {
-      return d.first_line <= out.line && out.line <= d.last_line;
-    });
+    const auto faulty = std::ranges::find_if(
+        parts, [&](const Definition& d) { return d.first_line <= out.line && out.line <= d.last_line; });
     if (faulty == parts.end()) break;
     const std::string text = file.bare.substr(faulty->begin, faulty->end - faulty->begin);
     left_out.push_back(
@@ -207,7 +205,7 @@ Translated translate(const Source& source, Places places) {
   for (const Attempt& attempt : all) {
     failed.push_back(translate_with(files, source, attempt, places));
     const std::vector<std::string>& missing = failed.back().missing;
-    const bool metal = std::find(missing.begin(), missing.end(), "'metal_stdlib'") != missing.end();
+    const bool metal = std::ranges::find(missing, "'metal_stdlib'") != missing.end();
     if (!failed.back().spirv.empty() && !metal) return failed.back();
     failed.back().spirv.clear();
   }

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "io/files/content.h"
-#include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "shader/front/glslang.h"
@@ -128,7 +127,7 @@ Includer::IncludeResult* Includer::include(const std::string& name, const std::s
     return nullptr;
   }
   const std::string shown = io::shown(name);
-  if (std::find(missing_.begin(), missing_.end(), shown) == missing_.end()) missing_.push_back(shown);
+  if (std::ranges::find(missing_, shown) == missing_.end()) missing_.push_back(shown);
   return new IncludeResult("missing", "", 0, nullptr);
 }
 

@@ -1,7 +1,6 @@
 #include "shader/front/languages.h"
 
 #include <algorithm>
-#include <array>
 
 #include "io/files/text.h"
 #include "shader/front/definitions.h"
@@ -34,7 +33,7 @@ class At {
 };
 
 bool one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 bool is_wgsl(const At& t) {

@@ -45,11 +45,11 @@ std::string unknown_type(const Files& files, const IncludedFile& file, std::uint
     io::split(inner, ',', fields);
     for (const std::string_view field : fields) {
       std::string spaced(field);
-      std::replace(spaced.begin(), spaced.end(), '\n', ' ');
+      std::ranges::replace(spaced, '\n', ' ');
       io::split_blanks(spaced, words);
       std::erase_if(words, [](std::string_view w) { return w.size() > kLongest; });
-      const auto type = std::find_if(words.begin(), words.end(),
-                                     [](auto w) { return !std::regex_match(std::string(w), qualifier); });
+      const auto type =
+          std::ranges::find_if(words, [](auto w) { return !std::regex_match(std::string(w), qualifier); });
       if (type == words.end() || std::regex_match(std::string(*type), known)) continue;
       if (std::none_of(files.all().begin(), files.all().end(),
                        [&](const auto& f) { return defines_type(f.second.bare, *type); }))
@@ -76,8 +76,7 @@ std::string quoted_in(const std::string& message) {
 // The parameter of a `//:` line with the name that the message quotes first; null if no line has this name.
 const Declared* declared_alone(const Source& source, const std::string& message) {
   const std::string name = quoted_in(message);
-  const auto p = std::find_if(source.parameters.begin(), source.parameters.end(),
-                              [&](const Declared& d) { return d.name == name; });
+  const auto p = std::ranges::find_if(source.parameters, [&](const Declared& d) { return d.name == name; });
   return p == source.parameters.end() ? nullptr : &*p;
 }
 
@@ -127,7 +126,7 @@ bool take_recursion(Translated& out, const Files& files, const std::string& log)
       if (d.name != caller) continue;
       const std::vector<Token> tokens =
           tokens_of(std::string_view(file.bare).substr(d.begin, d.end - d.begin));
-      const auto body = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.is("{"); });
+      const auto body = std::ranges::find_if(tokens, [](const Token& t) { return t.is("{"); });
       for (auto t = body; t != tokens.end(); ++t) {
         if (!t->is(callee) || t + 1 == tokens.end() || !(t + 1)->is("(")) continue;
         out.file = path;

@@ -96,7 +96,7 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
     p.initial = {count == 1 && w.numbers[0] != 0 ? 1.0 : 0.0};
   } else if (kind == "color") {
     if (count != 3 && count != 1) throw InputError(where + "a color has three numbers");
-    p.min = 0, p.max = std::max(1.0, *std::max_element(w.numbers.begin(), w.numbers.end()));
+    p.min = 0, p.max = std::max(1.0, *std::ranges::max_element(w.numbers));
     p.initial = w.numbers;
   } else {
     if (count != 2 && count != 3) throw InputError(where + "must be NAME MIN MAX DEFAULT [log]");
@@ -162,7 +162,7 @@ EntryLine parse_entry(const std::string& text) {
     for (const std::string_view field : fields)
       if (!field.empty()) entry.arguments->emplace_back(field.substr(field.find_last_of(" \t") + 1));
   }
-  if (entry.name.empty() || !std::all_of(entry.name.begin(), entry.name.end(), is_word))
+  if (entry.name.empty() || !std::ranges::all_of(entry.name, is_word))
     throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
   return entry;
 }

@@ -9,14 +9,14 @@
 namespace brdf::shader {
 namespace {
 
-struct Names {
+struct AxisWords {
   Axis axis;
   std::string_view letter;  // in products: n of NdotL
   std::array<std::string_view, 28> words;
 };
 
 // In lower case, without underscores.
-constexpr Names kNamesOf[] = {
+constexpr AxisWords kNamesOf[] = {
     {Axis::light,
      "l",
      {"wi",
@@ -93,9 +93,8 @@ std::string plain(std::string_view name) {
 
 // The axis with this name, in lower case and without underscores; std::nullopt if the name is unknown.
 std::optional<Axis> axis_of(const std::string& word) {
-  for (const Names& names : kNamesOf)
-    if (!word.empty() && std::find(names.words.begin(), names.words.end(), word) != names.words.end())
-      return names.axis;
+  for (const AxisWords& names : kNamesOf)
+    if (!word.empty() && std::ranges::find(names.words, word) != names.words.end()) return names.axis;
   return std::nullopt;
 }
 
@@ -105,7 +104,7 @@ std::optional<Axis> letter_axis(std::string_view letters) {
   if (letters == "i") return Axis::light;
   if (letters == "o" || letters == "e") return Axis::view;
   if (letters == "m") return Axis::half;
-  for (const Names& names : kNamesOf)
+  for (const AxisWords& names : kNamesOf)
     if (letters == names.letter) return names.axis;
   return axis_of(std::string(letters));
 }

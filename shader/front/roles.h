@@ -2,13 +2,17 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace brdf::shader {
 
 // Vectors of the local frame.
 enum class Axis { light, view, normal, half, tangent, bitangent };
+
+// Returns the coordinate along an axis of the frame; -1 for other axes.
+constexpr int frame_coordinate(Axis a) {
+  return a == Axis::tangent ? 0 : a == Axis::bitangent ? 1 : a == Axis::normal ? 2 : -1;
+}
 
 // The meaning of an argument according to its name: a vector, the product of two vectors, or the colour of
 // a light with intensity 1.

@@ -67,8 +67,7 @@ void read_explorer(Source& source) {
         if (rest[k].starts_with("#") || rest[k].starts_with("//")) rest = rest.first(k);
       source.parameters.push_back(read_declared(words[0], rest, number, where));
       const std::string& name = source.parameters.back().name;
-      if (!std::all_of(name.begin(), name.end(), is_word))
-        throw InputError(where + io::shown(name) + " is not a name");
+      if (!std::ranges::all_of(name, is_word)) throw InputError(where + io::shown(name) + " is not a name");
       source.globals.push_back(name);
       glsl += (words[0] == "color" ? "vec3 " : std::string(words[0]) + " ") + name + ";";
     }
@@ -125,9 +124,8 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
   }
   source.bare = std::move(bare.text);
   const std::vector<Token> tokens = tokens_of(source.bare);
-  source.compute =
-      source.language == Language::glsl &&
-      std::any_of(tokens.begin(), tokens.end(), [](const Token& t) { return t.is("local_size_x"); });
+  source.compute = source.language == Language::glsl &&
+                   std::ranges::any_of(tokens, [](const Token& t) { return t.is("local_size_x"); });
   check_depth(source.name, source.bare);
   return source;
 }

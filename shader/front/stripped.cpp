@@ -199,7 +199,7 @@ Stripped stripped(std::string_view text) {
 
 bool is_script(std::string_view suffix) {
   constexpr std::array<std::string_view, 7> kSuffixes{".js", ".mjs", ".cjs", ".jsx", ".ts", ".mts", ".tsx"};
-  return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+  return std::ranges::find(kSuffixes, suffix) != kSuffixes.end();
 }
 
 void keep_template_literals(const std::string& name, std::string& text) {
@@ -220,7 +220,7 @@ void keep_programs(std::string& text) {
       const std::size_t first = open + begin.size(), close = find_word(bare, end, first);
       if (close != bare.npos) parts.emplace_back(first, close);
     }
-  std::sort(parts.begin(), parts.end());
+  std::ranges::sort(parts);
   if (!parts.empty()) keep_parts(text, parts);
 }
 

@@ -1,7 +1,6 @@
 // Converts a SPIR-V module to a flattened program.
 #pragma once
 
-#include <functional>
 #include <set>
 #include <string>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "io/files/error.h"
 #include "shader/program/lowering.h"
 #include "shader/spirv/names.h"
 
@@ -77,8 +76,8 @@ Slots Lowering::scaled(const Slots& a, Slot by) {
 
 // The content of the slot if it is a constant whole number from 1 to 16; otherwise 0.
 std::uint32_t Lowering::whole_exponent(Slot slot) const {
-  const auto constant = std::find_if(program_.constants.begin(), program_.constants.end(),
-                                     [&](const Program::Constant& c) { return c.slot == slot; });
+  const auto constant =
+      std::ranges::find_if(program_.constants, [&](const Program::Constant& c) { return c.slot == slot; });
   const double value = constant == program_.constants.end() ? 0 : constant->value;
   return value >= 1 && value <= 16 && value == std::floor(value) ? std::uint32_t(value) : 0;
 }

@@ -3,7 +3,6 @@
 
 #include <map>
 
-#include "io/files/error.h"
 #include "shader/program/lowering.h"
 
 namespace brdf::shader {

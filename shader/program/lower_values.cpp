@@ -5,7 +5,6 @@
 
 #include <glslang/SPIRV/spirv.hpp>
 
-#include "io/files/error.h"
 #include "shader/program/lowering.h"
 
 namespace brdf::shader {
@@ -51,8 +50,8 @@ Lowering::Variable& Lowering::new_variable(Id type) {
   v.integer = kinds(type);
   v.numbers = program_.numbers;
   v.integers = program_.integers;
-  const bool some = std::find(v.integer.begin(), v.integer.end(), true) != v.integer.end(),
-             all = std::find(v.integer.begin(), v.integer.end(), false) == v.integer.end();
+  const bool some = std::ranges::find(v.integer, true) != v.integer.end(),
+             all = std::ranges::find(v.integer, false) == v.integer.end();
   if (!all) program_.numbers += Slot(v.integer.size());
   if (some) program_.integers += Slot(v.integer.size());
   return v;

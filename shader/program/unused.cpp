@@ -1,5 +1,4 @@
 // Finds the operations that a program's results need.
-#include <algorithm>
 
 #include "io/files/error.h"
 #include "shader/program/lower.h"

@@ -60,7 +60,7 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   std::size_t taken = 0;
   const std::size_t most = most_steps * (W > 1 ? std::size_t(4) : 1);  // divergent lanes take turns
   for (;;) {
-    const std::uint32_t here = *std::min_element(at.begin(), at.end());
+    const std::uint32_t here = *std::ranges::min_element(at);
     if (here == kDone) return;
     int count = 0;
     for (int l = 0; l < W; ++l)

@@ -53,7 +53,7 @@ HOMONYMS = {
     ("render/scene/scene.h", "phong"): "a shading",
     ("io/formats/optical_constants.cpp", "n"): "a column of a table",
     ("io/formats/optical_constants.cpp", "k"): "a column of a table",
-    ("shader/glsl_statement.cpp", "n"): "a letter",
+    ("shader/glsl.cpp", "n"): "a letter",
     ("render/viewer/commands.cpp", "n"): "a key",
     ("render/viewer/commands.cpp", "k"): "a key",
     ("micro/", "lambert"): "a facet's reflection",

@@ -457,6 +457,17 @@ TEST(Quantities, OfAstmAndOpenExrColumnsAreReadAlike) {
   EXPECT_EQ(read("QUANTITY f_r\nVARS theta_i,phi_i,theta_s,phi_s,BRF\n30,180,60,5,1\n").values[0][0], 1);
 }
 
+// Returns the row of a kind in the documentation's table.
+std::string documented(const QuantityKind& kind) {
+  std::string words(kind.words);
+  if (!kind.forms.empty()) (words += words.empty() ? "" : "; ") += kind.forms;
+  for (std::size_t at = 0; (at = words.find("; ", at)) != words.npos;) words.replace(at, 2, ", ");
+  const std::string use = kind.use == QuantityKind::Use::converted ? Quantity{&kind}.operation()
+                          : kind.use == QuantityKind::Use::asked   ? "ambiguous: " + std::string(kind.advice)
+                                                                   : "refused: " + std::string(kind.advice);
+  return "| " + words + " | " + use + " |\n";
+}
+
 // The table in the documentation must equal the table in the code.
 TEST(Quantities, OfTheDocumentationAreThese) {
   const std::string document = read_content(BRDF_SOURCE_DIR "/docs/formats.md").bytes;

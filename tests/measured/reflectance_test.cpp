@@ -188,10 +188,7 @@ TEST(Measured, HalfVectorsOfOneAzimuthAreNoTurn) {
         const Vec3<double> wi{c * d.x + s * d.z, d.y, c * d.z - s * d.x},
             wo{s * d.z - c * d.x, -d.y, c * d.z + s * d.x};
         if (wi.z < 0.1 || wo.z < 0.1) continue;
-        double theta_i = 0, phi_i = 0, theta_o = 0, phi_o = 0;
-        io::polar_degrees(wi, theta_i, phi_i);
-        io::polar_degrees(wo, theta_o, phi_o);
-        table.add_directions(theta_i, phi_i, theta_o, phi_o);
+        table.add_directions(wi, wo);
         table.values[0].push_back(value(truth, wi, wo));
       }
     }

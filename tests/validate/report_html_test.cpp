@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "sheet/data_sheet.h"
-#include "validate/report/check_words.h"
 #include "validate/report/report.h"
 
 namespace brdf::validate {

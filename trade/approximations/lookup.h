@@ -4,7 +4,6 @@
 // article, V-cavities and the exact dielectric Fresnel term.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <vector>
 

@@ -21,9 +21,8 @@ double CostPair::difference() const {
 }
 
 std::size_t Comparison::apart() const {
-  return std::size_t(std::count_if(compared.begin(), compared.end(), [](const CostPair& pair) {
-    return !(pair.difference() <= kLargestDifference);
-  }));
+  return std::size_t(std::ranges::count_if(
+      compared, [](const CostPair& pair) { return !(pair.difference() <= kLargestDifference); }));
 }
 
 Comparison compare(const Ledger& before, const Ledger& after) {
@@ -42,8 +41,7 @@ Comparison compare(const Ledger& before, const Ledger& after) {
   }
   for (const LedgerRow& row : after.rows)
     if (!before.find(row.question, row.choice)) c.missing.push_back(row_name(row));
-  std::stable_sort(c.compared.begin(), c.compared.end(),
-                   [](const CostPair& a, const CostPair& b) { return a.difference() > b.difference(); });
+  std::ranges::stable_sort(c.compared, std::greater(), &CostPair::difference);
   return c;
 }
 

@@ -1,6 +1,5 @@
 #include "trade/ledger/ledger.h"
 
-#include <algorithm>
 #include <fstream>
 #include <thread>
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "io/files/output.h"
 #include "io/files/text.h"
@@ -10,12 +9,6 @@ namespace {
 
 using io::Json;
 using io::JsonPlace;
-
-template <class Enum>
-Enum named(const JsonPlace& place) {
-  if (const auto found = find_named<Enum>(place.text())) return *found;
-  place.fail("is not one of the known names: " + known_names<Enum>());
-}
 
 int count(const JsonPlace& place) {
   return int(place.whole(0, 1e6));
@@ -52,13 +45,13 @@ LedgerRow row_from(const JsonPlace& place) {
   row.question = place.at("question").text();
   row.choice = place.at("choice").text();
   row.exact = place.at("exact").text();
-  row.unit = named<Unit>(place.at("unit"));
+  row.unit = place.at("unit").named<Unit>();
   row.cost_ratio = place.at("cost_ratio").number();
   row.cost = {place.at("cost_ns").number() / 1e9, place.at("cost_spread").number(), count(place.at("rounds")),
               place.at("cost_ratio_spread").number()};
   const JsonPlace error = place.at("error");
   row.error = {error.at("max").number(), error.at("mean").number(), error.at("p99").number(),
-               named<Measure>(error.at("measure")), error.at("where").text()};
+               error.at("measure").named<Measure>(), error.at("where").text()};
   row.quantity = error.at("of").text();
   if (!place.at("image_error").value().is_null()) row.image_error = place.at("image_error").number();
   row.domain = place.at("domain").text();
@@ -81,14 +74,12 @@ Json fronts_json(const Ledger& ledger) {
   Json fronts = Json::array();
   std::vector<std::string> questions;
   for (const LedgerRow& row : ledger.rows)
-    if (std::find(questions.begin(), questions.end(), row.question) == questions.end())
-      questions.push_back(row.question);
+    if (std::ranges::find(questions, row.question) == questions.end()) questions.push_back(row.question);
   for (const std::string& question : questions) {
     std::vector<const LedgerRow*> front;
     for (const LedgerRow& row : ledger.rows)
       if (row.question == question && row.dominated_by.empty()) front.push_back(&row);
-    std::sort(front.begin(), front.end(),
-              [](const auto* a, const auto* b) { return a->cost.seconds < b->cost.seconds; });
+    std::ranges::sort(front, [](const auto* a, const auto* b) { return a->cost.seconds < b->cost.seconds; });
     Json choices = Json::array();
     for (const LedgerRow* row : front) choices.push_back(row->choice);
     if (!front.empty())
@@ -96,12 +87,6 @@ Json fronts_json(const Ledger& ledger) {
           {{"unit", name_of(front[0]->unit)}, {"question", question}, {"choices", std::move(choices)}});
   }
   return fronts;
-}
-
-std::string csv_text(std::string_view text) {
-  std::string out = "\"";
-  for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
 }
 
 bool is_current(const JsonPlace& place) {
@@ -144,7 +129,7 @@ Ledger ledger_from_json(const JsonPlace& place) {
   const JsonPlace claims = place.at("claims");
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const JsonPlace c = claims.at(k);
-    ledger.claims.push_back({c.at("source").text(), c.at("claim").text(), named<Standing>(c.at("standing")),
+    ledger.claims.push_back({c.at("source").text(), c.at("claim").text(), c.at("standing").named<Standing>(),
                              c.at("verdict").text(), c.at("evidence").text(), c.at("question").text(),
                              c.at("choice").text()});
   }
@@ -171,14 +156,14 @@ std::string to_csv(const Ledger& ledger) {
       "unit,question,choice,exact,cost_ns,cost_ratio,cost_spread,error_max,error_mean,error_p99,measure,of,"
       "where,image_error,domain,dominated_by\n";
   for (const LedgerRow& r : ledger.rows) {
-    text += csv_text(name_of(r.unit)) + "," + csv_text(r.question) + "," + csv_text(r.choice) + "," +
-            csv_text(r.exact);
+    text += io::csv_quoted(name_of(r.unit)) + "," + io::csv_quoted(r.question) + "," +
+            io::csv_quoted(r.choice) + "," + io::csv_quoted(r.exact);
     for (double x :
          {r.cost.seconds * 1e9, r.cost_ratio, r.cost.spread, r.error.max, r.error.mean, r.error.p99})
       text += "," + io::to_text(x);
-    text += "," + csv_text(name_of(r.error.measure)) + "," + csv_text(r.quantity) + "," +
-            csv_text(r.error.where) + "," + (r.image_error ? io::to_text(*r.image_error) : "") + "," +
-            csv_text(r.domain) + "," + csv_text(r.dominated_by) + "\n";
+    text += "," + io::csv_quoted(name_of(r.error.measure)) + "," + io::csv_quoted(r.quantity) + "," +
+            io::csv_quoted(r.error.where) + "," + (r.image_error ? io::to_text(*r.image_error) : "") + "," +
+            io::csv_quoted(r.domain) + "," + io::csv_quoted(r.dominated_by) + "\n";
   }
   return text;
 }

@@ -14,7 +14,7 @@ namespace {
 std::vector<std::string> questions_of(const Ledger& ledger, Unit unit) {
   std::vector<std::string> names;
   for (const LedgerRow& row : ledger.rows)
-    if (row.unit == unit && std::find(names.begin(), names.end(), row.question) == names.end())
+    if (row.unit == unit && std::ranges::find(names, row.question) == names.end())
       names.push_back(row.question);
   return names;
 }

@@ -96,7 +96,7 @@ Error error_of(std::span<const double> values, std::span<const double> reference
   }
   if (distances.empty()) return error;
   error.mean /= double(distances.size());
-  std::sort(distances.begin(), distances.end());
+  std::ranges::sort(distances);
   error.p99 = timing::quantile(distances, 0.99);
   error.where = describe(domain, points.at[worst]);
   return error;

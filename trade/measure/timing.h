@@ -164,8 +164,8 @@ inline std::vector<Timing> interleaved(std::span<const std::function<void()>> ca
   std::vector<Timing> timings;
   for (std::size_t k = 0; k < calls.size(); ++k) {
     std::vector<double>&s = seconds[k], &r = ratios[k];
-    std::sort(s.begin(), s.end());
-    std::sort(r.begin(), r.end());
+    std::ranges::sort(s);
+    std::ranges::sort(r);
     const double median = quantile(r, 0.5);
     timings.push_back({quantile(s, 0.25), quantile(s, 0.5), quantile(s, 0.75), int(s.size()), s.front(),
                        median, (quantile(r, 0.75) - quantile(r, 0.25)) / median});

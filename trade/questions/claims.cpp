@@ -261,11 +261,11 @@ std::vector<Claim> judge_claims(const Ledger& ledger) {
   for (const ClaimRule& rule : claim_rules()) {
     ClaimRows rows;
     for (const auto& [question, choice] : rule.rows) rows.push_back(ledger.find(question, choice));
-    if (std::find(rows.begin(), rows.end(), nullptr) != rows.end()) continue;
+    if (std::ranges::find(rows, nullptr) != rows.end()) continue;
     const Found found =
         rule.figure.find ? rule.figure.find(rows, ledger) : Found{number_of(*rows[0], rule.figure.field)};
-    const auto below = std::find_if(rule.below.begin(), rule.below.end(),
-                                    [&](const auto& b) { return found.figure < b.bound; });
+    const auto below =
+        std::ranges::find_if(rule.below, [&](const auto& b) { return found.figure < b.bound; });
     const auto [standing, words] = below == rule.below.end() ? rule.otherwise : below->verdict;
     claims.push_back({rule.source, rule.claim, standing, words, filled(rule.evidence, rows, found),
                       rule.rows[0].question, rule.rows[0].choice});

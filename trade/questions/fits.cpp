@@ -5,7 +5,6 @@
 
 #include "fit/fit.h"
 #include "io/files/numbers.h"
-#include "io/samples/degrees.h"
 #include "synth/random.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/names.h"
@@ -70,9 +69,7 @@ std::vector<timing::Timing> run(std::vector<SampleFit>& fits) {
 
 io::SampleTable sample_material(const Material& material, std::size_t rows, double noise, double most_theta) {
   io::SampleTable table;
-  table.channels = {"fr"};
-  table.values.resize(1);
-  table.sigma.resize(1);
+  table.set_channels({"fr"});
   table.reserve(rows);
   synth::NormalPairs normal(1);
   std::vector<double> value(material.channels.size());
@@ -83,10 +80,7 @@ io::SampleTable sample_material(const Material& material, std::size_t rows, doub
       const auto row = row_at<DirectionRow>(points.columns, k);
       if (row.wi.z < least_cosine || row.wo.z < least_cosine) continue;
       eval(material, row.wi, row.wo, value);
-      double theta_i, phi_i, theta_o, phi_o;
-      io::polar_degrees(row.wi, theta_i, phi_i);
-      io::polar_degrees(row.wo, theta_o, phi_o);
-      table.add_directions(theta_i, phi_i, theta_o, phi_o);
+      table.add_directions(row.wi, row.wo);
       const double factor = noise > 0 ? std::exp(noise * normal.next().first - noise * noise / 2) : 1;
       table.values[0].push_back(value[0] * factor);
       ++added;
@@ -119,7 +113,7 @@ std::string families_question(const Reflectance& family) {
 std::vector<LedgerRow> family_rows(const Reflectance& family, const EvaluationTimes& times,
                                    const FitRowsOptions& options) {
   const std::vector<Reflectance> forms = fittable_forms();
-  const auto own = std::size_t(std::find(forms.begin(), forms.end(), family) - forms.begin());
+  const auto own = std::size_t(std::ranges::find(forms, family) - forms.begin());
   const Material truth = make_material(family, {"fr"});
   const io::SampleTable table = sample_material(truth, options.quick ? 1000 : 4000, 0);
   const Yardstick yardstick = yardstick_of(truth, options.quick ? 2048 : 8192, options.picture);

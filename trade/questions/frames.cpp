@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "io/files/numbers.h"
 #include "trade/questions/ball.h"
 #include "trade/questions/materials.h"
 #include "trade/questions/names.h"

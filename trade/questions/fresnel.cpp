@@ -19,19 +19,17 @@ Choice dielectric_choice(std::string name, F f, std::string note) {
 }
 
 Question dielectric_question() {
-  Question q{names::kFresnelOfGlass,
-             "F, eta 1.5",
-             Measure::absolute,
-             dielectric(1.5),
-             {dielectric(1.01), dielectric(5), dielectric(1.5, 0, 0.01)},
-             {}};
-  q.choices = {dielectric_choice(names::kExact, exact_dielectric, "Cook and Torrance 1982"),
-               dielectric_choice("Schlick", schlick_fresnel, "Schlick 1994"),
-               dielectric_choice("spherical Gaussian", gaussian_dielectric,
-                                 "Karis 2013: an exponential for the power"),
-               dielectric_choice("constant f0", constant_dielectric, "no dependence on the angle"),
-               dielectric_choice(names::kSlip, slipped_dielectric, "(g-c)(g-c)/(g+c)*(g+c) as coded")};
-  return q;
+  return {names::kFresnelOfGlass,
+          "F, eta 1.5",
+          Measure::absolute,
+          dielectric(1.5),
+          {dielectric(1.01), dielectric(5), dielectric(1.5, 0, 0.01)},
+          {dielectric_choice(names::kExact, exact_dielectric, "Cook and Torrance 1982"),
+           dielectric_choice("Schlick", schlick_fresnel, "Schlick 1994"),
+           dielectric_choice("spherical Gaussian", gaussian_dielectric,
+                             "Karis 2013: an exponential for the power"),
+           dielectric_choice("constant f0", constant_dielectric, "no dependence on the angle"),
+           dielectric_choice(names::kSlip, slipped_dielectric, "(g-c)(g-c)/(g+c)*(g+c) as coded")}};
 }
 
 struct Metal {

@@ -53,7 +53,7 @@ PictureError picture_error(const Picture& a, const Picture& exact, const Pixels&
     }
   if (differences.empty()) return out;
   const auto count = double(differences.size());
-  std::sort(differences.begin(), differences.end());
+  std::ranges::sort(differences);
   out.error.mean = sum / count;
   out.error.p99 = timing::quantile(differences, 0.99);
   out.image = total > 0 ? sum / total : 0;

@@ -22,19 +22,17 @@ template <int doublings>
 Question power_question() {
   static constexpr double n = 1 << doublings;
   const auto at = [](double from, double to) { return cosines({"cos", from, to}, {"n", n, n}); };
-  Question q{"power of a cosine, n = " + std::to_string(1 << doublings),
-             "cos^n",
-             Measure::absolute,
-             at(0, 1),
-             {at(0.99, 1), at(0, 0.1)},
-             {}};
-  q.choices = {power_choice("pow, own kernels", cosine_power, n, "exp(n log c)"),
-               power_choice("pow of the C library", cosine_power_libm, n, "does not vectorise"),
-               power_choice("repeated squaring", squared_power<doublings>, n, "the exponent must be known"),
-               power_choice("spherical Gaussian", spherical_gaussian, n, "Wang et al. 2009"),
-               power_choice("Schlick's rational", schlick_power, n, "Schlick 1994")};
-  q.reference = scalar_kernel(long_power);
-  return q;
+  return {"power of a cosine, n = " + std::to_string(1 << doublings),
+          "cos^n",
+          Measure::absolute,
+          at(0, 1),
+          {at(0.99, 1), at(0, 0.1)},
+          {power_choice("pow, own kernels", cosine_power, n, "exp(n log c)"),
+           power_choice("pow of the C library", cosine_power_libm, n, "does not vectorise"),
+           power_choice("repeated squaring", squared_power<doublings>, n, "the exponent must be known"),
+           power_choice("spherical Gaussian", spherical_gaussian, n, "Wang et al. 2009"),
+           power_choice("Schlick's rational", schlick_power, n, "Schlick 1994")},
+          scalar_kernel(long_power)};
 }
 
 // A large exponent: repeated squaring is impossible, and plain cosines lose digits.
@@ -63,18 +61,16 @@ Choice mirror_choice(std::string name, Lobe lobe, std::string note) {
 }
 
 Question mirror_question() {
-  Question q{names::kMirror,
-             "Phong's (r.o)^n",
-             Measure::absolute,
-             exponents(5, 200),
-             {exponents(1e6, 1e6), exponents(5, 200, 89.5)},
-             {}};
-  q.choices = {
-      mirror_choice("mirror direction", mirror_lobe, "Phong 1975"),
-      mirror_choice("mirror, by differences", mirror_lobe_stable, "accurate at the peak for any n"),
-      mirror_choice("half vector, 4 n", half_lobe{4}, "Blinn 1977, made as narrow"),
-      mirror_choice(names::kEqualHalfVector, half_lobe{1}, "Blinn 1977, as the documents compare them")};
-  return q;
+  return {
+      names::kMirror,
+      "Phong's (r.o)^n",
+      Measure::absolute,
+      exponents(5, 200),
+      {exponents(1e6, 1e6), exponents(5, 200, 89.5)},
+      {mirror_choice("mirror direction", mirror_lobe, "Phong 1975"),
+       mirror_choice("mirror, by differences", mirror_lobe_stable, "accurate at the peak for any n"),
+       mirror_choice("half vector, 4 n", half_lobe{4}, "Blinn 1977, made as narrow"),
+       mirror_choice(names::kEqualHalfVector, half_lobe{1}, "Blinn 1977, as the documents compare them")}};
 }
 
 Question ggx_question() {

@@ -12,8 +12,7 @@ namespace {
 // Returns true if the model only has diffuse weights.
 bool is_diffuse(const Candidate& c) {
   const auto weights = info(c.model).weights;
-  return std::all_of(weights.begin(), weights.end(),
-                     [](const ParameterInfo& p) { return p.role == Role::diffuse; });
+  return std::ranges::all_of(weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
 // Returns the reference form's name for its weight of this role.
@@ -90,7 +89,7 @@ void find_unneeded(Recommendation& r, const RecommendOptions& options) {
   const auto with_variants = [&](std::initializer_list<Variant> variants) {
     return with([&](const Candidate& c) {
       const std::optional<Variant> variant = find_variant(c.model);
-      return variant && std::find(variants.begin(), variants.end(), *variant) != variants.end();
+      return variant && std::ranges::find(variants, *variant) != variants.end();
     });
   };
   const double no_fresnel = with_variants({Variant::no_fresnel, Variant::hammon_no_fresnel});

@@ -151,8 +151,7 @@ Recommendation recommend(const RecommendOptions& options) {
     c.image_error = image_error(view, c.values, reference);
     c.brdf_error = brdf_error(c.values, reference);
   }
-  std::stable_sort(r.candidates.begin(), r.candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.cost_ns < b.cost_ns; });
+  std::ranges::stable_sort(r.candidates, {}, &Candidate::cost_ns);
   r.measured_now = measured_now(r, options, ledger.has_value());
   options.progress(0.9, "rendering model and reference");
   choose(r, options, view, reference);

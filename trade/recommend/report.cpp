@@ -84,7 +84,7 @@ void add_unneeded(io::HtmlReport& report, const Recommendation& r) {
 
 // Returns true if no other candidate is cheaper and at least as close.
 bool on_front(const Recommendation& r, const Candidate& c) {
-  return std::none_of(r.candidates.begin(), r.candidates.end(), [&](const Candidate& other) {
+  return std::ranges::none_of(r.candidates, [&](const Candidate& other) {
     return other.cost_ns < c.cost_ns && other.image_error <= c.image_error;
   });
 }

@@ -6,8 +6,6 @@
 #include "brdf/geometry.h"
 #include "fit/fit.h"
 #include "io/colour/in_colour.h"
-#include "io/files/error.h"
-#include "io/samples/degrees.h"
 #include "render/compare/measured.h"
 #include "trade/measure/domain.h"
 
@@ -26,17 +24,12 @@ double polar(double cosine) {
 
 io::SampleTable rgb_table() {
   io::SampleTable table;
-  table.channels = {"r", "g", "b"};
-  table.values.resize(3);
-  table.sigma.resize(3);
+  table.set_channels({"r", "g", "b"});
   return table;
 }
 void add_row(io::SampleTable& table, const Vec3<double>& wi, const Vec3<double>& wo,
              const RgbFunction& reference) {
-  double theta_i, phi_i, theta_o, phi_o;
-  io::polar_degrees(wi, theta_i, phi_i);
-  io::polar_degrees(wo, theta_o, phi_o);
-  table.add_directions(theta_i, phi_i, theta_o, phi_o);
+  table.add_directions(wi, wo);
   const std::array<double, 3> f = reference(wi, wo);
   for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(f[c]);
 }

@@ -22,7 +22,7 @@ Material lobe_at(const Subject& subject, std::span<const double> x) {
   for (std::size_t j = 0; j < f.shape.size(); ++j)
     term.shape.front()[j] =
         parameter_value(f.shape[j], x[int(j) == across ? std::size_t(along) : j], f.shape[j].max);
-  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
+  std::ranges::fill(term.weights, lobe_alone(f));
   return m;
 }
 

@@ -5,7 +5,6 @@
 
 #include "io/files/numbers.h"
 #include "validate/form/checks.h"
-#include "validate/search/degrees.h"
 #include "validate/search/pair_search.h"
 
 namespace brdf::validate {

@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/parallel.h"
-#include "io/files/text.h"
 #include "validate/form/checks.h"
 #include "validate/form/outside_checks.h"
 
@@ -30,8 +28,8 @@ void judge(Finding& finding, const Subject& subject, const CheckOptions& options
       finding.outcome == Outcome::undecided)
     return;
   const auto declared = subject.declared();
-  const auto found = std::find_if(declared.begin(), declared.end(),
-                                  [&](const Violation& v) { return v.check == finding.check; });
+  const auto found =
+      std::ranges::find_if(declared, [&](const Violation& v) { return v.check == finding.check; });
   if (found == declared.end()) return;
   if (finding.outcome == Outcome::fail) {
     finding.outcome = Outcome::known_violation;
@@ -81,8 +79,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   std::vector<std::size_t> order(findings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t k) { return !applies(k); });
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
   const auto run = [&](int j) {
     const std::size_t k = order[std::size_t(j)];
     const Subject& subject = subjects[k / kCount];

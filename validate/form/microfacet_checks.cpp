@@ -48,7 +48,7 @@ void over_slopes(const LobeWidth& a, const Viewer& viewer, double far, int n, Vi
   if (viewer.theta > 0)
     if (const double edge = 1 / std::tan(viewer.theta); edge < far * width)
       ends.insert(ends.end(), {-edge, edge});
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double half = (ends[k + 1] - ends[k]) / 2;
     if (!(half > 0)) continue;

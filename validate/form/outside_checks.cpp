@@ -70,7 +70,7 @@ std::string reasons_of(const Met& met) {
   std::vector<std::pair<long, std::string>> by_count;
   for (const auto& [reason, count] : met.reasons)
     if (!reason.empty()) by_count.emplace_back(-count, reason);
-  std::sort(by_count.begin(), by_count.end());
+  std::ranges::sort(by_count);
   constexpr std::size_t kMost = 3;
   std::vector<std::string> words;
   for (std::size_t k = 0; k < std::min(kMost, by_count.size()); ++k) words.push_back(by_count[k].second);
@@ -203,8 +203,7 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
   const OutsideFacts* facts = subject.outside_facts();
   if (!facts) return;
   const auto find = [&](std::string_view check) -> Finding& {
-    return *std::find_if(findings.begin(), findings.end(),
-                         [&](const Finding& f) { return f.check == check; });
+    return *std::ranges::find_if(findings, [&](const Finding& f) { return f.check == check; });
   };
   Finding &finite = find("finite"), &undefined = find("undefined"), &negative = find("non_negative");
   // A value below 0 that another check has met.
@@ -214,7 +213,7 @@ void apply_voids(const Subject& subject, std::span<Finding> findings) {
     const Material m = at_witness(subject, *f.witness);
     std::vector<double> values(m.channels.size());
     eval(m, pair->wi, pair->wo, values);
-    const double least = *std::min_element(values.begin(), values.end());
+    const double least = *std::ranges::min_element(values);
     if (!(least < -1e-12) || !std::isfinite(least)) continue;
     if (facts->in_more_digits && !std::ranges::any_of(facts->in_more_digits(m, pair->wi, pair->wo),
                                                       [](double x) { return x < -1e-12; }))

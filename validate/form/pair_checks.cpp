@@ -142,7 +142,7 @@ Values precise(const Subject& subject, const Material& m, const Vec3<double>& wi
 
 Finding check_non_negative(const Subject& subject, const CheckOptions& options) {
   constexpr double kBound = 1e-12;
-  const auto least = [](const Values& f) { return -*std::min_element(f.begin(), f.end()); };
+  const auto least = [](const Values& f) { return -*std::ranges::min_element(f); };
   const Confirmed found = confirmed_worst(
       subject,
       [&](const Material& m, const Pair& p) {

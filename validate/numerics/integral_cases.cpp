@@ -91,7 +91,7 @@ std::vector<std::string> integral_sets() {
 
 std::vector<IntegralCase> integral_cases(const std::string& name, std::uint64_t seed) {
   const std::vector<Set> sets = all_sets();
-  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Set& s) { return s.name == name; });
+  const auto found = std::ranges::find_if(sets, [&](const Set& s) { return s.name == name; });
   if (found == sets.end()) return {};
   Random random(seed);
   std::vector<IntegralCase> cases;

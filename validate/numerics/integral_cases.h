@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "brdf/material.h"
-#include "brdf/random.h"
 
 namespace brdf::validate {
 

@@ -1,7 +1,6 @@
 #include "validate/numerics/integrators.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brdf/integrals.h"

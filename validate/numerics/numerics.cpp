@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "brdf/material.h"
 #include "validate/numerics/rounding.h"
 #include "validate/search/extremes.h"
 #include "validate/search/search.h"

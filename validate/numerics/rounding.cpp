@@ -72,8 +72,8 @@ double Rounding<T>::judge(const Vec3<double>& light, const Vec3<double>& view,
     count(evaluate(wi, wo, k, true));
   }
   std::vector<Deviation> deviations = first_.of(wi, wo, f, peaks);
-  const bool record = std::any_of(deviations.begin(), deviations.end(),
-                                  [&](const Deviation& d) { return perhaps_a_record(d); });
+  const bool record =
+      std::ranges::any_of(deviations, [&](const Deviation& d) { return perhaps_a_record(d); });
   if (record) deviations = exact_.of(wi, wo, f, peaks);
   double worst = 0;
   for (std::size_t k = 0; k < deviations.size(); ++k) {

@@ -65,13 +65,13 @@ std::vector<std::string> required_names() {
 void check_required(const std::vector<std::string>& names) {
   const std::vector<std::string> known = required_names();
   for (const std::string& name : names)
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       throw InputError("--require " + name + ": unknown check; known: " + io::joined(known));
 }
 
 bool holds(const std::vector<Finding>& findings, const std::vector<std::string>& required) {
   return std::ranges::all_of(findings, [&](const Finding& f) {
-    const bool needed = std::find(required.begin(), required.end(), f.check) != required.end();
+    const bool needed = std::ranges::find(required, f.check) != required.end();
     return needed ? f.outcome == Outcome::pass : f.outcome != Outcome::fail;
   });
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iomanip>
 
 #include "io/files/numbers.h"
@@ -21,13 +20,12 @@ std::string readable(const Witness& w) {
 
 std::string plain(Outcome outcome) {
   std::string name(name_of(outcome));
-  std::replace(name.begin(), name.end(), '_', ' ');
+  std::ranges::replace(name, '_', ' ');
   return name;
 }
 
 std::size_t count(const std::vector<Finding>& findings, Outcome outcome) {
-  return std::size_t(std::count_if(findings.begin(), findings.end(),
-                                   [&](const Finding& f) { return f.outcome == outcome; }));
+  return std::size_t(std::ranges::count_if(findings, [&](const Finding& f) { return f.outcome == outcome; }));
 }
 
 }  // namespace

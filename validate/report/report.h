@@ -1,7 +1,6 @@
 // Writes findings as a table for the terminal, as JSON, as Markdown and as HTML.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <ostream>
 #include <string>
@@ -19,6 +18,10 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
 using sheet::to_json;
 // Returns the findings as a Markdown table, with the summary above.
 std::string to_markdown(const std::vector<Finding>& findings);
+
+// Returns the meaning of a check in one sentence, for readers who do not know the checks; empty if there is
+// no such check.
+std::string_view check_meaning(std::string_view check);
 
 struct Picture {
   std::string name, png;  // the content of the PNG file

@@ -5,7 +5,6 @@
 #include "io/files/numbers.h"
 #include "io/page/glossary.h"
 #include "io/page/sphere/page.h"
-#include "validate/report/check_words.h"
 #include "validate/report/report.h"
 #include "validate/report/report_plots.h"
 
@@ -99,6 +98,11 @@ void add_spheres(io::HtmlReport& report, const ReportContent& content) {
 }
 
 }  // namespace
+
+std::string_view check_meaning(std::string_view check) {
+  const auto* const found = std::ranges::find(kChecks, check, &Check::name);
+  return found == std::end(kChecks) ? sheet::check_meaning(check) : found->meaning;
+}
 
 void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings) {
   io::Matrix matrix{.properties = "", .subjects = {}, .rows = {}};

@@ -7,7 +7,6 @@
 #include "io/files/numbers.h"
 #include "io/files/png.h"
 #include "io/files/text.h"
-#include "io/page/glossary.h"
 #include "validate/search/extremes.h"
 #include "validate/search/pair_search.h"
 
@@ -20,16 +19,9 @@ Material shown(const Subject& subject) {
   Material m = subject.own();
   if (!subject.of_form()) return m;
   const ReflectanceInfo& f = info(*subject.of_form());
-  if (std::all_of(f.weights.begin(), f.weights.end(),
-                  [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
+  if (std::ranges::all_of(f.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; }))
     for (auto& weights : m.terms.front().weights) weights = lobe_alone(f);
   return m;
-}
-
-std::string listed(const std::vector<double>& values, const std::string& separator) {
-  std::vector<std::string> words;
-  for (const double value : values) words.push_back(io::to_text(value));
-  return io::joined(words, separator);
 }
 
 // Joins the command that writes a table of directions with the command that reads it; empty if the latter
@@ -74,7 +66,8 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
       "violates energy conservation. The band is the error bound, at most " +
       io::short_number(widest, 2) + ".";
   plot.command = subject.command(
-      "albedo", m, "--theta " + listed(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
+      "albedo", m,
+      "--theta " + io::joined_numbers(angles, ",") + " --phi " + io::to_text(phi) + " --tolerance 1e-5");
   return plot;
 }
 
@@ -90,7 +83,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
     for (double theta = -89; theta <= 89; theta += 0.5) {
       const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
       eval(m, wi, wo, f);
-      const double r = *std::max_element(f.begin(), f.end()) * wo.z;
+      const double r = *std::ranges::max_element(f) * wo.z;
       lobe.x.push_back(r * std::sin(degrees(theta).radians()));
       lobe.y.push_back(r * std::cos(degrees(theta).radians()));
     }
@@ -110,7 +103,7 @@ io::Plot polar_plot(const Subject& subject, const Material& m) {
 void add_worst_albedo(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
                       double max_theta) {
   if (!subject.of_form()) return;
-  const auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) {
+  const auto found = std::ranges::find_if(findings, [&](const Finding& f) {
     return f.subject == subject.name() && f.check == "energy" && f.witness && f.outcome != Outcome::pass;
   });
   if (found == findings.end()) return;
@@ -185,7 +178,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   for (int k = 0; k <= 40; ++k) values.push_back(parameter_value(width, k / 40.0, width.usual_max));
   Material full = m;
   Term& term = full.terms.front();
-  std::fill(term.weights.begin(), term.weights.end(), lobe_alone(f));
+  std::ranges::fill(term.weights, lobe_alone(f));
   for (const double theta : {0.0, 60.0, 80.0}) {
     io::Series s{"incidence at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
     for (const double value : values) {
@@ -205,7 +198,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
       const std::string set = std::string(f.shape[k].name) + "=", last = io::to_text(values.back());
       command.replace(command.find(set + last) + set.size(), last.size(), "$x");
     }
-    plot.command = "for x in " + listed(values, " ") + "; do " + command + "; done";
+    plot.command = "for x in " + io::joined_numbers(values, " ") + "; do " + command + "; done";
   }
   report.plot(plot);
 }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "brdf/material.h"
+#include "brdf/directions.h"
 
 namespace brdf::validate {
 namespace {
@@ -92,7 +92,7 @@ std::vector<std::vector<double>> extreme_weights(const ReflectanceInfo& form) {
 
 std::vector<double> lobe_alone(const ReflectanceInfo& form) {
   const auto counts = [](const ParameterInfo& p) { return p.role != Role::diffuse && p.role != Role::f0; };
-  const bool has_lobe = std::any_of(form.weights.begin(), form.weights.end(), counts);
+  const bool has_lobe = std::ranges::any_of(form.weights, counts);
   std::vector<double> weights;
   for (const ParameterInfo& p : form.weights)
     weights.push_back(p.role == Role::diffuse && has_lobe ? p.min : std::min(p.max, 1.0));

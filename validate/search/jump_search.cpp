@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "validate/search/degrees.h"
-
 namespace brdf::validate {
 namespace {
 
@@ -47,7 +45,7 @@ class ArcSearch {
     for (int k = 0; k + 1 < kSamples; ++k)
       if (const double change = change_of(f[std::size_t(k)], f[std::size_t(k + 1)]); change > kSuspect)
         suspects.emplace_back(-change, k);
-    std::sort(suspects.begin(), suspects.end());
+    std::ranges::sort(suspects);
     suspects.resize(std::min(suspects.size(), kMostSuspects));
     std::optional<Jump> largest;
     for (const auto& [change, k] : suspects) {

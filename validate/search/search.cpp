@@ -103,13 +103,11 @@ Best maximise(const Objective& whole, std::size_t dimensions, const SearchOption
   // Keeps the best points that are at least `apart` from one another: several climbs to one summit would
   // find nothing new.
   const auto keep_best = [&](std::size_t count, double apart) {
-    std::stable_sort(points.begin(), points.end(),
-                     [](const Best& a, const Best& b) { return a.value > b.value; });
+    std::ranges::stable_sort(points, std::greater(), &Best::value);
     std::vector<Best> kept;
     for (const Best& b : points)
       if (kept.size() < std::max<std::size_t>(count, 1) &&
-          std::none_of(kept.begin(), kept.end(),
-                       [&](const Best& k) { return distance(k.point, b.point) < apart; }))
+          std::ranges::none_of(kept, [&](const Best& k) { return distance(k.point, b.point) < apart; }))
         kept.push_back(b);
     points = std::move(kept);
   };
@@ -142,7 +140,7 @@ Best maximise_rough(const Objective& f, std::size_t dimensions, std::size_t eval
     if (kept.size() == kKept && !(value > kept.back().value)) continue;
     if (kept.size() == kKept) kept.pop_back();
     Best one{std::move(point), value, 0};
-    kept.insert(std::upper_bound(kept.begin(), kept.end(), one, better), std::move(one));
+    kept.insert(std::ranges::upper_bound(kept, one, better), std::move(one));
   }
   for (std::size_t k = evaluations / 4; k < evaluations; ++k) {
     std::size_t rank = std::size_t(double(kept.size()) * square(random.uniform()));

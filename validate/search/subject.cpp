@@ -4,11 +4,9 @@
 #include <cmath>
 
 #include "io/files/error.h"
-#include "io/files/numbers.h"
 #include "io/files/shell.h"
 #include "io/files/text.h"
 #include "validate/search/jump_search.h"
-#include "validate/search/options.h"
 
 namespace brdf::validate {
 
@@ -94,15 +92,13 @@ Material Subject::restricted(Material at) const {
   const auto holds = [&](const Material& m) {
     const auto named = parameters(m);
     return condition_->holds([&](std::string_view name) {
-      return std::find_if(named.begin(), named.end(), [&](const auto& p) { return p.first == name; })->second;
+      return std::ranges::find_if(named, [&](const auto& p) { return p.first == name; })->second;
     });
   };
   if (holds(at)) return at;
   const ReflectanceInfo& f = info(*form_);
   const std::vector<std::string>& names = condition_->names();
-  const auto named = [&](const ParameterInfo& p) {
-    return std::find(names.begin(), names.end(), p.name) != names.end();
-  };
+  const auto named = [&](const ParameterInfo& p) { return std::ranges::find(names, p.name) != names.end(); };
   // The material with the named parameters at this share of the way from their minima.
   const auto part = [&](double share) {
     Material m = at;
@@ -129,7 +125,7 @@ Material Subject::restricted(Material at) const {
 void Subject::restrict_to(const io::Condition& condition) {
   const auto known = parameters(material_);
   for (const std::string& name : condition.names())
-    if (std::none_of(known.begin(), known.end(), [&](const auto& p) { return p.first == name; }))
+    if (std::ranges::none_of(known, [&](const auto& p) { return p.first == name; }))
       throw InputError("--such-that: " + name + " is not a parameter of " + name_);
   condition_ = condition;
   Material least = material_;
@@ -138,8 +134,7 @@ void Subject::restrict_to(const io::Condition& condition) {
   for (std::size_t k = 0; k < f.weights.size(); ++k) least.terms.front().weights[0][k] = f.weights[k].min;
   const auto values = parameters(least);
   if (!condition.holds([&](std::string_view name) {
-        return std::find_if(values.begin(), values.end(), [&](const auto& p) { return p.first == name; })
-            ->second;
+        return std::ranges::find_if(values, [&](const auto& p) { return p.first == name; })->second;
       }))
     throw InputError(
         "--such-that: the condition must hold at the lower bounds of its parameters, as kd + ks <= 1 does; "

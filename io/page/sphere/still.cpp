@@ -115,7 +115,7 @@ double exposure_of(const FittedPairs& fitted) {
       values.push_back(kPi * wi.z * std::max({f[0], f[1], f[2]}));
     }
   const auto at = values.begin() + std::ptrdiff_t(values.size() * 9 / 10);
-  std::nth_element(values.begin(), at, values.end());
+  std::ranges::nth_element(values, at);
   if (!(*at > 0)) return 0;
   return std::clamp(std::floor(2 * std::log2(0.8 / *at)) / 2, -12.0, 12.0);
 }

@@ -26,7 +26,7 @@ struct Cell {
   double t0, t1, phi0, phi1;
   std::vector<double> value, error;  // per output
   bool halve_t = true;
-  double worst() const { return *std::max_element(error.begin(), error.end()); }
+  double worst() const { return *std::ranges::max_element(error); }
   bool operator<(const Cell& other) const { return worst() < other.worst(); }
 };
 

@@ -126,7 +126,7 @@ class PoleRule {
         value = next;
       }
     }
-    std::sort(breaks.begin(), breaks.end());
+    std::ranges::sort(breaks);
   }
 
   template <class Excess>

@@ -6,7 +6,6 @@
 // of the horizon. Another near pole of the outer integrand lies at the crossing of the horizon's circle with
 // the ridge q = 0. Each of these points is the end of a panel and is mapped by sinh with its scale.
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "brdf/geometry.h"
@@ -102,7 +101,7 @@ class SlopeRule {
   }
 
   static std::vector<End> sorted(std::vector<End> ends) {
-    std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+    std::ranges::sort(ends, {}, &End::at);
     return ends;
   }
 

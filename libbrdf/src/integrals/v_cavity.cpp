@@ -65,7 +65,7 @@ Row row_of(double ox, double oy, double oz, double p, double q_low, double q_hig
   add_quadratic_roots(oz, -oy, oz * m - c, roots);                                   // fixed = moving
   add_cubic_roots(-oy, -2 * oz - c, (4 - m) * oy, (4 - m) * c - 2 * oz * m, roots);  // moving = 1
   std::erase_if(roots, [&](double q) { return !(q > q_low && q < q_high); });
-  std::sort(roots.begin(), roots.end());
+  std::ranges::sort(roots);
   roots.push_back(q_high);
   Row row;
   double from = q_low;

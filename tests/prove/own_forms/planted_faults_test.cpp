@@ -36,7 +36,7 @@ enum class What { finite, non_negative };
 template <class F>
 bool is_proved(F, What what) {
   const Cover found = cover(
-      domain_for<F>(), [](const Box& box) { return enclose<F, double>(box, true); },
+      domain_for<F>(), [](const Box& box) { return enclose<F, double>(box); },
       [&](Bounds b) { return std::isfinite(b.lo) && (what == What::finite || b.lo >= 0); }, {500, 5});
   return found.open == 0;
 }
