@@ -75,7 +75,7 @@ COMPARED = re.compile(rf"{WHOSE}name\s*[!=]=|[!=]=\s*{WHOSE}name\b|\bfamily\s*[!
 
 
 def split(text):
-    """The code without comments and strings (same lines), and the strings with their line."""
+    """Returns the code without comments and strings (same lines), and the strings with their line."""
     strings = []
 
     def replace(match):
@@ -89,7 +89,7 @@ def split(text):
 
 
 def is_example(string):
-    """A command for people: help texts, sentences that say what to type."""
+    """Returns whether the string is a command for people: a part of a help text, or a sentence with a command to type."""
     return re.search(r"\bbrdf \w|--\w", string) is not None
 
 

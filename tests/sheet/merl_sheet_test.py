@@ -13,7 +13,7 @@ MATERIAL = {"format": "brdf-material", "version": 1, "form": "cook_torrance", "c
 with tempfile.TemporaryDirectory() as folder:
     material, table = pathlib.Path(folder) / "m.json", pathlib.Path(folder) / "m.binary"
     material.write_text(json.dumps(MATERIAL))
-    # In a process of its own, because the largest child counts.
+    # In a separate process, because the system reports the memory of the largest child.
     subprocess.run([sys.executable, "-c", "import subprocess, sys; subprocess.run(sys.argv[1:], check=True)", executable,
                     "convert", str(material), str(table)], check=True, capture_output=True)
     command = ("import json, resource, subprocess, sys\n"
