@@ -91,7 +91,7 @@ namespace {
 
 constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
 
-// Whether the first two characters are Latin letters in UTF-16 of this byte order.
+// Returns whether the first two characters are Latin letters in UTF-16 of this byte order.
 bool begins_as_utf16(const std::string& bytes, bool is_big) {
   for (std::size_t k = 0; k < 4; ++k)
     if (bytes.size() < 4 || (bytes[k] == '\0') != (k % 2 == (is_big ? 0 : 1))) return false;
