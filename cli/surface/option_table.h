@@ -51,8 +51,8 @@ std::string table_name(const CLI::Option& option);
 // Returns the row of the option, or null if the table has no such row.
 const OptionRow* find_row(std::string_view verb, std::string_view name);
 
-// Puts every option of all verbs under its heading. Throws std::logic_error for an option without a row, which
-// ensures that no new option is left out of the groups.
+// Puts every option of all verbs under its heading. Throws std::logic_error for an option without a row,
+// which ensures that no new option is left out of the groups.
 void group_options(CLI::App& app);
 
 }  // namespace brdf::cli
