@@ -1,5 +1,5 @@
 # ctest: sheet.merl label=sheet needs=plain @brdf@
-"""The sheet of a whole MERL file takes at most five seconds of processor time and 200 MB: merl_sheet_test.py EXECUTABLE"""
+"""Requires that the data check of a whole MERL file takes at most five seconds of processor time and 200 MB: merl_sheet_test.py EXECUTABLE"""
 import json
 import pathlib
 import subprocess

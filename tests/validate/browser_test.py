@@ -49,7 +49,7 @@ PROBE = """(async () => {
     pictures: [...document.images].filter(image => image.complete && image.naturalWidth > 0).length};
 })()"""
 
-# A text of every kind against its own ground: the contrast of WCAG 2.
+# The contrast (WCAG 2) of every kind of text with its background.
 CONTRAST = """(() => {
   const linear = c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
   const rgb = text => text.match(/[\\d.]+/g).map(Number);

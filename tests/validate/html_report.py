@@ -12,7 +12,7 @@ PLOTS = re.compile(r"const plots = (\[.*?\n\]);", re.DOTALL)
 
 
 class Document(html.parser.HTMLParser):
-    """Elements in order as (tag, attributes), text by element; a tag that does not match its end is an error."""
+    """The elements of a page in order as (tag, attributes), with their texts. A tag without its end is an error."""
 
     def __init__(self, text):
         super().__init__(convert_charrefs=True)

@@ -1,6 +1,7 @@
 # ctest: io.sphere_in_a_browser label=browser timeout=600 @sphere_page@ @brdf@ chromium @here@/spheres
-"""The spheres of a report in a headless browser without a network: values as `brdf eval` has them, the picture as the
-still one, mouse, keys and controls, light and dark, 1280 and 400 pixels wide, and a browser without WebGL 2.
+"""Tests the spheres of a report in a headless browser without a network. Values must equal the values of `brdf eval`, and the
+picture must equal the still picture. Covers mouse, keys and controls, light and dark, widths of 1280 and 400 pixels, and a browser
+without WebGL 2.
 sphere_test.py SPHERE_PAGE BRDF BROWSER FOLDER"""
 import json
 import math
