@@ -110,7 +110,7 @@ double fit_ours(const FitData& data, const Model& model, Metric metric) {
   return model.shape(found.minima.front().p, 0, 0)[0];
 }
 
-// The same without variable projection: Ceres on the streamed normal equations of all parameters.
+// Fits without variable projection, with Ceres on the streamed normal equations of all parameters.
 double fit_streamed(const FitData& data, const Model& model) {
   Residual residual;
   residual.metric = Metric::cosine_l2;

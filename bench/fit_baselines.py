@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 
 
 def lobes(alpha, wi, wo):
-    """Lambert, V D and V D s of Cook-Torrance (GGX, correlated Smith, Schlick)."""
+    """Returns the lobes: Lambert, V D and V D s of Cook-Torrance (GGX, correlated Smith, Schlick)."""
     a2 = alpha * alpha
     h = wi + wo
     h2 = np.sum(h * h, axis=0)
@@ -26,7 +26,7 @@ def lobes(alpha, wi, wo):
 
 
 def fit_scipy(wi, wo, y):
-    """least_squares with its defaults: finite differences, trust region with bounds."""
+    """Fits with the defaults of least_squares: finite differences, trust region with bounds."""
 
     def residual(p):
         vd, vds = lobes(np.exp(p[0]), wi, wo)
@@ -40,7 +40,7 @@ def fit_scipy(wi, wo, y):
 
 
 def fit_numpy(wi, wo, y):
-    """Variable projection by hand: weights by normal equations, golden section on log alpha."""
+    """Fits by variable projection: weights by normal equations, golden section on log alpha."""
     weight = wi[2]
     target = y * weight
 

@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "cli/options/terminal.h"
+#include "cli/surface/option_table.h"
 #include "cli/surface/surface.h"
 #include "io/files/near_name.h"
 #include "io/files/text.h"
@@ -46,9 +47,18 @@ class Layout : public CLI::Formatter {
     return folded(Formatter::make_subcommand(verb), columns_) +
            (example.empty() ? "" : folded_command("      " + example, columns_) + "\n");
   }
-  // Formats a group of options, which the base class indents.
-  std::string make_expanded(const CLI::App* group) const override {
-    return folded(Formatter::make_expanded(group), columns_);
+  // Prints the groups of a verb in the order of the table of options. The options of the program itself have
+  // no row in that table and keep the parser's group.
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    if (!app->get_parent()) return Formatter::make_help(app, name, mode);
+    std::string out = make_description(app) + make_usage(app, name) + make_positionals(app);
+    for (const std::string_view heading : kNames<Group>) {
+      const auto options = app->get_options([&](const CLI::Option* option) {
+        return option->nonpositional() && option->get_group() == heading;
+      });
+      if (!options.empty()) out += make_group(std::string(heading), false, options);
+    }
+    return out + '\n' + make_footer(app);
   }
   std::string make_footer(const CLI::App* app) const override {
     std::string out;
@@ -117,7 +127,7 @@ std::string usage_fault(const CLI::App& app, const std::string& parsers_words,
                         const std::string& first_word) {
   if (app.get_subcommands().empty() && !first_word.empty() && first_word[0] != '-') {
     const std::string guess = io::did_you_mean(first_word, verb_names(app));
-    return "'" + first_word + "' is no verb (" + guess + "see brdf --help)";
+    return "'" + first_word + "' is not a verb (" + guess + "see brdf --help)";
   }
   std::string verb;
   for (const CLI::App* parsed : app.get_subcommands()) {
@@ -125,7 +135,7 @@ std::string usage_fault(const CLI::App& app, const std::string& parsers_words,
     for (const std::string& word : parsed->remaining()) {
       if (!word.starts_with("-") || word == "-") continue;
       const std::string name = word.substr(0, word.find('='));
-      return name + " is no option of brdf" + verb + " (" +
+      return name + " is not an option of brdf" + verb + " (" +
              io::did_you_mean(name, option_names(app, parsed->get_name())) + "see brdf" + verb + " --help)";
     }
   }

@@ -20,6 +20,7 @@
 #include "cli/options/shader_options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "cli/surface/option_table.h"
 #include "cli/verb.h"
 #ifdef BRDF_HAS_FIT
 #include "fit/solve/quiet.h"
@@ -96,6 +97,7 @@ int run(int argc, char** argv) try {
   require_plain_numbers(app);
   use_streams(app);
   add_quiet_option(app);
+  group_options(app);
   io::record_command_line(argc, argv);
   if (argc == 1) {
     std::cout << app.help();

@@ -15,6 +15,7 @@
 #include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/files/parallel.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
 #include "io/material/material_json.h"
@@ -151,12 +152,12 @@ class Batch {
     if (!batch_.progress) return;
     const std::lock_guard lock(mutex_);
     const std::string number = "[" + std::to_string(++done_) + "/" + std::to_string(rows_.size()) + "] ";
+    const std::string name = io::input_name(row.file);
     if (!row.error.empty())
-      return batch_.progress(number + (begins_with_name(row.error, row.file) ? "" : row.file + ": ") +
-                             row.error);
-    batch_.progress(number + row.file + ": " + row.best["form"].get<std::string>() + ", " +
+      return batch_.progress(number + (begins_with_name(row.error, name) ? "" : name + ": ") + row.error);
+    batch_.progress(number + name + ": " + row.best["form"].get<std::string>() + ", " +
                     row.best["verdict"].get<std::string>() + (row.reused ? " (kept)" : ""));
-    for (const std::string& sentence : row.assumptions) batch_.progress(row.file + ": " + sentence);
+    for (const std::string& sentence : row.assumptions) batch_.progress(name + ": " + sentence);
   }
 
   const std::vector<std::string>& files_;

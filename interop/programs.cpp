@@ -186,7 +186,7 @@ struct Attempt {
                              " /sr at theta_i,phi_i,theta_o,phi_o " + pair;
     if (made.words.size() > 1 || made.by_channel) return said;
     return said + ": printf 'theta_i,phi_i,theta_o,phi_o\\n" + pair + "\\n' | brdf eval " + made.words[0] +
-           " /dev/stdin";
+           " -";
   }
 };
 

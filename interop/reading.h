@@ -36,8 +36,8 @@ class Reading {
   double turn() const { return anisotropic() ? part_.tangent.degrees() : 0; }
   // Returns the azimuth of the material's alpha_x axis.
   double given_turn() const { return anisotropic() ? part_.given.degrees() : 0; }
-  // Whether the wider axis lies along or across the mesh's tangent. If a format sets both widths freely,
-  // they are written unchanged in both cases.
+  // Returns whether the wider axis lies along or across the mesh's tangent. If a format sets both widths
+  // freely, they are written unchanged in both cases.
   bool along_tangent() const;
   bool crosswise() const;
   // Throws for programs that use the mesh's tangent. The message states the condition on the mesh and the

@@ -52,7 +52,7 @@ std::optional<Material> in_colours(const Material& material);
 // Returns the sum of the parts, in the surface's frame.
 Material sum_of(const std::vector<Wanted>& parts);
 
-// Whether a target's lobe has one value per colour.
+// Facts about a target: whether its lobe has one value per colour.
 struct Holds {
   bool coloured_lobe = true;     // of the weight
   bool coloured_fresnel = true;  // of the Fresnel reflectance

@@ -22,7 +22,7 @@ namespace {
 
 // If a texel has more than twice this number of rows, a starting point is first solved on this many rows.
 constexpr std::size_t kCoarseRows = 4096;
-// The same limit for starting at the neighbour's solution, which is near.
+// This limit applies to a start at the neighbour's solution, which is near.
 constexpr std::size_t kNearRows = 2048;
 constexpr std::size_t kSolvedStarts = 6;  // number of grid points of lowest cost that are solved
 constexpr double kJump = 2;               // factor of the cost per value from one texel to the next

@@ -5,6 +5,7 @@
 
 #include "io/files/numbers.h"
 #include "io/files/parallel.h"
+#include "io/files/shell.h"
 #include "io/files/text.h"
 #include "prove/energy/energy.h"
 #include "prove/largest_albedo.h"
@@ -47,7 +48,7 @@ std::optional<Witness> gain_of(const Channels& terms, const std::string& file) {
       worst = Witness{{},
                       {{"theta", theta}, {"phi", phi}},
                       found.value,
-                      "brdf albedo --material " + file + " --theta " + io::to_text(theta) +
+                      "brdf albedo " + io::shell_file(file) + " --theta " + io::to_text(theta) +
                           (phi > 0 ? " --phi " + io::to_text(phi) : "")};
     }
   return worst;

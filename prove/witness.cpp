@@ -77,8 +77,7 @@ std::optional<Witness> find_negative(const Reflectance& form) {
     if (!(d.witness.value < 0)) continue;
     d.witness.angles = {{"theta_i", at[0]}, {"phi_i", 0}, {"theta_o", at[1]}, {"phi_o", at[2]}};
     d.witness.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(at[0]) + ",0," +
-                        io::to_text(at[1]) + "," + io::to_text(at[2]) + "\\n' | brdf eval" + d.options +
-                        " /dev/stdin";
+                        io::to_text(at[1]) + "," + io::to_text(at[2]) + "\\n' | brdf eval" + d.options + " -";
     return d.witness;
   }
   return std::nullopt;

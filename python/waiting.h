@@ -35,7 +35,7 @@ class Watch {
       keep(std::current_exception());
     }
   }
-  // The same for work that can be ended only by an exception.
+  // Does the same for work that can be ended only by an exception.
   template <class... Values>
   void tell_or_throw(const Values&... values) {
     tell(values...);

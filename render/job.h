@@ -105,10 +105,12 @@ enum class LobeView { plane, body };
 void write_lobes(const Job& job, LobeView view = LobeView::plane);
 
 // Writes maps as PNG into a folder and creates the folder: "rusty_metal" (albedo, normal, roughness,
-// metallic) or "tiles" (albedo).
-void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder);
+// metallic) or "tiles" (albedo). `progress` is called with the number of written pictures and their total.
+void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder,
+                const std::function<void(int, int)>& progress = {});
 // Writes the lookup article's tables as PNG into a folder: each factor, and the product with the article's
-// error.
-void write_lookup_pictures(const std::filesystem::path& folder);
+// error. `progress`: as in write_maps().
+void write_lookup_pictures(const std::filesystem::path& folder,
+                           const std::function<void(int, int)>& progress = {});
 
 }  // namespace brdf::render

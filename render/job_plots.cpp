@@ -37,6 +37,28 @@ BytePicture bytes_of(const Texture& texture) {
   return picture;
 }
 
+// Writes pictures into a folder and reports the number of written pictures.
+class PictureFolder {
+ public:
+  PictureFolder(std::filesystem::path folder, int total, const std::function<void(int, int)>& progress)
+      : folder_(std::move(folder)), total_(total), progress_(progress) {
+    report();
+  }
+  void write(const std::string& name, const BytePicture& picture) {
+    write_png(folder_ / (name + ".png"), picture);
+    ++written_;
+    report();
+  }
+
+ private:
+  void report() const {
+    if (progress_) progress_(written_, total_);
+  }
+  std::filesystem::path folder_;
+  int written_ = 0, total_;
+  const std::function<void(int, int)>& progress_;
+};
+
 }  // namespace
 
 void write_lobes(const Job& given, LobeView view) {
@@ -68,24 +90,24 @@ void write_lobes(const Job& given, LobeView view) {
   write_png(job.output, lobe_picture(curves, double(state.plot_theta), solo, job.width.value_or(640), dots));
 }
 
-void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder) {
+void write_maps(const std::string& kind, int size, std::uint64_t seed, const std::filesystem::path& folder,
+                const std::function<void(int, int)>& progress) {
   io::make_folder(folder);
-  if (kind == "tiles") {
-    write_png(folder / "tiles.png", bytes_of(floor_tile(size, seed)));
-    return;
-  }
+  const bool tiles = kind == "tiles";
+  PictureFolder pictures(folder, tiles ? 1 : int(kNames<TextureSlot>.size()), progress);
+  if (tiles) return pictures.write("tiles", bytes_of(floor_tile(size, seed)));
   const auto maps = rusty_metal(size, seed);
   for (std::size_t k = 0; k < maps.size(); ++k)
-    write_png(folder / (std::string(kNames<TextureSlot>[k]) + ".png"), bytes_of(maps[k]));
+    pictures.write(std::string(kNames<TextureSlot>[k]), bytes_of(maps[k]));
 }
 
-void write_lookup_pictures(const std::filesystem::path& folder) {
+void write_lookup_pictures(const std::filesystem::path& folder,
+                           const std::function<void(int, int)>& progress) {
   io::make_folder(folder);
-  for (std::size_t k = 0; k < kNames<LookupFactor>.size(); ++k) {
-    write_png(folder / (std::string(name_of(LookupFactor(k))) + ".png"),
-              lookup_picture(LookupFactor(k), false));
-  }
-  write_png(folder / "product_as_coded.png", lookup_picture(LookupFactor::product, true));
+  PictureFolder pictures(folder, int(kNames<LookupFactor>.size()) + 1, progress);
+  for (std::size_t k = 0; k < kNames<LookupFactor>.size(); ++k)
+    pictures.write(std::string(name_of(LookupFactor(k))), lookup_picture(LookupFactor(k), false));
+  pictures.write("product_as_coded", lookup_picture(LookupFactor::product, true));
 }
 
 }  // namespace brdf::render

@@ -225,8 +225,8 @@ class Binder {
                                 : " must be a whole number below 2^31"));
   }
 
-  // Whether the text declares the name as bool, and as no other integer, outside all functions: a block of
-  // constants stores truth values as integers.
+  // Returns whether the text declares the name as bool, and as no other integer, outside all functions: a
+  // block of constants stores truth values as integers.
   bool is_declared_bool(const std::string& name) const {
     const std::vector<Token> tokens = tokens_of(f_.source.whole);
     std::vector<bool> open;  // of each bracket that is open: whether a function's arguments or body are in it

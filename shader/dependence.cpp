@@ -160,7 +160,8 @@ class DegreeDomain {
   double largest(const Degree& v) const {
     return v.copy_of < 0 ? kNone : f_.parameters[std::size_t(v.copy_of)].max;
   }
-  // Whether a comparison of a parameter with a constant has one outcome between the ends of its range.
+  // Returns whether a comparison of a parameter with a constant has one outcome between the ends of its
+  // range.
   bool is_settled(const Degree& v, const Degree& limit) const {
     return limit.constant <= least(v) || limit.constant >= largest(v);
   }

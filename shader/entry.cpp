@@ -62,8 +62,8 @@ struct Seen {
   }
 };
 
-// Whether the function takes a direction of the light and one of the viewer, or their products with the
-// normal. One of the two may be a global variable.
+// Returns whether the function takes a direction of the light and one of the viewer, or their products with
+// the normal. One of the two may be a global variable.
 bool takes_directions(const Module& m, const spirv::Function& f, const std::vector<std::string>& free) {
   Seen seen;
   for (std::size_t k = 0; k < f.parameters.size(); ++k) {

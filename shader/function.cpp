@@ -108,8 +108,8 @@ Program lowered(const spirv::Module& module, const spirv::Function& entry, const
   }
 }
 
-// Whether the module's functions that have names of the library's kernels compute the kernels, to 1e-5, for
-// numbers of all magnitudes. A function of another meaning is taken as it is written.
+// Returns whether the module's functions that have names of the library's kernels compute the kernels, to
+// 1e-5, for numbers of all magnitudes. A function of another meaning is taken as it is written.
 bool holds_kernels(const spirv::Module& module, const std::string& name) {
   const auto value = []<class T>(const Program& program, T a, T b) {
     Bank<T, 1> bank(program);

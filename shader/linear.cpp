@@ -107,7 +107,8 @@ std::optional<double> scale_of(std::initializer_list<double> numbers) {
   return scale;
 }
 
-// Whether f is a straight line in the parameter over its whole range, ends included, and changes with it.
+// Returns whether f is a straight line in the parameter over its whole range, ends included, and changes with
+// it.
 bool is_affine(const Function& f, std::size_t parameter) {
   const Parameter& p = f.parameters[parameter];
   bool changes = false;

@@ -24,7 +24,7 @@ bool is_even(Parity p) {
   return p == Parity::even || p == Parity::zero || p == Parity::unreached;
 }
 
-// Whether f(-x) = -f(x), for every rounding to nearest.
+// Returns whether f(-x) = -f(x), for every rounding to nearest.
 bool is_odd_function(Op op) {
   return op == Op::neg || op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan ||
          op == Op::sinh || op == Op::tanh || op == Op::sign || op == Op::trunc || op == Op::round_even ||

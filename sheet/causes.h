@@ -33,7 +33,7 @@ struct Causes {
   // The first entry of `tried`, if it meets the rule of its cause: its quartiles agree with the size and
   // exclude 0, and no rival removes as much.
   std::optional<Explanation> found;
-  // Whether the rule was met by a wide margin.
+  // True if the rule was met by a wide margin.
   bool is_certain = false;
 };
 

@@ -59,7 +59,7 @@ Around around(const std::vector<Sample>& samples, const Vec3<double>& d, double 
 
 struct Samples {
   std::vector<Sample> all;
-  // Whether only one side of the plane of incidence was measured; it is then used for the other side too.
+  // True if only one side of the plane of incidence was measured; it is then used for the other side too.
   bool are_mirrored = false;
 };
 

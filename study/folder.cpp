@@ -26,7 +26,7 @@ std::optional<Json> results_in(const fs::path& folder) {
   return std::nullopt;
 }
 
-// Whether the name refers to a file directly in its folder.
+// Returns whether the name refers to a file directly in its folder.
 bool is_plain(const std::string& name) {
   return !name.empty() && name == fs::path(name).filename() && name != "." && name != "..";
 }

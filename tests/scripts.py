@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
-"""The tests that files state of themselves: writes them as CTest's commands.
+"""Writes the tests that scripts and sources declare as commands of CTest.
 
     scripts.py ROOT BUILD TARGETS...
 
-At its head a script has a line for each of its tests; so has a C++ source whose program is run with arguments (// ctest: ...), whose
-ARGUMENTS begin with the program:
+A script declares each of its tests in a line at its beginning. So does a C++ source if its program is run with arguments
+(// ctest: ...); ARGUMENTS then begin with the program:
 
     # ctest: NAME label=A,B [timeout=SECONDS] [cost=SECONDS] [needs=THING,...] [setup=FIXTURE] [after=FIXTURE] [env=NAME=VALUE]
              [serial] [module] ARGUMENTS
 
-@brdf@ in the arguments is the program, @source@ and @build@ are the trees, @here@ is a folder of the script's own room in the
-build. needs=: a target of CMake, or `plain` (no sanitizer), `sanitized`, `threads`, `install`. `module`: with the interpreter and
-the path of the Python module. cost=: seconds of what takes longest, so that on a machine that has never run it, it begins first.
-Exit code 77 is a test skipped. BUILD has a CMakeCache.txt; TARGETS are those that a test may need.
+@brdf@ in the arguments is the program, @source@ and @build@ are the trees, @here@ is a folder of the script's room in the
+build. needs= names a target of CMake, or `plain` (no sanitizer), `sanitized`, `threads`, `install`. `module` runs the script with the
+interpreter and the path of the Python module. cost= is the duration of a long test in seconds; CTest starts long tests first, even on
+a machine that has never run them. Exit code 77 means that the test is skipped. BUILD has a CMakeCache.txt; TARGETS are all targets
+that a test may need.
 """
 import pathlib
 import re
@@ -52,7 +53,7 @@ def command_of(script, module):
 
 
 def ctest(script, statement):
-    """The commands of one statement; none where this build lacks what it needs."""
+    """Returns the commands of one declaration; empty if this build lacks a needed part."""
     names = NAMES | {"here": build / script.parent.relative_to(root)}
     name, *words = shlex.split(re.sub(r"@(\w+)@", lambda m: str(names[m[1]]), statement))
     options = {"timeout": str(LIMIT), "needs": ""}

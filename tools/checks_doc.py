@@ -17,7 +17,7 @@ explains the methods; [judging a measurement](howto/judge.md) shows the checks o
 
 
 def rows_of(source):
-    """(name, meaning, remaining fields) of every check of a table of checks."""
+    """Returns (name, meaning, remaining fields) of every check of a table of checks."""
     text = source.read_text()
     table = text[text.index("kChecks[] = {") :]
     table = table[: table.index("\n};")]

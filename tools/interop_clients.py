@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # ctest: interop.clients label=interop after=clients needs=plain @tests@/interop @source@/docs/interop.md
-"""The table of docs/interop.md of programs that were run: the difference between their pictures and their files.
+"""Checks or writes the table of docs/interop.md with the differences between the pictures of programs and their files.
 
     ctest --test-dir build/release -L interop
     tools/interop_clients.py [--update] build/release/tests/interop docs/interop.md
 
-The folder holds what the tests of the programs left, a summary.json each. Without --update it fails where the document's table
-is another (figures within a factor of 2: they are roundings in float).
+The folder holds a summary.json of each test of a program. Without --update the script fails if the table of the document
+differs (figures may differ by a factor of 2, because they are rounding errors in float).
 """
 import json
 import pathlib

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes docs/img/interop_NAME.png: spheres under one distant light of the material, of the refitted export in the program,
-and the copied one. Blender and three.js are run; of Mitsuba it is what the export says that its formula gives.
+"""Makes docs/img/interop_NAME.png: spheres under one distant light with the material, with the refitted export in the program, and
+with the copied parameters. Blender and three.js are run; the pictures of Mitsuba are computed from its formula.
 Usage: tools/interop_pictures.py BRDF [blender] [mitsuba] [three] (tools/setup interop first)."""
 import array
 import json

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # ctest: interop.losses label=interop timeout=900 needs=plain @brdf@ @source@/docs/interop.md
-"""The tables of docs/interop.md: losses of each program for twenty materials, and the export of every form at its defaults.
+"""Checks or writes the tables of docs/interop.md: losses of each program for twenty materials, and the export of every form at its
+defaults.
 
     tools/interop_table.py [--update] BRDF docs/interop.md
 
-Without --update it fails where one of the document's tables is another (numbers within 5 %), or where a refit is worse than copied
-parameters.
+Without --update the script fails if a table of the document differs (numbers by more than 5 %), or if a refit is worse than the
+copied parameters.
 """
 import json
 import pathlib

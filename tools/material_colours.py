@@ -2,12 +2,13 @@
 # ctest: data.material_colours label=cli --check @source@/data/materials
 """Writes the materials of data/materials that come from published tables. The tables are below, with their sources.
 
-A metal's f0 in a colour is what a white reflector's share becomes at normal incidence: R = ((n-1)^2 + k^2)/((n+1)^2 + k^2)
-with n and k linear between the table's rows, times illuminant D65 and the CIE 1931 observer every 10 nm from 380 to 780 nm,
-to linear sRGB (IEC 61966-2-1), over the same sums for R = 1. MERL's colours are those of its pictures.
+The f0 of a metal in a colour is its reflectance at normal incidence relative to a white reflector. The reflectance
+R = ((n-1)^2 + k^2)/((n+1)^2 + k^2), with n and k interpolated linearly between the rows of the table, is weighted by illuminant
+D65 and the CIE 1931 observer every 10 nm from 380 to 780 nm, converted to linear sRGB (IEC 61966-2-1), and divided by the same
+sums for R = 1. The colours of MERL are the colours of its pictures.
 
 Usage: tools/material_colours.py FOLDER   writes the files (as `data/materials` has them)
-       tools/material_colours.py --check FOLDER   compares them; exit code 1 where one differs
+       tools/material_colours.py --check FOLDER   compares them; exit code 1 if one differs
 """
 import json
 import os
@@ -68,7 +69,7 @@ METALS = {  # file: name, table, its source, form, widths, source of the widths
 
 # Löw, Kronander, Ynnerman and Unger 2012 (ACM Transactions on Graphics 31, 1), fits of MERL's measurements by the logarithmic
 # metric: kd, ks, m, eta. Their Cook-Torrance is ks F D G/(pi cos_i cos_o) with D = exp(-tan^2/m^2)/(m^2 cos^4), V-cavities
-# and the exact Fresnel reflectance: 4 ks times the form's lobe, whose D has the pi.
+# and the exact Fresnel reflectance: 4 ks times the lobe of the form, because the D of the form includes pi.
 LOW = "Löw et al. 2012 (ACM Transactions on Graphics 31, 1), Cook-Torrance fitted to {} of the MERL database"
 FITTED_BY_LOW = {
     "red_plastic": ("glossy red plastic", "red-specular-plastic", (.2489, .0380, .0176), (.12735, .11017, .11215), .008954,

@@ -62,7 +62,7 @@ class Film:
 
 
 def changed(before, rows):
-    """(left, top, right, bottom) of the rectangle of changes; WebP wants even left and top."""
+    """Returns (left, top, right, bottom) of the rectangle of changes; WebP wants even left and top."""
     height, width = len(rows), len(rows[0])
     if before is None:
         return 0, 0, width, height
@@ -83,7 +83,7 @@ def glide(page, film, start, end):
 
 
 def show_page(film, page_file):
-    """The head of the page with its spheres, then the first plot."""
+    """Shows the head of the page with its spheres, then the first plot."""
     with Browser("chromium", *SOFTWARE) as browser, browser.open(page_file, WIDTH, HEIGHT) as page:
         page.wait("document.querySelector('figure.sphere')?.dataset.shown")
         page.screenshot(film.path(2200), whole=False)
@@ -94,7 +94,7 @@ def show_page(film, page_file):
 
 
 def show_window(film, brdf, folder, material, samples):
-    """The roughness is dragged away from the fit, and Ctrl-F fits again."""
+    """Drags the roughness away from the fit, then fits again with Ctrl-F."""
     desk = Desk(str(brdf), str(folder), WIDTH, HEIGHT)
     window = None
     try:
@@ -145,7 +145,7 @@ def show_window(film, brdf, folder, material, samples):
 
 
 def agrees(material, other):
-    """Whether two materials of one form, with a shape for all channels, agree in the shape to 1 %."""
+    """Returns whether two materials of one form, with a shape for all channels, agree in the shape to 1 %."""
     return all(abs(material["shape"][name] - value) <= 0.01 * abs(value)
                for name, value in other["shape"].items())
 

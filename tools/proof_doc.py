@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def cell(results):
-    """One property of one form."""
+    """Returns the text of one property of one form."""
     verdicts = {r["verdict"] for r in results}
     if len(verdicts) > 1:
         return ", ".join(f"{r['verdict']} ({r['scalar']})" for r in results)

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # ctest: style.documents label=style,driver timeout=900 cost=50 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/data.md @source@/docs/howto --quick
 # ctest: documents.all label=slow,driver timeout=900 needs=brdf_micro --brdf @brdf@ @source@/README.md @source@/docs/tour.md @source@/docs/data.md @source@/docs/howto
-"""Runs the commands of documents and compares what they print with what the document shows.
+"""Runs the commands of documents and compares their output with the output in the document.
 
     tools/run_documents.py [--update] [--quick] --brdf build/release/brdf README.md docs/tour.md docs/data.md docs/howto
 
 A folder means every Markdown file in it, so that no page is forgotten. A document without a command fails.
 A command is an indented line that starts with `$ brdf`; `\\` continues it. The indented lines after it are its
-output, to the next command or the end of the block; a line `...` stands for any number of lines. Words must be equal,
+output, to the next command or the end of the block; a line `...` matches any number of lines. Words must be equal,
 numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
 run, but its output is not compared; a command marked `# half a minute` or `# some seconds` is left out by --quick. A command that
 exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch folder, in order, so that a
@@ -64,7 +64,7 @@ def same_line(expected, printed):
 
 
 def difference(expected, printed):
-    """The first line that differs, as text; None where the output is as shown."""
+    """Returns the first line that differs, as text; None if the output is as shown."""
     if "..." in expected:
         cut = expected.index("...")
         head, tail = expected[:cut], expected[cut + 1 :]
@@ -80,7 +80,7 @@ def difference(expected, printed):
 
 
 def shortened(expected, printed):
-    """The printed lines, cut where the document cuts them."""
+    """Returns the printed lines, shortened at the places at which the document shortens them."""
     if "..." not in expected or len(printed) < len(expected):
         return printed
     cut = expected.index("...")
@@ -106,7 +106,8 @@ def verbs_of_help(brdf):
 
 
 def check_verbs(document, brdf, lines, update):
-    """Whether the document's table of verbs, if it has one, is that of the help; replaced by it in `lines` for an update."""
+    """Returns whether the document's table of verbs, if it has one, equals the table of the help. For an update, the table in `lines` is
+    replaced."""
     if VERBS not in lines:
         return True
     begin = end = lines.index(VERBS) + 2

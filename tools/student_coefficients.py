@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prints the coefficients of kStudentMasking in libbrdf/brdf/forms/cook_torrance_student.h, in 30 digits.
 
-Needs mpmath. The function is what masking adds to the cosine for Student's t slopes, without its singular factors:
+Needs mpmath. The function is the term that masking adds to the cosine for Student's t slopes, without its singular factors:
 
   R(m, gamma) = 2F1(1, gamma - 3/2; gamma; 1 - m^2) Gamma(gamma + 3/2)/(2 sqrt(pi) Gamma(gamma) (gamma + 2)^2),
 
@@ -42,7 +42,7 @@ def horner(c, x):
 
 
 def longer(m, g, r):
-    """m + (1 - m^2)^(gamma - 1) r: the stretched length that masking sees, over the length."""
+    """Returns m + (1 - m^2)^(gamma - 1) r: the stretched length that masking sees, relative to the length."""
     factor = (g + 2) ** 2 / ((g - mpf(3) / 2) * (g - mpf(1) / 2) * (g + mpf(1) / 2))
     return m + (1 - m * m) ** (g - 1) * r * factor
 

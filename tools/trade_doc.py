@@ -96,7 +96,7 @@ def fronts(ledger):
 
 
 def some_textures(row):
-    """Selects of the lookup textures the smallest, and the article's size in every depth."""
+    """Selects the smallest lookup texture, and the texture of the article's size in every depth."""
     choice = row["choice"]
     return "^2" not in choice or "8 bit" in choice and choice.startswith(("32^2", "128^2")) or choice.startswith("512^2")
 

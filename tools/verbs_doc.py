@@ -26,7 +26,7 @@ def help_of(brdf, *verb):
 
 
 def groups_of(lines):
-    """The verbs as {group: [(verb, purpose)]}, in the order of the help of the program."""
+    """Returns the verbs as {group: [(verb, purpose)]}, in the order of the help of the program."""
     groups, group = {}, None
     for line in lines[lines.index("Options:") + 1 :]:
         if heading := re.fullmatch(r"(\S[^:]*):", line):

@@ -18,51 +18,55 @@ std::atomic<bool> interrupted = false;
 void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   std::vector<std::string> models = names_for(Value::form);
   models.insert(models.end(), {"all", "every", "auto"});
-  offer(verb.add_option(
-                "--form", choice.form,
-                "all, every, a form, a sum as in oren_nayar+ward, or auto: terms as the samples ask for")
+  offer(verb.add_option("--form", choice.form,
+                        "all, every, a form, a sum as in oren_nayar+ward, or auto: terms are added as long "
+                        "as the samples support them")
             ->capture_default_str(),
         std::move(models));
   add_named_option(
       verb, "--metric", choice.options.metric,
       "Residual; auto: the residual with the most uniform noise on the data, log if the noise is not known");
-  verb.add_flag("--anisotropic", choice.options.anisotropic, "Two widths and the tangent's azimuth");
-  verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel: --shape free");
-  offer(verb.add_option(
-            "--shape", choice.shape,
-            "Over the channels: shared (default), free, or smooth[:DEGREE], a polynomial in 1/wavelength "
-            "(default degree 2)"),
+  verb.add_flag("--anisotropic", choice.options.anisotropic, "Fit two widths and the azimuth of the tangent");
+  verb.add_flag("--per-channel", choice.options.per_channel,
+                "Fit a shape for every channel, as --shape free");
+  offer(verb.add_option("--shape", choice.shape,
+                        "Shape over the channels: shared (default), free, or smooth[:DEGREE], a polynomial "
+                        "in 1/wavelength (default degree 2)"),
         {"shared", "free", "smooth"});
   verb.add_flag("--free-scale", choice.options.free_scale,
-                "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
+                "Divide uncalibrated samples by a scale, which is reported; weights are then relative");
   add_keep_fill_option(verb, choice.options.keep_fill);
   add_arrangement_options(verb, choice.options.arrangement);
   add_supplied_options(verb, choice.options.supplied);
-  verb.add_option("--max-theta", choice.options.max_theta, "Degrees; rows with a steeper angle are left out")
+  verb.add_option("--max-theta", choice.options.max_theta,
+                  "Largest polar angle in degrees; rows with a larger angle are left out")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 90.0));
   add_repeated_option(verb, "--fix", choice.fix,
                       "Hold a parameter: name=value, one value per channel, or FILE, a table of refractive "
                       "indices (f0=gold.yml)");
-  add_repeated_option(verb, "--start", choice.start, "One more start: name=value, or FILE as of --fix");
+  add_repeated_option(verb, "--start", choice.start,
+                      "Additional starting point: name=value, or FILE as for --fix");
   add_repeated_option(verb, "--bounds", choice.bounds, "Restrict a parameter: name=low:high");
   add_repeated_option(verb, "--tie", choice.options.tie,
-                      "One value for all channels: the name of a weight, f0 or shape");
-  verb.add_flag("--physical", choice.physical, "Weights that keep energy: a channel's add up to at most 1");
-  verb.add_option("--robust", choice.robust, "huber or cauchy, with :SCALE to give its scale");
+                      "Parameter with one value for all channels: the name of a weight, f0 or shape");
+  verb.add_flag("--physical", choice.physical,
+                "Limit the sum of the weights of each channel to 1, which conserves energy");
+  verb.add_option("--robust", choice.robust, "Robust loss: huber or cauchy, optionally with :SCALE");
   add_named_option(verb, "--weights", choice.options.weighting,
                    "Weights of the residuals (auto: from sigma columns if the table has any)");
-  verb.add_option("--starts", choice.options.random_starts, "Random starts in addition to the grid")
+  verb.add_option("--starts", choice.options.random_starts,
+                  "Number of random starting points in addition to the grid")
       ->check(CLI::Range(0, 100000));
-  verb.add_option("--seed", choice.options.seed, "Of the random starts")->capture_default_str();
+  verb.add_option("--seed", choice.options.seed, "Seed of the random starts")->capture_default_str();
   verb.add_option("--aperture", choice.options.aperture,
-                  "Full width of the detector's field in degrees: the model is averaged over it")
+                  "Full angular width of the detector in degrees; the model is averaged over this width")
       ->check(CLI::Range(0.0, 90.0));
 }
 
 void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--bootstrap", choice.options.bootstrap,
-                  "Replicates: fits to incidences drawn with replacement; their spread is reported")
+                  "Number of replicates: fits to incidences drawn with replacement; their spread is reported")
       ->check(CLI::Range(0, 100000));
 }
 
@@ -76,8 +80,8 @@ fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
 
 void add_normals_option(CLI::App& verb, work::StackOptions& options) {
   verb.add_option("--normals", options.normals,
-                  "Of a stack: flat, fit (two more parameters for each texel), or an EXR with normal.x, "
-                  "normal.y and normal.z")
+                  "Normals of a stack: flat, fit (two more parameters for each texel), or an EXR with "
+                  "normal.x, normal.y and normal.z")
       ->capture_default_str();
 }
 

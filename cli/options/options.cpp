@@ -6,6 +6,7 @@
 
 #include "cli/options/terminal.h"
 #include "io/columns/stated_quantity.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 
 namespace brdf::cli {
@@ -84,7 +85,7 @@ void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& 
 }
 
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& of) {
-  add_memory_option(verb, bytes, "--memory-limit", "Most " + of + ", for instance 500M or 1G");
+  add_memory_option(verb, bytes, "--memory-limit", "Largest amount of " + of + ", for instance 500M or 1G");
 }
 
 void require_plain_numbers(CLI::App& app) {
@@ -109,7 +110,7 @@ std::vector<Reflectance> forms_of(const std::vector<std::string>& names, bool al
   std::vector<Reflectance> forms;
   if (all) forms.assign(catalogue().begin(), catalogue().end());
   for (const std::string& name : names) forms.push_back(io::require_form(name));
-  if (forms.empty()) throw InputError("which forms? give --form or --all");
+  if (forms.empty()) throw InputError("no form is given: give --form or --all");
   return forms;
 }
 
@@ -117,7 +118,8 @@ void add_material_options(CLI::App& verb, io::MaterialChoice& choice) {
   verb.add_option("--form", choice.form,
                   "A form by name (`brdf models` lists them), at its default parameters");
   verb.add_option("--material", choice.material, "The same as MATERIAL");
-  add_repeated_option(verb, "--set", choice.set, "name=value, or one value per channel: name=v,v,v");
+  add_repeated_option(verb, "--set", choice.set,
+                      "Parameter: name=value, or one value per channel: name=v,v,v");
 }
 
 CLI::Option* add_material_argument(CLI::App& verb, std::string& file, const std::string& option,
@@ -127,8 +129,8 @@ CLI::Option* add_material_argument(CLI::App& verb, std::string& file, const std:
       "MATERIAL",
       [&file, older, option](const std::string& given) {
         if (older->count() > 0)
-          throw InputError("MATERIAL " + given + " and " + option + " " + older->results().front() +
-                           " are both given: give one of them");
+          throw InputError("MATERIAL " + io::input_name(given) + " and " + option + " " +
+                           io::input_name(older->results().front()) + " are both given: give one of them");
         file = given;
       },
       description);

@@ -4,18 +4,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cli/surface/option_table.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::cli {
 namespace {
-
-// Returns the long name of an option, such as "--seed" for an option that is also -s, or the capitals of a
-// positional one, such as "SAMPLES".
-std::string name_of_option(const CLI::Option& option) {
-  return option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().at(0);
-}
 
 std::vector<std::string> words(std::string_view text) {
   std::vector<std::string_view> fields;
@@ -35,7 +30,7 @@ void require_every_option(const CLI::App& verb, std::span<const OptionOf> table)
   for (const OptionOf& row : table)
     for (std::string& name : words(row.names)) listed.push_back(std::move(name));
   for (const CLI::Option* option : verb.get_options())
-    if (const std::string name = name_of_option(*option); name != "--help") known.push_back(name);
+    if (const std::string name = table_name(*option); name != "--help") known.push_back(name);
   std::ranges::sort(listed);
   std::ranges::sort(known);
   std::vector<std::string> wrong;

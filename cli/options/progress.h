@@ -21,10 +21,10 @@ std::string progress_text(const std::string& what, double fraction, double secon
 // function. The function does nothing unless shows_progress().
 std::function<void(int done, int total)> progress_line(std::string what);
 
-// The same for long work with different parts: " 18 %  albedo of GGX".
+// Does the same for long work with different parts: " 18 %  albedo of GGX".
 std::function<void(double fraction, const std::string& what)> percent_line();
 
-// The same for work with an unknown number of parts: "brdf fit: lambert".
+// Does the same for work with an unknown number of parts: "brdf fit: lambert".
 std::function<void(const std::string& what)> step_line(std::string before);
 
 }  // namespace brdf::cli

@@ -101,7 +101,7 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
                       "scale (of --shader)");
   verb.add_option("--entry", options.entry,
                   "The function, NAME or NAME(L, V, N, ...) with the meaning of its arguments (of --shader; "
-                  "default: the one called brdf)");
+                  "default: the function brdf)");
   offer(verb.add_option(
             "--returns", options.returns,
             "The quantity that the function returns: f (default), f*cos_i or f*cos_o (of --shader)"),
@@ -119,7 +119,7 @@ bool is_given(const ShaderOptions& options) {
        {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
         std::pair("--returns", !options.returns.empty()), std::pair("--define", !options.defines.empty()),
         std::pair("-I", !options.include_folders.empty())})
-    if (given && options.file.empty()) throw InputError(std::string(name) + ": goes with --shader FILE");
+    if (given && options.file.empty()) throw InputError(std::string(name) + ": needs --shader FILE");
 #ifndef BRDF_HAS_SHADER
   if (!options.file.empty())
     throw EnvironmentError("--shader " + options.file + ": this build has no shader compiler (glslang)");

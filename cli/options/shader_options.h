@@ -50,7 +50,7 @@ struct LoadedShader {
   std::function<std::string(std::string_view check, const Material& at, const Vec3<double>& wi,
                             const Vec3<double>& wo)>
       explain;
-  // The same for a jump between two pairs of directions.
+  // Does the same for a jump between two pairs of directions.
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
                             const Vec3<double>& other_wi, const Vec3<double>& other_wo)>
       explain_jump;

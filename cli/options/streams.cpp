@@ -6,13 +6,14 @@
 #include <memory>
 #include <string_view>
 
-#include "cli/surface/values.h"
+#include "cli/surface/option_table.h"
 #include "io/files/error.h"
+#include "io/files/standard_input.h"
 
 namespace brdf::cli {
 namespace {
 
-constexpr std::string_view kStandardInput = "/dev/stdin", kStandardOutput = "/dev/stdout";
+constexpr std::string_view kStandardOutput = "/dev/stdout";
 
 // Options that read one table, one material or one other file of text, which names no further files.
 constexpr std::array<std::string_view, 13> kInputs{
@@ -28,11 +29,6 @@ constexpr std::array<std::string_view, 3> kWithoutStreamedInput{"plan", "work", 
 template <std::size_t N>
 bool holds(const std::array<std::string_view, N>& list, std::string_view name) {
   return std::ranges::find(list, name) != list.end();
-}
-
-std::string long_name(const CLI::Option& option) {
-  if (option.get_positional()) return option.get_name(true);
-  return option.get_lnames().empty() ? "" : "--" + option.get_lnames()[0];
 }
 
 bool writes(std::string_view name) {
@@ -55,31 +51,30 @@ std::string to_stream(const std::string& verb, const std::string& name, std::str
   if (!taken.empty())
     return "'-' is given twice: standard input can be read once, and " + taken + " reads it";
   taken = name;
-  text = kStandardInput;
+  text = io::kStandardInput;
   return {};
 }
 
-void use_streams_in(CLI::App& group, const std::string& verb, const std::shared_ptr<std::string>& taken) {
-  for (CLI::Option* option : group.get_options()) {
-    const std::string name = long_name(*option);
+void use_streams_in(CLI::App& app, const std::shared_ptr<std::string>& taken) {
+  const std::string verb = app.get_name();
+  for (CLI::Option* option : app.get_options()) {
+    const std::string name = table_name(*option);
     if (!is_file(value_of(*option)) && name != "--grid") continue;
     option->transform(CLI::Validator(
         [verb, name, taken](std::string& text) { return to_stream(verb, name, *taken, text); }, ""));
   }
-  for (CLI::App* inner : group.get_subcommands([](const CLI::App* a) { return a->get_name().empty(); }))
-    use_streams_in(*inner, verb, taken);
 }
 
 }  // namespace
 
 void use_streams(CLI::App& app) {
   const auto taken = std::make_shared<std::string>();
-  for (CLI::App* verb : app.get_subcommands([](const CLI::App* a) { return !a->get_name().empty(); }))
-    use_streams_in(*verb, verb->get_name(), taken);
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    use_streams_in(*verb, taken);
 }
 
 bool is_stream(const std::string& file) {
-  return file == kStandardInput || file == kStandardOutput;
+  return io::is_standard_input(file) || file == kStandardOutput;
 }
 
 void require_file(const io::Target& output, const std::string& content) {

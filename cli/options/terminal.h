@@ -35,7 +35,7 @@ class Warning : public std::ostringstream {
   ~Warning() override;
 };
 
-// The same for information that a user may miss: nothing is printed with --quiet.
+// A line of information that is not a warning. Nothing is printed with --quiet.
 class Note : public std::ostringstream {
  public:
   Note() = default;

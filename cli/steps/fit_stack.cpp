@@ -22,10 +22,10 @@ namespace brdf::cli {
 
 void add_share_options(CLI::App& verb, work::StackOptions& options) {
   add_repeated_option(verb, "--share", options.share,
-                      "Of a stack: a shape with one value for all texels of a region, as alpha");
+                      "Shape of a stack with one value for all texels of a region, for instance alpha");
   verb.add_option("--regions", options.regions,
-                  "An EXR file with one channel, the number of the region of each texel for --share; 0: "
-                  "nothing is shared")
+                  "EXR file with one channel, the number of the region of each texel for --share; 0: the "
+                  "texel shares no value")
       ->check(CLI::ExistingFile);
 }
 

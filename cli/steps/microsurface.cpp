@@ -16,8 +16,7 @@
 namespace brdf::cli {
 
 void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
-  CLI::App& group = *verb.add_option_group("Traced microsurface", "Rays on explicit microgeometry");
-  CLI::Option* surface = group.add_option(
+  CLI::Option* surface = verb.add_option(
       "--microsurface", s.surface,
       "gaussian or lambert_gaussian (--set alpha, or alpha_x and alpha_y), mirror_grooves (alpha), "
       "lambert_grooves (sigma); mirrors take eta, Lambertian facets rho; --theta-i, --azimuths and --seed "
@@ -26,20 +25,21 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
   offer(surface, micro::surface_names());
 #endif
   const std::vector<CLI::Option*> details{
-      group.add_option("--bounces", s.bounces, "Reflections to follow; 1: single reflection")
+      verb.add_option("--bounces", s.bounces, "Largest number of reflections of a ray; 1: single reflection")
           ->capture_default_str(),
-      group.add_flag("--orders", s.orders, "One channel for each order of reflection: 1, 2, 3 and more"),
-      group.add_option("--cell", s.cell, "Side of the outgoing cells, degrees (default by the lobe's width)"),
-      group.add_option("--min-power", s.min_power, "Leave out cells with less than this share of the light")
+      verb.add_flag("--orders", s.orders, "One channel for each order of reflection: 1, 2, 3 and more"),
+      verb.add_option("--cell", s.cell,
+                      "Side of the outgoing cells, degrees (default: from the width of the lobe)"),
+      verb.add_option("--min-power", s.min_power, "Leave out cells with less than this share of the light")
           ->capture_default_str(),
-      group.add_option("--surfaces", s.surfaces,
-                       "Independent surfaces, at least 8 (default 16; mirror grooves 512)"),
-      group.add_option("--size", s.size, "Cells along each side of a height field's period")
+      verb.add_option("--surfaces", s.surfaces,
+                      "Independent surfaces, at least 8 (default 16; mirror grooves 512)"),
+      verb.add_option("--size", s.size, "Cells along each side of a height field's period")
           ->capture_default_str(),
-      group.add_option(
+      verb.add_option(
           "--rays", s.rays,
           "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)"),
-      group.add_option("--threads", s.threads, "Threads; the samples do not depend on their number")
+      verb.add_option("--threads", s.threads, "Number of threads; the samples do not depend on it")
           ->check(CLI::Range(1, 1024))
           ->capture_default_str()};
   for (CLI::Option* detail : details) detail->needs(surface);

@@ -12,13 +12,13 @@ namespace brdf::cli {
 void add_shown_shader(CLI::App& verb, ShownShader& shown) {
   add_shader_options(verb, shown.shader);
   add_repeated_option(verb, "--set", shown.set,
-                      "A parameter of --shader: name=value, or one value per channel");
+                      "Parameter of --shader: name=value, or one value per channel");
 }
 
 std::optional<Material> shown_material(const ShownShader& shown, const std::string& verb) {
   const auto shader = load(shown.shader, verb);
   if (!shader) {
-    if (!shown.set.empty()) throw InputError("--set " + shown.set.front() + ": goes with --shader FILE");
+    if (!shown.set.empty()) throw InputError("--set " + shown.set.front() + ": needs --shader FILE");
     return std::nullopt;
   }
   io::MaterialChoice choice;

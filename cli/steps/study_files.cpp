@@ -7,6 +7,7 @@
 #include "cli/options/next_step.h"
 #include "cli/options/terminal.h"
 #include "io/files/provenance.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 
 namespace brdf::cli {
@@ -41,12 +42,12 @@ void print_text(const std::vector<study::Row>& rows, const std::filesystem::path
 void say_faults(const std::vector<study::Row>& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     for (const std::string& sentence : rows[k].assumptions)
-      Warning() << "brdf study: " << rows[k].file << ": " << sentence;
+      Warning() << "brdf study: " << io::input_name(rows[k].file) << ": " << sentence;
     if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
       Warning() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
   }
   if (const auto left = std::ranges::count_if(rows, was_left); left > 0)
-    Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not looked at";
+    Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not processed";
 }
 
 // Returns the command that shows the material of a single sample in the window.

@@ -74,13 +74,13 @@ std::string page_of(const VerbSurface& verb) {
       out << (o.required ? " \\fI" : " [\\fI") << roff(o.names[0]) << "\\fR" << (o.repeats ? " ..." : "")
           << (o.required ? "" : "]");
   out << '\n';
-  bool open = false;
   for (const bool positional : {true, false}) {
-    open = false;
+    const OptionSurface* before = nullptr;
     for (const OptionSurface& o : verb.options) {
       if (o.positional != positional) continue;
-      if (!open) out << ".SH " << (positional ? "ARGUMENTS" : "OPTIONS") << '\n';
-      open = true;
+      if (!before) out << ".SH " << (positional ? "ARGUMENTS" : "OPTIONS") << '\n';
+      if (!positional && (!before || before->group != o.group)) out << ".SS " << roff(o.group) << '\n';
+      before = &o;
       option(out, o);
     }
   }

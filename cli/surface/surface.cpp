@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/surface/option_table.h"
 #include "io/files/json.h"
 
 namespace brdf::cli {
@@ -22,6 +23,7 @@ OptionSurface surface_of(const CLI::Option& option) {
   s.repeats = option.get_items_expected_max() > 1;
   s.description = option.get_description();
   s.initial = option.get_default_str();
+  if (!s.positional) s.group = option.get_group();
   s.words = offered(option);
   if (s.flag) return s;
   s.takes = value_of(option);
@@ -33,11 +35,9 @@ OptionSurface surface_of(const CLI::Option& option) {
   return s;
 }
 
-// Appends the options of the verb, then the options of its groups.
-void append_options(const CLI::App& verb, std::vector<OptionSurface>& options) {
-  for (const CLI::Option* option : verb.get_options()) options.push_back(surface_of(*option));
-  for (const CLI::App* group : verb.get_subcommands([](const CLI::App* a) { return a->get_name().empty(); }))
-    append_options(*group, options);
+// Positional arguments come first, then the groups in the order of the help.
+std::size_t rank_of(const OptionSurface& option) {
+  return option.positional ? 0 : 1 + std::size_t(find_named<Group>(option.group).value_or(Group::general));
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ std::vector<VerbSurface> surface_of(const CLI::App& app) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_group().empty() || verb->get_allow_extras()) continue;  // hidden, or left out of this build
     VerbSurface s{verb->get_name(), verb->get_description(), verb->get_footer(), {}};
-    append_options(*verb, s.options);
-    std::ranges::stable_partition(s.options, &OptionSurface::positional);
+    for (const CLI::Option* option : verb->get_options()) s.options.push_back(surface_of(*option));
+    std::ranges::stable_sort(s.options, {}, &rank_of);
     verbs.push_back(std::move(s));
   }
   return verbs;
@@ -60,6 +60,7 @@ std::string surface_json(const CLI::App& app) {
     io::Json options = io::Json::array();
     for (const OptionSurface& o : verb.options)
       options.push_back({{"names", o.names},
+                         {"group", o.group},
                          {"positional", o.positional},
                          {"flag", o.flag},
                          {"required", o.required},

@@ -18,13 +18,14 @@ struct OptionSurface {
   bool positional = false, flag = false, required = false, repeats = false;
   std::string value;  // name of the value in the help: "FLOAT"; empty for a flag
   std::string description, initial;
+  std::string group;  // heading in the help; empty for a positional argument
   Value takes = Value::text;
   std::vector<std::string> words;  // permitted words, if they are known
 };
 
 struct VerbSurface {
   std::string name, description, footer;
-  std::vector<OptionSurface> options;  // positional options first
+  std::vector<OptionSurface> options;  // positional options first, then by group
 };
 
 // Returns the verbs of this build, in the order of `brdf --help`.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "brdf/targets.h"
+#include "cli/surface/option_table.h"
 
 namespace brdf::cli {
 namespace {
@@ -13,66 +14,6 @@ std::map<const CLI::Option*, std::vector<std::string>>& offers() {
   static std::map<const CLI::Option*, std::vector<std::string>> all;
   return all;
 }
-
-// The kinds of values, by option name. An option has the same meaning in every verb. An option that takes
-// text must be listed here or offer its words; otherwise its value is `unnamed`.
-const std::map<std::string, Value, std::less<>> kByName{
-    {"FORM", Value::form},
-    {"--form", Value::form},
-    {"--set", Value::parameter},
-    {"--fix", Value::parameter},
-    {"--start", Value::parameter},
-    {"--bounds", Value::parameter},
-    {"--tie", Value::text},
-    {"SAMPLES", Value::samples},
-    {"DIRECTIONS", Value::samples},
-    {"--measured", Value::samples},
-    {"MATERIAL", Value::either},
-    {"MATERIALS", Value::material},
-    {"FILES", Value::either},
-    {"IN", Value::either},
-    {"--reference", Value::either},
-    {"OUT", Value::samples},
-    {"--material", Value::material},
-    {"--compare", Value::json},
-    {"--scene", Value::scene},
-    {"--state", Value::json},
-    {"--save-as", Value::json},
-    {"--ledger", Value::json},
-    {"--screenshot", Value::picture},
-    {"--picture", Value::picture},
-    {"--report", Value::report},
-    {"--output", Value::file},
-    {"--compare-weightings", Value::folder},
-    {"--robust", Value::text},
-    {"--grid", Value::text},
-    {"--solo", Value::text},
-    {"--only", Value::text},
-    {"--memory-limit", Value::text},
-    {"--environment", Value::light},
-    {"--shape", Value::file},
-    {"--over", Value::parameter},
-    {"--microsurface", Value::text},
-    {"--texels", Value::text},
-    {"--vary", Value::parameter},
-    {"--normals", Value::picture},
-    {"--share", Value::text},
-    {"--regions", Value::picture},
-    {"JOB", Value::folder},
-    {"--unit-size", Value::text},
-    {"--shader", Value::file},
-    {"--param", Value::text},
-    {"--entry", Value::text},
-    {"--define", Value::text},
-    {"--include-folder", Value::folder},
-    {"--against", Value::form},
-    {"--map", Value::text},
-    {"--such-that", Value::text},
-    {"--size", Value::text},
-    {"--name", Value::text},
-    {"--quantity", Value::text},
-    {"--check", Value::json},
-};
 
 }  // namespace
 
@@ -91,14 +32,11 @@ std::vector<std::string> offered(const CLI::Option& option) {
 }
 
 Value value_of(const CLI::Option& option) {
-  const std::string name = option.get_positional()       ? option.get_name(true)
-                           : option.get_lnames().empty() ? "-" + option.get_snames()[0]
-                                                         : "--" + option.get_lnames()[0];
-  const auto found = kByName.find(name);
-  const bool named = found != kByName.end();
-  if (named && is_file(found->second)) return found->second;
+  const OptionRow* const row = find_row("", table_name(option));
+  const Value named = row ? row->value : Value::unnamed;
+  if (is_file(named)) return named;
   if (!offered(option).empty()) return Value::word;
-  if (named) return found->second;
+  if (named != Value::unnamed) return named;
   return option.get_type_name().starts_with("TEXT") ? Value::unnamed : Value::number;
 }
 

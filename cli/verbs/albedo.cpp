@@ -64,13 +64,14 @@ void add_albedo(CLI::App& app) {
       ->required();
   verb->add_option("--phi", options->albedo.phi, "Azimuth of the fixed direction, degrees")
       ->capture_default_str();
-  verb->add_option("--fixed", options->albedo.fixed, "Which direction is fixed: i (light) or o (viewer)")
+  verb->add_option("--fixed", options->albedo.fixed, "Fixed direction: i (light) or o (viewer)")
       ->check(CLI::IsMember({"i", "o"}))
       ->capture_default_str();
-  verb->add_option("--tolerance", options->albedo.tolerance, "Relative error aimed at")
+  verb->add_option("--tolerance", options->albedo.tolerance, "Relative error to reach")
       ->capture_default_str();
-  offer_names<Rule>(verb->add_option("--rule", options->albedo.rule, "automatic, pole, slope or adaptive")
-                        ->capture_default_str());
+  offer_names<Rule>(
+      verb->add_option("--rule", options->albedo.rule, "Quadrature rule: automatic, pole, slope or adaptive")
+          ->capture_default_str());
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(
       "For a material that `fit` has written, the 95 % interval of the fit is printed, too (not with "

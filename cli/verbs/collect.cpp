@@ -57,7 +57,7 @@ void add_collect(CLI::App& app) {
   CollectCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "collect",
                             "Combine the results of planned work, or list the missing units");
-  verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
+  verb->add_option("JOB", o.job, "Folder of `brdf plan`")->required();
   verb->add_option(
       "-o,--output", o.output,
       "Folder of the results, the same files as the verb writes; for one table its material file");

@@ -14,6 +14,7 @@
 #include "io/files/json.h"
 #include "io/files/numbers.h"
 #include "io/files/output.h"
+#include "io/files/standard_input.h"
 #include "io/formats/any_table.h"
 #include "io/formats/read.h"
 #include "io/material/material_file.h"
@@ -45,7 +46,8 @@ Material between_samples(const ConvertCall& o) {
   arrange(o, table);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
   if (seen->turning() == measured::Turning::turned)
-    throw InputError(in + ": the samples were turned, and an RGL file is written for one azimuth");
+    throw InputError(io::input_name(in) +
+                     ": the samples were turned, and an RGL file is written for one azimuth");
   return measured::material_of(seen);
 }
 
@@ -68,7 +70,8 @@ Exit run_convert(const ConvertCall& o) {
   io::check_targets({{"OUT", out}}, {in});
   io::SampleTable table = synth::table_of_file(in, o.supplied);
   arrange(o, table);
-  for (const std::string& warning : table.warnings) Warning() << "brdf convert: " << in << ": " << warning;
+  for (const std::string& warning : table.warnings)
+    Warning() << "brdf convert: " << io::input_name(in) << ": " << warning;
   std::vector<std::string> lost;
   if (is_stream(out))
     io::write_samples(out, table);

@@ -12,6 +12,7 @@
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
 #include "io/samples/degrees.h"
@@ -39,10 +40,10 @@ void settle_arguments(EvalCall& o) {
     return;
   }
   if (!o.material.material.empty())
-    throw InputError("MATERIAL " + o.first + " and --material " + o.material.material +
+    throw InputError("MATERIAL " + io::input_name(o.first) + " and --material " + o.material.material +
                      " are both given: give one of them");
   if (is_json_file(o.directions) && !is_json_file(o.first))
-    throw InputError(o.first + ", " + o.directions +
+    throw InputError(io::input_name(o.first) + ", " + o.directions +
                      ": the material's JSON comes first, then the directions: brdf eval MATERIAL DIRECTIONS");
   o.material.material = o.first;
 }
@@ -107,9 +108,9 @@ void add_eval(CLI::App& app) {
   verb->add_option("DIRECTIONS", options->directions,
                    "CSV with theta_i,phi_i,theta_o,phi_o in degrees (required)");
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
-  verb->add_flag("--cos", options->cosine, "f_r cos_i instead of f_r");
+  verb->add_flag("--cos", options->cosine, "Print f_r cos_i instead of f_r");
   verb->footer(
-      "Exit code 1 if a value is not a finite number: all rows are written, such values as nan, inf or "
+      "Exit code 1 if a value is not a finite number. All rows are written, with such values as nan, inf or "
       "-inf.\n"
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
       "          brdf eval fitted.json --cos directions.csv\n"

@@ -4,6 +4,7 @@
 
 #include "cli/options/next_step.h"
 #include "cli/options/options.h"
+#include "cli/options/progress.h"
 #include "cli/options/shader_options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
@@ -17,6 +18,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/output.h"
+#include "io/files/standard_input.h"
 #include "io/formats/merl.h"
 #include "io/formats/read.h"
 #include "io/material/glsl.h"
@@ -36,6 +38,7 @@ struct ExportCall {
   std::optional<double> max_loss;
   io::Supplied supplied;
   std::uint64_t size = interop::kUsualTable;
+  std::function<void(const std::string&)> step;  // shows the current step on a terminal
 };
 
 constexpr const char *kMerl = "merl", *kRgl = "rgl";
@@ -68,6 +71,7 @@ Exit say_table_loss(const ExportCall& o, const Material& wanted, const Material&
 }
 
 void write(const ExportCall& o, const std::string& text) {
+  erase_progress();
   if (o.output.empty())
     std::cout << text;
   else
@@ -106,7 +110,7 @@ std::shared_ptr<const measured::MeasuredReflectance> seen(const ExportCall& o) {
   if (!o.material.material.empty()) fitted = io::read_material(o.material.material);
   io::SampleTable samples = io::read_samples(o.measured, o.supplied);
   for (const std::string& sentence : samples.assumptions)
-    Warning() << "brdf export: " << o.measured << ": " << sentence;
+    Warning() << "brdf export: " << io::input_name(o.measured) << ": " << sentence;
   return measured::seen_in_colour(std::move(samples), fitted ? &*fitted : nullptr,
                                   measured::MeasuredReflectance::Beside::likeliest);
 }
@@ -124,12 +128,14 @@ Made export_merl(const ExportCall& o) {
   const bool measured = !o.measured.empty();
   std::optional<Material> material;
   if (!measured) material = choose_material_file(o.material, "export").material;
+  o.step("computing the values of the cells");
   const io::SampleTable cells = material ? at_merl_cells(*material) : measured::at_merl_cells(seen(o));
   const std::vector<std::string> lost = io::merl::write(o.output, cells);
   Note() << "brdf export: " << cells.rows() << " of " << io::merl::kCells << " cells to " << o.output
          << "; -1 " << (measured ? "where nothing was measured" : "below the horizon");
   for (const std::string& what : lost) Warning() << "brdf export: lost: " << what;
   Made made{{{"kind", "table"}, {"cells", cells.rows()}, {"lost", lost}}};
+  o.step("comparing the file with the material");
   if (material)
     made.exit = say_table_loss(o, *material, interop::read_back_merl(io::read_content(o.output)), made.json);
   return made;
@@ -139,6 +145,7 @@ Made export_rgl(const ExportCall& o) {
   check_output(o);
   std::string bytes;
   std::optional<Material> material;
+  o.step("computing the values of the table");
   if (o.measured.empty()) {
     const io::MaterialFile file = choose_material_file(o.material, "export");
     material = file.material;
@@ -146,13 +153,15 @@ Made export_rgl(const ExportCall& o) {
   } else {
     const auto measurement = seen(o);
     if (measurement->turning() == measured::Turning::turned)
-      throw InputError(o.measured + ": the samples were turned, and an RGL file is written for one azimuth");
+      throw InputError(io::input_name(o.measured) +
+                       ": the samples were turned, and an RGL file is written for one azimuth");
     bytes = interop::rgl_of(measured::material_of(measurement),
                             std::filesystem::path(o.measured).stem().string(), o.size);
   }
   io::write_file_atomically(o.output, bytes);
   Note() << "brdf export: " << bytes.size() << " bytes to " << o.output;
   Made made{{{"kind", "table"}, {"bytes", bytes.size()}}};
+  o.step("comparing the file with the material");
   if (material)
     made.exit = say_table_loss(o, *material, interop::read_back_rgl({o.output, bytes}), made.json);
   return made;
@@ -169,6 +178,7 @@ std::optional<io::ShaderLanguage> language_of(const std::string& to) {
 Made formula(const ExportCall& o, const Material& material) {
   Made made{{{"kind", "formula"}}};
   if (!o.max_loss) return made;
+  o.step("comparing the formula with the material");
   const interop::Loss loss = interop::Comparison(material).loss_of(interop::in_float(material));
   Note() << "brdf export: the formula in float: " << interop::in_words(loss);
   made.json["loss"] = interop::to_json(loss);
@@ -184,7 +194,8 @@ Made export_formula(const ExportCall& o) {
     throw InputError("--name: --to " + o.to +
                      " of a form alone writes no material; --set or MATERIAL makes one");
   if (const auto language = language_of(o.to)) {
-    if (o.include) throw InputError("--include: " + o.to + " is functions only anyway");
+    if (o.include)
+      throw InputError("--include: " + o.to + " always contains functions only: leave the option out");
     write(o, io::shader_text(file.material, *language, with_material, exported_name(o, file),
                              o.kernels == "builtin"));
     return formula(o, file.material);
@@ -203,6 +214,7 @@ Made export_formula(const ExportCall& o) {
 Made export_program(const ExportCall& o, const interop::Program& program) {
   io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
   const io::MaterialFile file = choose_material_file(o.material, "export");
+  o.step("converting to " + std::string(program.title));
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);
   write(o, made.text);
   Note() << "brdf export: " << made.target << ": " << interop::in_words(made);
@@ -213,13 +225,14 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
 Made made_by(const ExportCall& o, const interop::Program* program) {
   if (!o.measured.empty()) check_measured(o);
   if (o.measured.empty() && o.supplied != io::Supplied())
-    throw InputError("--quantity, --mirror-side: go with --measured");
+    throw InputError("--quantity, --mirror-side: apply to --measured only");
   if (o.to == kMerl) return export_merl(o);
   if (o.to == kRgl) return export_rgl(o);
   return program ? export_program(o, *program) : export_formula(o);
 }
 
 void print_json(const ExportCall& o, const io::Json& made) {
+  erase_progress();
   io::Json json{{"to", o.to}};
   if (made["kind"] != "refused") json["output"] = o.output;
   json.update(made);
@@ -230,19 +243,19 @@ void print_json(const ExportCall& o, const io::Json& made) {
 // Throws for an option that has no effect on the target, instead of ignoring the option.
 void check_use(const ExportCall& o, const interop::Program* program) {
   if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
-    throw InputError(std::string(o.include ? "--include" : "--kernels") + ": is for shaders");
+    throw InputError(std::string(o.include ? "--include" : "--kernels") + ": applies to shaders only");
   if (!o.name.empty() && (o.to == kMerl || o.to == "explorer" || !o.measured.empty()))
     throw InputError("--name: " + (o.measured.empty() ? "--to " + o.to : "--measured") +
                      " writes no name of a material");
-  if (o.to != kRgl && o.size != interop::kUsualTable)
-    throw InputError("--size: is of the file that --to rgl writes");
+  if (o.to != kRgl && o.size != interop::kUsualTable) throw InputError("--size: applies to --to rgl only");
   if (!program && o.naive)
     throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
   if (o.max_loss && !o.measured.empty())
-    throw InputError("--max-loss: needs a material; the values between samples are not known");
+    throw InputError("--max-loss: needs a material, because the values between samples are not known");
   if (o.max_loss && o.kernels != "own")
     throw InputError(
-        "--max-loss: with --kernels builtin the driver's functions decide: nothing is known of them");
+        "--max-loss: cannot be judged with --kernels builtin, because the accuracy of the driver's functions "
+        "is not known");
 }
 
 // Samples that are given as MATERIAL are used like samples of --measured. A pipe can be read only once and is
@@ -260,8 +273,10 @@ Exit run_export(ExportCall& o) {
   const interop::Program* program = interop::find_program(o.to);
   take_samples(o);
   check_use(o, program);
+  o.step = step_line("brdf export");
   if (!o.json) {
     const Exit exit = made_by(o, program).exit;
+    erase_progress();
     if (o.to == kMerl || o.to == kRgl) print_next_step({view_command(o.output)}, TextStream::error);
     return exit;
   }
@@ -291,10 +306,9 @@ void add_export(CLI::App& app) {
                             "Write a material for another program or as a shader, or samples as a table");
   add_material_options(*verb, options->material);
   add_material_argument(*verb, options->material);
-  verb->add_option(
-      "--measured", options->measured,
-      "Samples, with interpolated values between them; MATERIAL: the fit that they are interpolated "
-      "beside");
+  verb->add_option("--measured", options->measured,
+                   "Samples to export, with interpolated values between them; MATERIAL is the fit that "
+                   "guides the interpolation");
   verb->add_option(
           "--to", options->to,
           "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
@@ -302,39 +316,35 @@ void add_export(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
-  verb->add_option(
-          "--kernels", options->kernels,
-          "exp, log and their like: own (the library's, bit for bit) or builtin (the language's, to be read)")
+  verb->add_option("--kernels", options->kernels,
+                   "exp, log and similar functions: own (of the library, bit for bit) or builtin (of the "
+                   "language, easier to read)")
       ->check(CLI::IsMember({"own", "builtin"}))
       ->capture_default_str();
   verb->add_flag("--include", options->include,
-                 "Functions only, for an #include: without #version and main()");
+                 "Write only functions, for an #include: without #version and main()");
   verb->add_option("--name", options->name,
                    "The material's name there (default: its own name, its file's or the form's); two in one "
                    "shader need two");
-  verb->add_flag("--naive", options->naive, "Parameters as they are copied by hand, instead of refitted");
+  verb->add_flag("--naive", options->naive,
+                 "Copy the parameters, as one does by hand, instead of refitting them");
   verb->add_option("--max-loss", options->max_loss,
-                   "Exit with 1 if more is lost: the rms of ln(1 + f cos_i), about a relative error")
+                   "Largest loss, the rms difference of ln(1 + f cos_i), about a relative error; exit code 1 "
+                   "if the loss is larger")
       ->check(CLI::NonNegativeNumber);
   verb->add_flag("--json", options->json,
                  "JSON on stdout: the loss, the loss of copied parameters, and refused properties");
   add_supplied_options(*verb, options->supplied);
-  add_memory_option(*verb, options->size, "--size", "Of the file that --to rgl writes, about (default 4M)");
+  add_memory_option(*verb, options->size, "--size", "Approximate size of the file of --to rgl (default 4M)");
   verb->footer(
-      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exact if "
-      "that "
-      "is ours,\n"
-      "else refitted; the loss is printed and written into the file. A property that it cannot carry is "
-      "refused "
-      "(docs/interop.md).\n"
-      "Of shaders the output is a whole shader of any stage with an empty main(); of glsl-es with highp as "
-      "its "
-      "precision.\n"
-      "With --form alone the functions take the parameters as arguments; with --set or MATERIAL a "
-      "function\n"
-      "brdf_material(wi, wo) with the parameters as constants is added. With --include, in HLSL and in C++ "
-      "several\n"
-      "texts go together: each material is brdf_material_NAME there, in C++ NAME::brdf_material.\n"
+      "A program (blender, mitsuba, pbrt, materialx, ...) gets the material in its own formula: exactly, if "
+      "the\n"
+      "library has the same formula, otherwise refitted. The loss is printed and written into the file. A\n"
+      "property that the program cannot hold is refused (docs/interop.md).\n"
+      "A shader is written whole, for any stage, with an empty main(); glsl-es has the precision highp.\n"
+      "With --form alone the functions take the parameters as arguments. With --set or MATERIAL a function\n"
+      "brdf_material(wi, wo) with constant parameters is added. With --include, in HLSL and in C++, several\n"
+      "texts can be combined: each material is brdf_material_NAME, in C++ NAME::brdf_material.\n"
       "Examples: brdf export --form ward --to glsl -o ward.glsl\n"
       "          brdf export --form ward --set alpha=0.1 --to glsl\n"
       "          brdf export --form ward --to glsl --kernels builtin\n"

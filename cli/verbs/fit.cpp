@@ -16,6 +16,7 @@
 #include "fit/fit.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
+#include "io/files/standard_input.h"
 #include "work/files.h"
 
 namespace brdf::cli {
@@ -85,7 +86,8 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
 void warn_of(const fit::BatchRow& row) {
   if (!is_quiet()) return;
   if (!row.error.empty() && row.error != fit::kInterrupted) Warning() << "brdf fit: " << row.error;
-  for (const std::string& sentence : row.assumptions) Warning() << row.file << ": " << sentence;
+  for (const std::string& sentence : row.assumptions)
+    Warning() << io::input_name(row.file) << ": " << sentence;
 }
 
 Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit::FitOptions& options) {
@@ -97,7 +99,7 @@ Exit run_many(const FitCall& o, const std::vector<std::string>& files, const fit
       work::fit_files({files, o.output, o.jobs, !o.no_pictures}, o.choice, options, this_program(), progress);
   const auto left = std::ranges::count(rows, fit::kInterrupted, &fit::BatchRow::error);
   for (const fit::BatchRow& row : rows) warn_of(row);
-  if (left > 0) Warning() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not looked at";
+  if (left > 0) Warning() << "brdf fit: interrupted: " << left << " of " << rows.size() << " not processed";
   return summarise(rows, o.output, o.json);
 }
 
@@ -131,11 +133,11 @@ void add_fit(CLI::App& app) {
   add_bootstrap_option(*verb, o.choice);
   add_shader_options(*verb, o.shader);
   verb->add_flag("--embed", o.shader.embed,
-                 "The material holds the shader's text, with its includes, in place of its file's name (of "
-                 "--shader, with -o)");
+                 "Store the shader's text with its includes in the material, in place of the name of its "
+                 "file (of --shader, with -o)");
   verb->add_option("-o,--output", o.output,
-                   "Material file to write (- for standard output); with several sample files, and of a "
-                   "stack: the folder of the results");
+                   "Material file to write (- for standard output); for several sample files or a stack, the "
+                   "folder of the results");
   verb->add_option("--report", o.report, "HTML report to write");
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));

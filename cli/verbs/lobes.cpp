@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/options/products.h"
+#include "cli/options/progress.h"
 #include "cli/steps/shown_shader.h"
 #include "cli/verb.h"
 #include "render/job.h"
@@ -27,6 +28,8 @@ Exit run_lobes(const CLI::App& verb, LobesCall& o) {
   refuse_without_effect(verb, kLobesOptions, o.body ? kBody : kPlot,
                         o.body ? "a lobe's body" : "a lobe's plot");
   show_shader(o.shader, "lobes", o.job);
+  const auto step = step_line("brdf lobes");
+  step(o.body ? "drawing the body" : "drawing the plot");
   render::write_lobes(o.job, o.body ? render::LobeView::body : render::LobeView::plane);
   return Exit::good;
 }
@@ -38,17 +41,17 @@ void add_lobes(CLI::App& app) {
   render::Job& job = o->job;
   CLI::App* verb =
       add_verb(app, Purpose::look, "lobes", "Draw the lobe of a material, as a polar plot or as a body");
-  verb->add_option("MATERIAL", job.materials, "A material's JSON file; samples: as --measured");
-  verb->add_option("--state", job.state, "A state that the viewer saved");
+  verb->add_option("MATERIAL", job.materials, "A material's JSON file; a sample table is used as --measured");
+  verb->add_option("--state", job.state, "Saved state of the viewer");
   verb->add_option("-o,--output", job.output, "Picture to write: .png")->required();
-  verb->add_option("--width", job.width, "Pixels across (default 640)")->check(CLI::Range(1, 16384));
+  verb->add_option("--width", job.width, "Width in pixels (default 640)")->check(CLI::Range(1, 16384));
   verb->add_option("--compare", job.compare, "A second material's JSON file, in the same plot");
-  verb->add_option("--measured", job.measured, "A sample table; its points are drawn");
+  verb->add_option("--measured", job.measured, "Sample table; its points are drawn");
   verb->add_option("--theta", job.plot_theta,
                    "Angle of incidence in degrees (default 45; with --measured the nearest measured one)")
       ->check(CLI::Range(0.0, 90.0));
-  verb->add_option("--solo", job.solo, "One curve alone, for instance \"A r\"");
-  verb->add_flag("--body", o->body, "The whole lobe as a body, its radius the cube root of f_r");
+  verb->add_option("--solo", job.solo, "Draw only one curve, for instance \"A r\"");
+  verb->add_flag("--body", o->body, "Draw the whole lobe as a body; its radius is the cube root of f_r");
   add_shown_shader(*verb, o->shader);
   require_every_option(*verb, kLobesOptions);
   verb->footer(

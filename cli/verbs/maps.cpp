@@ -3,6 +3,7 @@
 
 #include "cli/options/options.h"
 #include "cli/options/products.h"
+#include "cli/options/progress.h"
 #include "cli/verb.h"
 #include "render/job.h"
 
@@ -25,7 +26,9 @@ constexpr OptionOf kMapsOptions[] = {
 Exit run_maps(const CLI::App& verb, const MapsCall& o) {
   const bool lookup = o.kind == "lookup";
   refuse_without_effect(verb, kMapsOptions, lookup ? kLookup : kSeeded, o.kind);
-  lookup ? render::write_lookup_pictures(o.folder) : render::write_maps(o.kind, o.size, o.seed, o.folder);
+  const auto progress = progress_line("brdf maps: pictures");
+  lookup ? render::write_lookup_pictures(o.folder, progress)
+         : render::write_maps(o.kind, o.size, o.seed, o.folder, progress);
   return Exit::good;
 }
 
@@ -42,9 +45,11 @@ void add_maps(CLI::App& app) {
             ->required(),
         {"rusty_metal", "tiles", "lookup"})
       ->check(CLI::IsMember({"rusty_metal", "tiles", "lookup"}));
-  verb->add_option("--size", o->size, "Pixels to a side")->check(CLI::Range(8, 4096))->capture_default_str();
-  verb->add_option("--seed", o->seed, "Of the random numbers")->capture_default_str();
-  verb->add_option("-o,--output", o->folder, "Folder to write into, which is made")->required();
+  verb->add_option("--size", o->size, "Pixels along each side")
+      ->check(CLI::Range(8, 4096))
+      ->capture_default_str();
+  verb->add_option("--seed", o->seed, "Seed of the random numbers")->capture_default_str();
+  verb->add_option("-o,--output", o->folder, "Folder to write into; created if needed")->required();
   require_every_option(*verb, kMapsOptions);
   verb->footer(
       "Examples: brdf maps tiles --size 512 --seed 2 -o tiles\n"

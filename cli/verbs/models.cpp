@@ -88,7 +88,7 @@ void add_models(CLI::App& app) {
   auto options = std::make_shared<ModelsCall>();
   CLI::App* verb =
       add_verb(app, Purpose::look, "models", "List the forms, their parameters and known violations");
-  verb->add_option("FORM", options->form, "One form, in detail");
+  verb->add_option("FORM", options->form, "Form to describe in detail");
   add_shader_options(*verb, options->shader);
   verb->add_flag("--json", options->json, "JSON on stdout");
   verb->footer(

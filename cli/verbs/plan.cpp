@@ -43,17 +43,16 @@ void add_plan(CLI::App& app) {
   auto options = std::make_shared<PlanCall>();
   PlanCall& o = *options;
   CLI::App* verb = add_verb(app, Purpose::measure, "plan", "Divide long work into units for many processes");
-  offer(verb->add_option("VERB", o.verb, "fit or study")->required(), {"fit", "study"})
+  offer(verb->add_option("VERB", o.verb, "Verb to plan: fit or study")->required(), {"fit", "study"})
       ->check(CLI::IsMember({"fit", "study"}));
   verb->add_option("SAMPLES", o.inputs,
-                   "Sample tables (CSV, MERL, ...), folders of them; to fit one stack of photographs, or one "
-                   "table, of which folds and bootstrap replicates are divided")
+                   "Sample tables (CSV, MERL, ...) or folders of them; for fit also one stack of "
+                   "photographs, or one table, with its folds and bootstrap replicates as units")
       ->required();
   add_task_options(*verb, o.task);
-  verb->add_option(
-      "--unit-size", o.unit_size,
-      "Of a stack texels, both sides multiples of 8 (64x64); of tables how many (16); of one table "
-      "how many of its folds and bootstrap replicates (64)");
+  verb->add_option("--unit-size", o.unit_size,
+                   "Size of a unit. For a stack: texels, both sides multiples of 8 (64x64). For tables: "
+                   "their number (16). For one table: the number of its folds and bootstrap replicates (64)");
   verb->add_option("-o,--output", o.output, "Folder of the job")->required();
   verb->footer(
       "Then `brdf work` does the units, in any order and on any machine that sees the folder, and\n"

@@ -11,6 +11,7 @@
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "io/files/output.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/material/material_file.h"
 #include "io/material/settings.h"
@@ -39,7 +40,7 @@ struct ProveCall {
 // Refuses other options with --self-test, which makes its own shaders.
 void refuse_beside_self_test(const CLI::App& verb) {
   if (verb.count("--seed") > 0 && verb.count("--self-test") == 0)
-    throw InputError("--seed: goes with --self-test");
+    throw InputError("--seed: applies to --self-test only");
   if (verb.count("--self-test") == 0) return;
   for (const char* other : {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns",
                             "--define", "-I", "--form", "--all", "--property", "--require", "MATERIALS"})
@@ -62,7 +63,8 @@ Exit run_check(const ProveCall& o) {
   asked.properties = prove::properties_named("--property", o.properties);
   if (o.all || !o.forms.empty())
     for (const Reflectance& form : forms_of(o.forms, o.all)) asked.forms.emplace_back(form.info().name);
-  for (const std::string& file : o.materials) asked.materials.push_back({file, io::read_material(file)});
+  for (const std::string& file : o.materials)
+    asked.materials.push_back({io::input_name(file), io::read_material(file)});
   const prove::Judged judged = prove::judge(io::read_content(o.check), asked);
   if (o.json) {
     io::Json json = io::to_json(io::provenance());
@@ -78,7 +80,7 @@ Exit run_check(const ProveCall& o) {
 void check_certificate_target(const ProveCall& o, const std::vector<prove::NamedMaterial>& materials) {
   if (o.output.empty()) return;
   if (is_given(o.shader))
-    throw InputError("-o " + o.output + ": a certificate is of forms and of materials, not of a shader (" +
+    throw InputError("-o " + o.output + ": a certificate covers forms and materials, not a shader (" +
                      o.shader.file + "): leave -o out; --json has the same results");
   for (std::size_t k = 0; k < materials.size(); ++k) {
     const auto& [file, material] = materials[k];
@@ -86,7 +88,7 @@ void check_certificate_target(const ProveCall& o, const std::vector<prove::Named
       if (materials[j].file == file) throw InputError("-o " + o.output + ": " + file + " is named twice");
     for (const Term& term : material.terms)
       if (catalogue_index(term.form) < 0)
-        throw InputError("-o " + o.output + ": a certificate is of forms of the catalogue, and " + file +
+        throw InputError("-o " + o.output + ": a certificate covers forms of the catalogue, and " + file +
                          " has " + std::string(term.form.info().name));
   }
 }
@@ -158,7 +160,8 @@ Exit run_prove(const ProveCall& o) {
   options.search.seconds = o.seconds.value_or(20);
   options.gap = o.gap;
   std::vector<prove::NamedMaterial> materials;
-  for (const std::string& file : o.materials) materials.push_back({file, io::read_material(file)});
+  for (const std::string& file : o.materials)
+    materials.push_back({io::input_name(file), io::read_material(file)});
   check_certificate_target(o, materials);
   prove::Options of_materials = options;
   of_materials.search.seconds = o.seconds.value_or(60);
@@ -200,36 +203,39 @@ void add_prove(CLI::App& app) {
   auto o = std::make_shared<ProveCall>();
   CLI::App* verb =
       add_verb(app, Purpose::judge, "prove", "Prove properties of forms over their whole domain");
-  verb->add_option("MATERIALS", o->materials, "materials (JSON), each channel at its parameters");
-  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
-  verb->add_flag("--all", o->all, "every form");
+  verb->add_option("MATERIALS", o->materials, "Materials (JSON); each channel is judged at its parameters");
+  add_repeated_option(*verb, "--form", o->forms, "Form to judge over its whole parameter domain");
+  verb->add_flag("--all", o->all, "Every form");
   add_shader_options(*verb, o->shader);
   offer_names<prove::Property>(
-      verb->add_option("--property", o->properties, "which properties, separated by commas (default: all)")
+      verb->add_option("--property", o->properties, "Properties to prove, separated by commas (default: all)")
           ->delimiter(',')
           ->allow_extra_args(false));
   offer_names<prove::Property>(
-      verb->add_option("--require", o->require, "properties that must be proved, else exit 1")
+      verb->add_option("--require", o->require,
+                       "Properties that must be proved; otherwise the exit code is 1")
           ->delimiter(',')
           ->allow_extra_args(false));
-  verb->add_option("--seconds", o->seconds, "of search for each property (default: 20, of a material 60)")
+  verb->add_option("--seconds", o->seconds,
+                   "Time of the search for each property in seconds (default: 20; for a material 60)")
       ->capture_default_str();
-  verb->add_option("--gap", o->gap, "how far above the largest albedo that is known its bound may lie")
+  verb->add_option("--gap", o->gap,
+                   "Largest distance between the bound of an albedo and the largest known albedo")
       ->capture_default_str();
-  verb->add_option("-o,--output", o->output, "certificate of the proofs of forms and materials (JSON)");
-  verb->add_option(
-      "--check", o->check,
-      "a certificate to verify, without any search; with --require, --property, --form, --all and MATERIALS: "
-      "the properties that it must show");
-  verb->add_flag(
-      "--self-test", o->self_test,
-      "attack the prover: random shaders with planted violations, of which no verdict may be proved, "
-      "and a million samples of enclosures (a minute)");
-  verb->add_option("--seed", o->seed, "of --self-test")->capture_default_str();
+  verb->add_option("-o,--output", o->output,
+                   "Certificate of the proofs of forms and materials to write (JSON)");
+  verb->add_option("--check", o->check,
+                   "Certificate to verify, without any search; --require, --property, --form, --all and "
+                   "MATERIALS give the properties that it must prove");
+  verb->add_flag("--self-test", o->self_test,
+                 "Attack the prover with random shaders that have planted violations, which must never be "
+                 "proved, and with a million samples of enclosures (a minute)");
+  verb->add_option("--seed", o->seed, "Seed of --self-test")->capture_default_str();
   verb->add_flag("--json", o->json, "JSON on stdout");
   verb->footer(
-      "Exit code 1 where a property is refuted, a required one is not proved, or a certificate is rejected, "
-      "is empty or does not show what is asked for.\n"
+      "Exit code 1 if a property is refuted, a required property is not proved, or a certificate is "
+      "rejected, "
+      "empty, or without a requested property.\n"
       "Examples: brdf prove --all --property finite,non_negative -o certificate.json\n"
       "          brdf prove --check certificate.json --require finite\n"
       "          brdf prove --form oren_nayar --property energy --gap 1e-3\n"

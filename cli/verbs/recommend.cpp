@@ -57,7 +57,7 @@ Exit run_comparison(const RecommendArguments& a) {
 // Uses a shader's material as the reference for the candidates.
 void choose_shader(RecommendArguments& a) {
   const auto shader = load(a.shader, "recommend");
-  if (!shader && !a.set.empty()) throw InputError("--set " + a.set.front() + ": goes with --shader FILE");
+  if (!shader && !a.set.empty()) throw InputError("--set " + a.set.front() + ": needs --shader FILE");
   if (!shader) return;
   if (!a.options.reference.empty()) throw InputError("give one of MATERIAL and --shader");
   io::MaterialChoice choice;
@@ -84,28 +84,28 @@ Exit run_recommendation(const RecommendArguments& a) {
 void add_recommend(CLI::App& app) {
   auto a = std::make_shared<RecommendArguments>();
   CLI::App* verb = add_verb(app, Purpose::judge, "recommend", "Find the cheapest model that a scene needs");
-  verb->add_option("--scene", a->options.scene, "scene file");
-  verb->add_option("--reference", a->reference, "the same as MATERIAL");
-  add_material_argument(*verb, a->reference, "--reference", "material file, or samples (interpolated)");
+  verb->add_option("--scene", a->options.scene, "Scene file");
+  verb->add_option("--reference", a->reference, "The same as MATERIAL");
+  add_material_argument(*verb, a->reference, "--reference", "Material file, or samples (interpolated)");
   add_shader_options(*verb, a->shader);
-  add_repeated_option(*verb, "--set", a->set, "a parameter of --shader, name=value");
-  verb->add_option("--tolerance", a->options.tolerance, "largest error allowed")
+  add_repeated_option(*verb, "--set", a->set, "Parameter of --shader, name=value");
+  verb->add_option("--tolerance", a->options.tolerance, "Largest allowed error")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   verb->add_option("--metric", a->metric,
-                   "image: mean |dL| / mean L over lit pixels; brdf: the same over hemispheres")
+                   "Error: image (mean |dL| / mean L over lit pixels) or brdf (the same over hemispheres)")
       ->capture_default_str()
       ->check(CLI::IsMember({"image", "brdf"}));
-  verb->add_option("--max-cost", a->options.max_cost_ns, "largest cost, ns per evaluation")
+  verb->add_option("--max-cost", a->options.max_cost_ns, "Largest cost, ns per evaluation")
       ->check(CLI::PositiveNumber);
   verb->add_option(
       "--ledger", a->options.ledger,
-      "ledger that `brdf trade -o` wrote; costs that it lacks, or all without one, are measured now");
-  verb->add_option(
-      "--compare-weightings", a->compare,
-      "instead: scene-weighted against hemisphere-wide fits for the scenes/ and materials/ of this folder");
+      "Ledger of `brdf trade -o`; costs that are not in it, or all costs without a ledger, are measured now");
+  verb->add_option("--compare-weightings", a->compare,
+                   "Recommend nothing; compare scene-weighted with hemisphere-wide fits for the scenes/ and "
+                   "materials/ of this folder");
   verb->add_option("-o,--output", a->output,
-                   "folder for material, pictures and report, which is written last");
+                   "Folder for material, pictures and report; the report is written last");
   verb->add_flag("--json", a->json, "JSON on stdout");
   verb->footer(
       "Examples: brdf recommend data/materials/ivory_plastic.json --scene "
@@ -115,7 +115,7 @@ void add_recommend(CLI::App& app) {
       "          brdf recommend --scene scene.json --shader disney.brdf --set roughness=0.3 --tolerance "
       "0.02\n"
       "          brdf recommend --compare-weightings data\n"
-      "Exit code 1: no model meets the "
+      "Exit code 1 if no model meets the "
       "tolerance.");
   on_run(*verb, [a] {
     a->options.progress = percent_line();

@@ -147,26 +147,30 @@ void read_exposure(const std::string& text, render::Job& job) {
 }
 
 void add_scene_options(CLI::App& verb, render::Job& job) {
-  verb.add_option("MATERIAL", job.materials, "Material JSON files, one sphere each; samples: as --measured");
+  verb.add_option("MATERIAL", job.materials,
+                  "Material JSON files, one sphere each; a sample table is used as --measured");
   verb.add_option("--scene", job.scene, "A scene's JSON file; a MATERIAL is then put on every object");
-  verb.add_option("--state", job.state, "A state that the viewer saved: the picture that it shows");
+  verb.add_option("--state", job.state, "Saved state of the viewer; its picture is rendered");
   verb.add_option("-o,--output", job.output,
                   "Picture to write: .exr (linear, layers) or .png (as displayed)");
-  verb.add_option("--width", job.width, "Pixels across, instead of the scene's")->check(CLI::Range(1, 16384));
-  verb.add_option("--height", job.height, "Pixels down, instead of the scene's")->check(CLI::Range(1, 16384));
+  verb.add_option("--width", job.width, "Width in pixels, instead of the scene's")
+      ->check(CLI::Range(1, 16384));
+  verb.add_option("--height", job.height, "Height in pixels, instead of the scene's")
+      ->check(CLI::Range(1, 16384));
   verb.add_option("--gbuffer-bits", job.gbuffer_bits, "Bits per channel of the seven targets: 8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
-  offer_names<render::Shading>(
-      verb.add_option("--shading", job.shading, known_names<render::Shading>() + ", instead of the scene's"));
+  offer_names<render::Shading>(verb.add_option(
+      "--shading", job.shading, "Shading, instead of the scene's: " + known_names<render::Shading>()));
   verb.add_flag("--per-vertex", job.per_vertex,
-                "phong, phong_blinn, lookup: once per vertex instead of per pixel");
-  verb.add_flag("--as-coded", job.as_coded, "With the articles' slips");
-  offer_names<render::ToneMap>(verb.add_option("--tone-map", job.tone_map,
-                                               known_names<render::ToneMap>() + ", instead of the scene's"));
+                "Compute phong, phong_blinn and lookup once per vertex instead of per pixel");
+  verb.add_flag("--as-coded", job.as_coded, "Shade with the errors of the articles' code");
+  offer_names<render::ToneMap>(verb.add_option(
+      "--tone-map", job.tone_map, "Tone map, instead of the scene's: " + known_names<render::ToneMap>()));
   verb.add_option_function<std::string>(
           "--exposure", [&job](const std::string& text) { read_exposure(text, job); },
-          "Stops (-20 to 20), instead of the scene's; auto: from the picture, 95 % of the surface below 0.7")
+          "Exposure in stops (-20 to 20), instead of the scene's; auto: from the picture, 95 % of the "
+          "surface below 0.7")
       ->type_name("STOPS|auto");
   verb.add_option("--supersample", job.supersample,
                   "Samples across a pixel, N x N averaged (default 4; EXR with other layers: 1)")
@@ -182,28 +186,26 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
 
 void add_show_options(CLI::App& verb, RenderCall& o) {
   render::Job& job = o.job;
-  verb.add_option(
-      "--shape", job.shape,
-      "What a MATERIAL is shown on instead of a sphere: shader_ball, cloth, vase, sedan, any mesh of "
-      "a scene or a model's file");
-  CLI::Option* over = verb.add_option(
-      "--over", o.over,
-      "A row of one MATERIAL over a parameter: NAME=FIRST:LAST, each labelled with the value; log "
-      "spacing where the parameter's scale is one");
-  verb.add_option("--balls", o.balls, "With --over: how many")
+  verb.add_option("--shape", job.shape,
+                  "Object that shows a MATERIAL instead of a sphere: shader_ball, cloth, vase, sedan, any "
+                  "mesh of a scene or a model's file");
+  CLI::Option* over = verb.add_option("--over", o.over,
+                                      "Row of spheres with one MATERIAL over a parameter, NAME=FIRST:LAST, "
+                                      "each labelled with the value; spaced in the scale of the parameter");
+  verb.add_option("--balls", o.balls, "Number of spheres of --over")
       ->needs(over)
       ->check(CLI::Range(2, 12))
       ->capture_default_str();
   CLI::Option* turntable =
       verb.add_option("--turntable", job.turntable,
-                      "So many frames, the camera once round its target; -o: an animation.webp, or PNG files "
-                      "named by the frame's number (frames/%03d.png)")
+                      "Number of frames of one turn of the camera round its target; -o: an animation.webp, "
+                      "or PNG files named by the number of the frame (frames/%03d.png)")
           ->check(CLI::Range(2, 9999));
-  verb.add_option("--fps", job.frames_per_second, "Of an animation: frames per second")
+  verb.add_option("--fps", job.frames_per_second, "Frames per second of an animation")
       ->needs(turntable)
       ->check(CLI::Range(1.0, 100.0))
       ->capture_default_str();
-  verb.add_option("--quality", job.quality, "Of an animation: 0 to 99, or 100: without loss")
+  verb.add_option("--quality", job.quality, "Quality of an animation: 0 to 99, or 100 without loss")
       ->needs(turntable)
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
@@ -211,10 +213,9 @@ void add_show_options(CLI::App& verb, RenderCall& o) {
 
 void add_comparison_options(CLI::App& verb, RenderCall& o) {
   render::Job& job = o.job;
-  offer(verb.add_option(
-            "--compare", job.compare,
-            "What the picture is compared with: embree (the reference), or a material's JSON file. PNG: "
-            "picture, other and difference side by side; EXR: as layers"),
+  offer(verb.add_option("--compare", job.compare,
+                        "Compare the picture with embree (the reference) or with a material's JSON file. "
+                        "PNG: picture, other and difference side by side; EXR: as layers"),
         {std::string(name_of(render::Other::embree))});
   verb.add_option("--measured", job.measured,
                   "Compare with a sample table, rendered with the same lights (no ambient)");
@@ -227,8 +228,8 @@ void add_comparison_options(CLI::App& verb, RenderCall& o) {
                   "With --show split: share of the width that shows A (default: through the highlight)")
       ->check(CLI::Range(0.0f, 1.0f));
   verb.add_flag("--gbuffer", job.gbuffer, "The same as --show gbuffer; EXR: the seven targets as layers too");
-  verb.add_flag("--no-labels", o.no_labels, "PNG: leave the names and numbers out");
-  verb.add_option("--probe", o.probe, "Print what lies under this pixel (from the upper left): X,Y")
+  verb.add_flag("--no-labels", o.no_labels, "PNG: leave out names and numbers");
+  verb.add_option("--probe", o.probe, "Print the values at this pixel, counted from the upper left: X,Y")
       ->delimiter(',')
       ->expected(2);
   verb.add_flag("--times", o.times, "Print the time of each pass");

@@ -35,36 +35,39 @@ struct SynthCall {
 void add_texel_options(CLI::App& verb, SynthCall& o) {
   CLI::Option* texels = verb.add_option(
       "--texels", o.texels,
-      "A stack of photographs of so many texels, WIDTHxHEIGHT, in place of one sample's table");
+      "Write a stack of photographs with WIDTHxHEIGHT texels instead of the table of one sample");
   for (const char* other : {"--grid", "--theta-i", "--step", "--azimuths", "--blind-zone", "--aperture",
                             "--source-aperture", "--clip-negatives", "--sigma-columns", "--microsurface"})
     if (CLI::Option* option = verb.get_option_no_throw(other)) texels->excludes(option);
-  verb.add_option("--lights", o.stack.lights, "Lights of a stack, over the hemisphere to 75 degrees")
+  verb.add_option("--lights", o.stack.lights,
+                  "Number of lights of a stack, over the hemisphere to 75 degrees")
       ->needs(texels);
   verb.add_option("--viewers", o.stack.viewers,
-                  "Viewers of a stack; each sees every light (default: one, along z)")
+                  "Number of viewers of a stack; each sees every light (default: one, along z)")
       ->needs(texels);
   verb.add_option_function<std::vector<std::string>>(
           "--vary",
           [&o](const std::vector<std::string>& words) {
             for (const std::string& word : words) o.stack.vary.push_back(synth::parse_variation(word));
           },
-          "A parameter that varies smoothly over a stack: name=low:high")
+          "Parameter that varies smoothly over a stack: name=low:high")
       ->allow_extra_args(false)
       ->needs(texels);
   verb.add_option("--tilt", o.stack.tilt, "Largest tilt of a stack's normals, which vary smoothly, degrees")
       ->needs(texels);
-  verb.add_option("--dark-level", o.stack.dark_level, "Added to every pixel of a stack, 1/sr")->needs(texels);
+  verb.add_option("--dark-level", o.stack.dark_level,
+                  "Constant that is added to every pixel of a stack, 1/sr")
+      ->needs(texels);
   verb.add_option("--light-distance", o.stack.rig.light_distance,
-                  "Lights of a stack stand this far from its middle (default: far away)")
+                  "Distance of the lights from the middle of a stack (default: infinite)")
       ->needs(texels);
   verb.add_option("--viewer-distance", o.stack.rig.viewer_distance,
-                  "Viewers of a stack stand this far from its middle (default: far away)")
+                  "Distance of the viewers from the middle of a stack (default: infinite)")
       ->needs(texels);
   verb.add_option("--texel-size", o.stack.rig.texel_size, "Side of a texel, in the unit of the distances")
       ->needs(texels);
   verb.add_option("--registration", o.stack.registration,
-                  "Each image of a stack lies this far off in x and y, standard deviation in texels")
+                  "Shift of each image of a stack in x and y, as a standard deviation in texels")
       ->needs(texels);
 }
 
@@ -72,7 +75,8 @@ void add_options(CLI::App& verb, SynthCall& o) {
   synth::Instrument& instrument = o.instrument;
   add_material_options(verb, o.material);
   add_material_argument(verb, o.material);
-  verb.add_option("--grid", o.grid, "in_plane, hemisphere, merl or a CSV of directions; joined by +")
+  verb.add_option("--grid", o.grid,
+                  "Directions: in_plane, hemisphere, merl or a CSV of directions; joined by +")
       ->capture_default_str();
   verb.add_option("--theta-i", instrument.grid.theta_i, "Incidences of in_plane and hemisphere, degrees")
       ->delimiter(',')
@@ -86,10 +90,10 @@ void add_options(CLI::App& verb, SynthCall& o) {
       ->delimiter(',')
       ->allow_extra_args(false);
   verb.add_option("--blind-zone", instrument.grid.blind_zone,
-                  "Leave out directions where detector and source are closer than this, degrees");
-  verb.add_option("--aperture", instrument.aperture, "The detector's full angular width, degrees");
+                  "Leave out directions if detector and source are closer than this, degrees");
+  verb.add_option("--aperture", instrument.aperture, "Full angular width of the detector, degrees");
   verb.add_option("--source-aperture", instrument.source_aperture,
-                  "The source's full angular width, degrees");
+                  "Full angular width of the source, degrees");
   verb.add_option("--noise", instrument.noise, "Log-normal noise: factor exp(s z - s^2/2), mean 1");
   verb.add_option("--noise-floor", instrument.noise_floor, "Standard deviation of additive noise, 1/sr");
   verb.add_option("--saturation", instrument.saturation, "Cut readings above this, 1/sr");
@@ -98,7 +102,7 @@ void add_options(CLI::App& verb, SynthCall& o) {
   verb.add_option("--seed", instrument.seed, "Seed of the noise")->capture_default_str();
   add_microsurface_options(verb, o.microsurface);
   add_texel_options(verb, o);
-  verb.add_option("-o,--output", o.output, "CSV to write; of a stack the folder")->required();
+  verb.add_option("-o,--output", o.output, "CSV to write; for a stack, the folder")->required();
   verb.footer(
       "Examples: brdf synth --form ward --set alpha_x=0.05 --set alpha_y=0.16 --grid hemisphere+in_plane "
       "--noise 0.05 --seed 7 -o samples.csv\n"

@@ -78,15 +78,16 @@ void add_trade(CLI::App& app) {
   auto arguments = std::make_shared<TradeArguments>();
   CLI::App* verb =
       add_verb(app, Purpose::judge, "trade", "Measure the speed and the error of every approximation");
-  verb->add_flag("--quick", arguments->options.quick, "fewer points and rounds: about a minute");
-  verb->add_option(
-      "--only", arguments->options.only,
-      "only kernels, batches, families, fits, frames, or the questions whose name contains this");
-  verb->add_flag("--json", arguments->json, "the ledger as JSON on stdout");
+  verb->add_flag("--quick", arguments->options.quick, "Measure fewer points and rounds: about a minute");
+  verb->add_option("--only", arguments->options.only,
+                   "Measure only kernels, batches, families, fits, frames, or the questions with this text "
+                   "in their names");
+  verb->add_flag("--json", arguments->json, "Ledger as JSON on stdout");
   verb->add_option("-o,--output", arguments->outputs,
-                   "file to write: .json (the ledger; - for standard output), .csv, .html; may be repeated");
+                   "File to write: .json (the ledger; - for standard output), .csv, .html; may be repeated");
   verb->add_option("--compare", arguments->compared,
-                   "instead: do the cost ratios of two ledgers agree within 25 %? Rows above 1 ns")
+                   "Measure nothing; test whether the cost ratios of two ledgers agree within 25 %, for rows "
+                   "above 1 ns")
       ->expected(2)
       ->excludes(verb->get_option("--quick"))
       ->excludes(verb->get_option("--only"));
@@ -102,7 +103,7 @@ void add_trade(CLI::App& app) {
     const trade::Ledger ledger = trade::measure_ledger(arguments->options);
     if (ledger.rows.empty())
       throw InputError("--only " + arguments->options.only +
-                       ": is no group of questions, and no question's name contains it");
+                       ": is neither a group of questions nor part of the name of a question");
     if (!ledger.left_out.empty()) Warning() << ledger.left_out;
     for (const std::string& path : arguments->outputs) write_ledger_as(path, ledger);
     print_ledger(*arguments, ledger);

@@ -19,6 +19,7 @@
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/png.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/material/settings.h"
 #include "prove/proof.h"
@@ -120,14 +121,15 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
   restrict_all(o, content.subjects);
   const std::size_t whole_domain = content.subjects.size();
   for (const std::string& file : o.files) {
+    const std::string name = io::input_name(file);
     validate::add_file(content, file, o.supplied);
-    if (!content.subjects.empty() && content.subjects.back().name() == file)
+    if (!content.subjects.empty() && content.subjects.back().name() == name)
       if (const auto shader = shader_in(content.subjects.back().own()))
         content.subjects.back() =
-            validate::Subject::material(file, content.subjects.back().own(), facts_of(*shader));
-    if (!content.tables.empty() && content.tables.back().table.source == file)
+            validate::Subject::material(name, content.subjects.back().own(), facts_of(*shader));
+    if (!content.tables.empty() && content.tables.back().table.source == name)
       for (const std::string& sentence : content.tables.back().table.assumptions)
-        Warning() << "brdf validate: " << file << ": " << sentence;
+        Warning() << "brdf validate: " << name << ": " << sentence;
   }
   if (content.subjects.empty() && content.tables.empty())
     throw InputError("nothing to validate: give materials, samples, --form, --all or --shader");
@@ -290,45 +292,48 @@ Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
 void add_validate(CLI::App& app) {
   auto o = std::make_shared<ValidateCall>();
   CLI::App* verb = add_verb(app, Purpose::begin, "validate", "Judge forms, materials and measured samples");
-  verb->add_option("FILES", o->files, "materials (JSON) and sample tables");
-  add_repeated_option(*verb, "--form", o->forms, "a form over its whole parameter domain");
-  verb->add_flag("--all", o->all, "every form");
+  verb->add_option("FILES", o->files, "Materials (JSON) and sample tables");
+  add_repeated_option(*verb, "--form", o->forms, "Form to judge over its whole parameter domain");
+  verb->add_flag("--all", o->all, "Every form");
   add_shader_options(*verb, o->shader);
   verb->add_option("--such-that", o->such_that,
-                   "what parameters keep, as \"kd + ks <= 1\" (of --form, --all, --shader)");
-  verb->add_option("--against", o->against, "a form: where and by how much does it differ from that one?");
-  add_repeated_option(*verb, "--map", o->maps,
-                      "a parameter of that form from the own ones: alpha=roughness*roughness");
-  verb->add_option("--effort", o->effort, "of the search for the worst case")
+                   "Condition on the parameters, for instance \"kd + ks <= 1\" (of --form, --all, --shader)");
+  verb->add_option("--against", o->against, "Form to compare with: the largest difference and its place");
+  add_repeated_option(
+      *verb, "--map", o->maps,
+      "Parameter of the form of --against as a formula of the own parameters: alpha=roughness*roughness");
+  verb->add_option("--effort", o->effort, "Effort of the search for the worst case")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
   verb->add_option("--seconds", o->seconds,
-                   "at most, of each check; what is not seen to its end is undecided")
+                   "Longest time of each check in seconds; an unfinished check is undecided")
       ->check(CLI::NonNegativeNumber);
-  offer(verb->add_option("--require", o->require, "checks that must pass, else exit 1")->delimiter(','),
+  offer(verb->add_option("--require", o->require, "Checks that must pass; otherwise the exit code is 1")
+            ->delimiter(','),
         validate::required_names());
   verb->add_option("--max-theta", o->max_theta,
-                   "degrees: largest angle of the energy check; rows of samples beyond it are set apart")
+                   "Largest angle of the energy check in degrees; rows of samples beyond this angle are "
+                   "judged separately")
       ->capture_default_str();
   add_keep_fill_option(*verb, o->keep_fill);
   add_supplied_options(*verb, o->supplied);
-  verb->add_option("--seed", o->seed, "of the search's cover and of random cases")->capture_default_str();
-  add_repeated_option(*verb, "--picture", o->pictures, "PNG to put into the HTML report");
-  verb->add_option("-o,--output", o->output, "report.html or report.md; - for Markdown on standard output");
-  verb->add_flag("--json", o->json, "findings as JSON");
-  verb->add_flag("--integrators", o->integrators, "check the error bounds of the integrals on random cases");
+  verb->add_option("--seed", o->seed, "Seed of the search and of random cases")->capture_default_str();
+  add_repeated_option(*verb, "--picture", o->pictures, "PNG to include in the HTML report");
+  verb->add_option("-o,--output", o->output,
+                   "Report to write, .html or .md; - for Markdown on standard output");
+  verb->add_flag("--json", o->json, "Findings as JSON on stdout");
+  verb->add_flag("--integrators", o->integrators, "Check the error bounds of the integrals on random cases");
   verb->add_flag(
       "--microsurface", o->microsurface,
-      "compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
+      "Compare theory with rays traced on explicit microgeometry (a minute; --effort full: eight)");
   verb->add_flag(
       "--numerics", o->numerics,
-      "search for the largest errors of the forms (--form or --all) in float and double against 50 "
-      "digits, and for NaN, infinite and negative values; exit 1 where one is larger than stated "
+      "Search for the largest errors of the forms (--form or --all) in float and double against 50 "
+      "digits, and for NaN, infinite and negative values; exit code 1 if an error is larger than stated "
       "(--all: half a minute; --effort full, a million evaluations each: half an hour)");
-  verb->add_flag(
-      "--gpu", o->gpu,
-      "compare the forms' shaders with the library bit for bit; with --shader: the driver's values of that "
-      "function with correctly rounded ones");
+  verb->add_flag("--gpu", o->gpu,
+                 "Compare the shaders of the forms with the library bit for bit; with --shader: the driver's "
+                 "values of that function with correctly rounded values");
   verb->footer(
       "Examples: brdf validate material.json --require energy,reciprocity -o report.html\n"
       "          brdf validate samples.csv --max-theta 80 --keep-fill --picture photograph.png -o "

@@ -78,30 +78,34 @@ void add_view(CLI::App& app) {
                    "Material JSON files: two are compared side by side; or samples");
   verb->add_option("--scene", options->job.scene, "A scene's JSON file");
   verb->add_option("--shape", options->job.shape,
-                   "What a MATERIAL is shown on instead of a sphere: as in render");
+                   "Object that shows a MATERIAL instead of a sphere, as in render");
   add_shown_shader(*verb, options->shader);
-  verb->add_option("--measured", options->job.measured, "A sample table to compare with");
-  verb->add_option("--state", options->job.state, "A saved state to start from");
-  verb->add_option("--save-as", viewer.state_file, "Where Ctrl-S saves the state")->capture_default_str();
-  verb->add_option("--screenshot", viewer.screenshot, "Where P writes the picture")->capture_default_str();
-  verb->add_option("--width", viewer.width, "Of the window")
+  verb->add_option("--measured", options->job.measured, "Sample table to compare with");
+  verb->add_option("--state", options->job.state, "Saved state to start from");
+  verb->add_option("--save-as", viewer.state_file, "File to which Ctrl-S saves the state")
+      ->capture_default_str();
+  verb->add_option("--screenshot", viewer.screenshot, "File to which P writes the picture")
+      ->capture_default_str();
+  verb->add_option("--width", viewer.width, "Width of the window, pixels")
       ->check(CLI::Range(64, 8192))
       ->capture_default_str();
-  verb->add_option("--height", viewer.height, "Of the window")
+  verb->add_option("--height", viewer.height, "Height of the window, pixels")
       ->check(CLI::Range(64, 8192))
       ->capture_default_str();
-  verb->add_option("--gbuffer-bits", viewer.gbuffer_bits, "8, 16 or 32")
+  verb->add_option("--gbuffer-bits", viewer.gbuffer_bits,
+                   "Bits per channel of the seven targets: 8, 16 or 32")
       ->check(CLI::IsMember({8, 16, 32}))
       ->capture_default_str();
   add_environment_options(*verb, options->job, viewer.samples);
   add_memory_option(*verb, viewer.memory_limit);
-  verb->add_option("--scale", viewer.scale, "Of text and panels, instead of the display's")
+  verb->add_option("--scale", viewer.scale, "Scale of text and panels, instead of the scale of the display")
       ->check(CLI::Range(0.5, 4.0));
   verb->add_flag("--orbit", viewer.orbit,
-                 "Turn the camera with every frame; with --frames the frames' time is told");
+                 "Turn the camera with every frame; with --frames the time of the frames is printed");
   verb->add_flag("--commands", options->commands,
-                 "Print what can be asked of the window, as JSON, and open none");
-  verb->add_option("--frames", viewer.frames, "Quit after so many frames")->check(CLI::Range(0, 1000000000));
+                 "Print the commands of the window as JSON and open no window");
+  verb->add_option("--frames", viewer.frames, "Number of frames after which the window closes")
+      ->check(CLI::Range(0, 1000000000));
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(

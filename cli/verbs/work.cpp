@@ -48,11 +48,10 @@ void add_work(CLI::App& app) {
   WorkCall& o = *options;
   CLI::App* verb =
       add_verb(app, Purpose::measure, "work", "Do one unit of planned work, unless it is done already");
-  verb->add_option("JOB", o.job, "Folder that `brdf plan` made")->required();
-  verb->add_option("--unit", o.unit,
-                   "Which one, from 0; all of them, one after another, where none is named");
+  verb->add_option("JOB", o.job, "Folder of `brdf plan`")->required();
+  verb->add_option("--unit", o.unit, "Number of the unit, from 0 (default: all units, one after another)");
   verb->add_flag("--check-inputs", o.check,
-                 "Compare a stack's images with the plan byte by byte, not by their lengths alone");
+                 "Compare the images of a stack with the plan byte by byte, and not only by their lengths");
   add_stack_memory_option(*verb, o.memory);
   verb->footer(
       "Examples: brdf work job --unit 3 --memory-limit 1G\n"

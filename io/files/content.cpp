@@ -13,6 +13,7 @@
 
 #include "io/files/error.h"
 #include "io/files/near_name.h"
+#include "io/files/standard_input.h"
 
 namespace brdf::io {
 
@@ -27,7 +28,7 @@ namespace {
 // A socket, which some programs connect to standard input, cannot be opened by its name.
 std::FILE* opened(const std::filesystem::path& path) {
   std::FILE* file = std::fopen(path.c_str(), "rbe");
-  if (!file && errno == ENXIO && path == "/dev/stdin") file = ::fdopen(::dup(STDIN_FILENO), "rb");
+  if (!file && errno == ENXIO && path == kStandardInput) file = ::fdopen(::dup(STDIN_FILENO), "rb");
   return file;
 }
 
@@ -49,7 +50,7 @@ std::string cannot_be_used(const std::filesystem::filesystem_error& error) {
 }
 
 Content read_content(const std::filesystem::path& path, std::size_t limit) {
-  Content content{path.string(), {}};
+  Content content{input_name(path.string()), {}};
   const auto refuse = [&](const std::string& what) { throw InputError(content.name + ": " + what); };
   const std::string too_large = "is larger than " + std::to_string(limit >> 20) + " MiB";
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(opened(path), &std::fclose);
@@ -90,7 +91,7 @@ namespace {
 
 constexpr std::string_view kLittleEndian = "\xFF\xFE", kBigEndian = "\xFE\xFF";
 
-// Whether the first two characters are Latin letters in UTF-16 of this byte order.
+// Returns whether the first two characters are Latin letters in UTF-16 of this byte order.
 bool begins_as_utf16(const std::string& bytes, bool is_big) {
   for (std::size_t k = 0; k < 4; ++k)
     if (bytes.size() < 4 || (bytes[k] == '\0') != (k % 2 == (is_big ? 0 : 1))) return false;

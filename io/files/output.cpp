@@ -13,6 +13,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/file_buffer.h"
+#include "io/files/standard_input.h"
 #include "io/files/temporary.h"
 
 namespace brdf::io {
@@ -127,7 +128,7 @@ void check_targets(const std::vector<Target>& targets, const std::vector<fs::pat
     if (!id) continue;
     const std::string name = target.option + " " + target.path.string();
     for (const fs::path& input : inputs)
-      if (identity(input) == id) throw InputError(name + ": is the input " + input.string());
+      if (identity(input) == id) throw InputError(name + ": is the input " + input_name(input.string()));
     for (const auto& [other, earlier] : seen)
       if (other == *id) throw InputError(name + ": is also the output of " + earlier->option);
     seen.emplace_back(*id, &target);

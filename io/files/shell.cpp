@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/files/standard_input.h"
+
 namespace brdf::io {
 namespace {
 
@@ -37,6 +39,7 @@ std::string shell_word(std::string_view word) {
 }
 
 std::string shell_file(std::string_view name) {
+  if (is_standard_input(name)) return "-";
   return shell_word(name.starts_with('-') ? "./" + std::string(name) : std::string(name));
 }
 

@@ -12,7 +12,7 @@ namespace brdf::io {
 std::string shell_word(std::string_view word);
 
 // Returns a file's name as an argument. A name that begins with a dash gets the prefix "./", so that it is
-// not taken for an option.
+// not taken for an option. Standard input is `-`. Verbs take a material or a table by this argument alone.
 std::string shell_file(std::string_view name);
 
 }  // namespace brdf::io

@@ -29,7 +29,7 @@ struct Judged {
   Checked checked;  // only the results requested
   // One sentence for each requirement that is not shown.
   std::vector<std::string> short_of;
-  // Whether every row holds and is a proof, and everything required is present.
+  // True if every row holds and is a proof, and everything required is present.
   bool good = false;
 };
 

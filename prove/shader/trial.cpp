@@ -46,8 +46,7 @@ struct Trial {
     w.angles = {{"theta_i", theta_i}, {"phi_i", phi_i}, {"theta_o", theta_o}, {"phi_o", phi_o}};
     w.value = value;
     w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(theta_i) + "," + io::to_text(phi_i) +
-                "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words +
-                " /dev/stdin";
+                "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words + " -";
     return w;
   }
 };

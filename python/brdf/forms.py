@@ -50,7 +50,7 @@ class Form:
     known_violations: tuple[Violation, ...]
 
     def parameter(self, name: str) -> Parameter:
-        """Returns the parameter of this name. Raises KeyError if the form has none."""
+        """Returns the parameter of this name. Raises KeyError if the form has no such parameter."""
         for p in self.parameters:
             if p.name == name:
                 return p

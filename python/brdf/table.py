@@ -139,7 +139,7 @@ class Table:
 
     @property
     def sigma(self) -> Array | None:
-        """(rows, channels) standard deviations in 1/sr, NaN in channels without; None if no channel has standard deviations."""
+        """(rows, channels) standard deviations in 1/sr, NaN in a channel without them; None if no channel has them."""
         known = any(self._samples.has_sigma(c) for c in range(len(self.channels)))
         return self._samples.sigma if known else None
 

@@ -20,7 +20,7 @@ struct Comparison {
   // Pictures with one sample per pixel, from which the difference is computed.
   const Picture* a = nullptr;
   const Picture* b = nullptr;
-  // The same pictures with the samples that are shown; null: `a` and `b` are shown.
+  // Samples of the pictures that are shown; null: `a` and `b` are shown.
   const Picture* fine_a = nullptr;
   const Picture* fine_b = nullptr;
   Rounding rounding = Rounding::nearest;

@@ -28,7 +28,7 @@ std::vector<LobeCurve> lobe_curves(const Material& material, const std::string& 
 
 // Returns the curves of the selected object's material, of B if B is a material, and of the kept materials.
 std::vector<LobeCurve> lobe_curves(const ViewState& state);
-// The same for another light, theta_i_degrees from the normal.
+// Returns the same for another light, theta_i_degrees from the normal.
 std::vector<LobeCurve> lobe_curves(const ViewState& state, double theta_i_degrees);
 
 // A measured value in the plane of incidence, with the name of its channel.

@@ -72,7 +72,7 @@ class Pictures {
   // Linear pictures with one sample per pixel. B is available if the display of the state shows B.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
-  // The same pictures with the samples of `finish`, for viewing.
+  // Returns the same pictures with the samples of `finish`, for viewing.
   const Picture& fine_a();
   const Picture& fine_b();
   // The samples that were last shown, or null.

@@ -12,7 +12,7 @@ constexpr std::array<Binding, 3> kLightBindings{Binding{VK_DESCRIPTOR_TYPE_COMBI
 constexpr VkImageUsageFlags kUploaded = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 constexpr VkImageUsageFlags kDrawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
-// The same layout as in shaders/environment.frag.
+// This layout is the same as in shaders/environment.frag.
 struct RunPush {
   std::int32_t item;
   std::uint32_t seed;

@@ -103,9 +103,10 @@ io::ChannelColours require_colours(const std::vector<std::string>& channels, con
 // render MATERIAL...`.
 Scene material_scene(const std::vector<std::pair<std::string, Material>>& materials);
 
-// The same with a shape of make_mesh() in place of the spheres, of the same size, seen from a little above.
-// Parts that never have the material shown (a car's windows and tyres, the base of the shader ball) are
-// further objects after the object with the material. Throws InputError if the shape cannot be read.
+// Returns the same scene with a shape of make_mesh() in place of the spheres. The shape has the size of the
+// spheres and is seen from slightly above. Parts that never have the material shown (a car's windows and
+// tyres, the base of the shader ball) are further objects after the object with the material. Throws
+// InputError if the shape cannot be read.
 Scene shape_scene(const std::string& shape, const std::vector<std::pair<std::string, Material>>& materials);
 
 // Returns the rotation and scale of an object.

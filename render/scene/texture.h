@@ -15,7 +15,7 @@ struct Texture {
 
   // Returns the bilinear interpolation at uv; repeating, v upwards; each channel in [0, 1] as stored.
   glm::vec4 sample(glm::vec2 uv) const;
-  // The same for texels in sRGB, which are decoded first and then interpolated.
+  // Returns the same for texels in sRGB, which are decoded first and then interpolated.
   glm::vec3 sample_srgb(glm::vec2 uv) const;
 };
 

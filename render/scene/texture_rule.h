@@ -30,9 +30,9 @@ inline constexpr double kDielectricReflectance = 0.03;
 // Lower bound of the cosine between a mapped normal and the viewer. A normal that faces away would leave
 // black specks along the edge of the object.
 inline constexpr double kLeastFacing = 0.05;
-// The same bound for the interpolated normal of a mesh, which may face away at a silhouette although the
-// viewer sees the front of the triangle. The bound is small, so that a plane seen at 89 degrees keeps its
-// normal.
+// Lower bound of the same cosine for the interpolated normal of a mesh, which may face away at a silhouette
+// although the viewer sees the front of the triangle. The bound is small, so that a plane seen at 89 degrees
+// keeps its normal.
 inline constexpr double kLeastSeen = 0.01;
 
 template <class S>

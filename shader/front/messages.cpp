@@ -10,7 +10,7 @@
 namespace brdf::shader {
 namespace {
 
-// Whether the text itself defines the type.
+// Returns whether the text itself defines the type.
 bool defines_type(std::string_view bare, std::string_view type) {
   const std::vector<Token> tokens = tokens_of(bare, true);
   bool in_typedef = false;

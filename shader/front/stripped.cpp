@@ -67,8 +67,8 @@ class Script {
  private:
   static constexpr int kDeepest = 100;
 
-  // Whether a slash at this position begins a regular expression, which is the case if no value precedes
-  // it.
+  // Returns whether a slash at this position begins a regular expression, which is the case if no value
+  // precedes it.
   bool is_expression(std::size_t at) const {
     while (at > 0 && (text_[at - 1] == ' ' || text_[at - 1] == '\t' || text_[at - 1] == '\n')) --at;
     return at == 0 || std::string_view("(,=:[!&|?{};+-*%<>~^").find(text_[at - 1]) != std::string_view::npos;

@@ -84,7 +84,7 @@ class Parser {
       global(code, w);
   }
 
-  // Whether this string is the file with the recorded lines.
+  // Returns whether this string is the file with the recorded lines.
   bool is_own(Id file) const {
     const auto found = files_.find(file);
     return own_.empty() || found == files_.end() || found->second.empty() || found->second == own_;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: architecture.libraries_behave label=architecture @source@
-"""behaves.py ROOT: the rooms that are libraries never print, exit, listen or change what belongs to the whole process. What
-only a program calls is named here, with the sources that may call it."""
+"""behaves.py ROOT: checks that the rooms that are libraries never print, exit, open sockets or change the state of the whole
+process. This file lists the functions that only a program may call, and the sources that may call them."""
 import pathlib
 import re
 import sys

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # ctest: architecture.build_files_stay_small label=architecture @source@
-"""build_files.py ROOT: the build's own files stay small, and treat sources by folders.
+"""build_files.py ROOT: checks that the files of the build stay small and treat sources by folders.
 
-Fails where all files of CMake (presets and lists of tests included) have more lines than MOST together, where more single sources have
-flags of their own than OWN_FLAGS, where a source is taken out of its batch (but the generated ones, which are batches already), and
-where CITATION.cff names another version or date than CMakeLists.txt.
+Fails if all files of CMake (including presets and lists of tests) have more than MOST lines together, if more than OWN_FLAGS sources
+have separate flags, if a source is taken out of its batch (except generated sources, which are batches already), or if CITATION.cff
+names another version or date than CMakeLists.txt.
 """
 import pathlib
 import re

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # ctest: architecture.no_constant_hides_a_headers label=architecture @source@
-"""Checks that no file's own constant has the name of one that a header of its room has.
+"""Checks that no constant of a source has the name of a constant in a header of its room.
 
     constants.py ROOT
 
-Sources are compiled in batches: there, a constant of an unnamed namespace would be taken for the header's by the files that
-come after it, without a word from the compiler.
+Sources are compiled in batches. In a batch, later sources would use the constant of an unnamed namespace in place of the constant of
+the header, without a warning of the compiler.
 """
 import collections
 import pathlib

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # ctest: architecture.decisions_are_records label=architecture @source@ --check
-"""The decisions: docs/decisions/NNNN-title.md, one each, and their index, docs/decisions.md.
+"""Checks the decision records, docs/decisions/NNNN-title.md, and their index, docs/decisions.md.
 
     decisions.py ROOT --check | --update
 
---check fails where numbers leave a gap, a record has no date or no status, an accepted record names in backquotes a file or a word
-of code that is not in the tree (then the record is replaced, and says by which), or the index is another; --update writes the index.
+--check fails if the numbers have a gap, if a record lacks its date or its status, if the index differs, or if an accepted record
+names in backquotes a file or a word of code that the tree lacks. Such a record is marked as replaced, with the number of its
+successor. --update writes the index.
 """
 import pathlib
 import re

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # ctest: architecture.includes_go_downward label=architecture @source@ --check @source@/docs/img/architecture.svg
-"""Checks that no include goes upward or in a circle, and prints each room's floors.
+"""Checks that no include goes upward or in a cycle, and prints the layers of each room.
 
     includes.py ROOT [--picture FILE | --check FILE]
 
---picture draws rooms and floors as SVG; --check fails where FILE is not that picture.
+--picture draws rooms and layers as SVG; --check fails if FILE differs from that picture.
 
-A room is a folder of the project's root, a box a folder with sources. A header NAME.h beside a folder NAME/ is that
-folder's face, and sources in a room's own folder are the room's face. Outside libbrdf nothing includes its private
-headers (libbrdf/src). cmake/rooms.txt says which room may stand on which, and within a room which folder on which.
+A room is a folder in the project's root; a box is a folder with sources. A header NAME.h next to a folder NAME/ is the
+interface of that folder, and the sources in a room's own folder are the interface of the room. No source outside libbrdf
+includes the private headers of libbrdf (libbrdf/src). cmake/rooms.txt lists the rooms that each room may include, and the
+folders that each folder of a room may include.
 """
 import argparse
 import collections
@@ -38,7 +39,7 @@ def box_of(source, boxes):
 
 
 def circle_in(arrows):
-    """One circle of a graph {node: set of nodes}, or None."""
+    """Returns one cycle of a graph {node: set of nodes}, or None if there is no cycle."""
     state, path = {}, []
 
     def visit(node):

@@ -11,7 +11,7 @@ CODE = re.compile(r"^```.*?^```|^    .*?$|`[^`]*`", re.M | re.S)
 
 
 def anchors(document):
-    """The fragments of a document's headings, as GitHub makes them."""
+    """Returns the fragments of a document's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ (.+)$", document.read_text(), re.M)
     return {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in headings}
 
@@ -38,7 +38,7 @@ def faults(root):
 
 
 def unlisted(root):
-    """The number of pages of docs that the start page does not link. Templates and single decisions are not listed."""
+    """Returns the number of pages of docs that the start page does not link. Templates and single decisions are not listed."""
     docs = root / "docs"
     listed = {(docs / link.partition("#")[0]).resolve() for link in LINK.findall((docs / "index.md").read_text())}
     pages = [p for p in docs.rglob("*.md") if not p.name.endswith(".in.md") and p.parent.name not in ("decisions", "api")]

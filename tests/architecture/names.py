@@ -4,9 +4,9 @@
 
     names.py ROOT BRDF
 
-Outside libbrdf's forms and parameter sets no source holds a form's or a parameter's name (as a string or, of a form,
-as an identifier), compares the name of a form or a parameter, or indexes a parameter table with a constant. The names
-come from `BRDF models --json`. Exempt places are counted and printed; an exemption that nothing needs is a fault.
+Outside the forms and parameter sets of libbrdf no source may contain the name of a form or a parameter as a string, use the name
+of a form as an identifier, compare the name of a form or a parameter, or index a parameter table with a constant. The names come
+from `BRDF models --json`. Exempt places are counted and printed; an unused exemption is a fault.
 """
 import collections
 import json
@@ -30,7 +30,7 @@ EXEMPT = {
     "shader/binding.cpp": "names of shaders' arguments",
     "shader/results.cpp": "names of shaders' results",
 }
-# Words that are a parameter's or a form's name too and have a meaning of their own in that place.
+# Words that are also the name of a parameter or a form, and have another meaning in these places.
 HOMONYMS = {
     ("io/formats/rgl.cpp", "sigma"): "a field of RGL's files",
     ("io/formats/rgl_writer.cpp", "sigma"): "a field of RGL's files",
@@ -75,7 +75,7 @@ COMPARED = re.compile(rf"{WHOSE}name\s*[!=]=|[!=]=\s*{WHOSE}name\b|\bfamily\s*[!
 
 
 def split(text):
-    """The code without comments and strings (same lines), and the strings with their line."""
+    """Returns the code without comments and strings (same lines), and the strings with their line."""
     strings = []
 
     def replace(match):
@@ -89,7 +89,7 @@ def split(text):
 
 
 def is_example(string):
-    """A command for people: help texts, sentences that say what to type."""
+    """Returns whether the string is a command for people: a part of a help text, or a sentence with a command to type."""
     return re.search(r"\bbrdf \w|--\w", string) is not None
 
 

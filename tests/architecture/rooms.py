@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # ctest: architecture.rooms_are_listed label=architecture @source@ --check
-"""The list of rooms, cmake/rooms.txt, and the tables that documents have of it.
+"""Reads the list of rooms, cmake/rooms.txt, and checks the tables of the list in documents.
 
     rooms.py ROOT --check | --update
 
---check fails where a folder with sources is not in the list, where the list names a folder that is not there, or where the
-tables of CONTRIBUTING.md and docs/architecture.md differ from it; --update writes the tables.
+--check fails if a folder with sources is missing from the list, if the list names a folder that does not exist, or if the tables
+of CONTRIBUTING.md and docs/architecture.md differ from the list. --update writes the tables.
 """
 import argparse
 import collections
@@ -19,7 +19,7 @@ BESIDE_SOURCES = ("examples", "tests", "build", "packaging", "tools")  # folders
 
 
 def read(root):
-    """The rooms in the order of the list."""
+    """Returns the rooms in the order of the list."""
     rooms = []
     for row in (pathlib.Path(root) / "cmake/rooms.txt").read_text().splitlines():
         if row.startswith("#") or not row.strip():
@@ -35,7 +35,7 @@ def read(root):
 
 
 def folders_of(root, room):
-    """The folders of a room that have sources of their own, relative to it."""
+    """Returns the folders of a room that contain sources, relative to the room."""
     base = pathlib.Path(root) / room
     return {str(p.parent.relative_to(base)) for p in base.rglob("*") if p.suffix in (".h", ".cpp")}
 

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # ctest: style.words label=style @source@ --check
-"""Words that make English hard to read, per 1,000 words: in the comments of every room, in documents, and in messages.
+"""Counts words that make English hard to read, per 1,000 words: in the comments of every room and of scripts, in documents, and in
+messages.
 
     words.py ROOT [--check | --update | --lines GROUP]
 
-Groups: a room (the comments of its C++), `documents` (Markdown without code) and `messages` (string literals with a blank). Ceilings are in
-tests/words.json; no ceiling is below the target. --check fails if a group has more than one occurrence above one of its ceilings; --update
+Groups: a room (the comments of its C++), `scripts` (comments and docstrings of Python and shell), `documents` (Markdown without code)
+and `messages` (string literals with a blank). Ceilings are in tests/words.json; no ceiling is below the target. --check fails if a group has more than one occurrence above one of its ceilings; --update
 lowers ceilings to the present figures and raises no ceiling; --lines prints the lines of a group that hold such words.
 """
 import argparse
@@ -31,14 +32,18 @@ WORDS = {
     "whose": (0.4, "used for a second sentence"),
 }
 TOKEN = re.compile(r"""//[^\n]*|/\*.*?\*/|R"([^(\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])+'""", re.S)
+IN_SCRIPT = re.compile(r'"""(.*?)"""|^[ \t]*#(?![!]| ctest:)([^\n]*)', re.M | re.S)
 NOT_PROSE = re.compile(r"^(?:```|~~~).*?^(?:```|~~~)|^(?: {4}|\t).*?$|`[^`\n]*`|\]\([^)]*\)", re.M | re.S)
 
 
 def pieces(name, text):
-    """(group, line, prose) of a file."""
+    """Returns (group, line, prose) of a file."""
     if name.endswith(".md"):
         cleaned = NOT_PROSE.sub(lambda m: "\n" * m[0].count("\n"), text)
         return [("documents", k, line) for k, line in enumerate(cleaned.split("\n"), 1)]
+    if not name.endswith((".h", ".cpp")):
+        return [("scripts", text.count("\n", 0, m.start()) + 1 + k, line) for m in IN_SCRIPT.finditer(text)
+                for k, line in enumerate((m[1] or m[2] or "").replace("None", "").split("\n"))]  # None is a value of Python
     found, room = [], name.split("/")[0]
     for m in TOKEN.finditer(text):
         line = text.count("\n", 0, m.start()) + 1
@@ -53,8 +58,15 @@ def all_pieces(root):
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=root, text=True, capture_output=True)
     names = listed.stdout.split("\n") if listed.returncode == 0 and listed.stdout else [
         str(p.relative_to(root)) for p in root.rglob("*") if "build" not in p.relative_to(root).parts]
-    for name in sorted(n for n in names if n.endswith((".h", ".cpp", ".md")) and (root / n).is_file()):
-        yield from ((group, f"{name}:{line}", prose) for group, line, prose in pieces(name, (root / name).read_text()))
+    for name in sorted(n for n in names if (root / n).is_file()):
+        if name.endswith((".h", ".cpp", ".md", ".py")) or is_script(root / name):
+            yield from ((group, f"{name}:{line}", prose) for group, line, prose in pieces(name, (root / name).read_text()))
+
+
+def is_script(path):
+    """Returns whether the file is a script of Python or of a shell without a suffix."""
+    with path.open("rb") as file:
+        return path.suffix == "" and re.match(rb"#!.*\b(python3?|bash|sh)\b", file.readline()) is not None
 
 
 def hits(prose):
@@ -62,7 +74,7 @@ def hits(prose):
 
 
 def counted(root):
-    """{group: (words, {word: occurrences})}"""
+    """Returns {group: (words, {word: occurrences})}"""
     counts, words = collections.defaultdict(collections.Counter), collections.Counter()
     for group, _, prose in all_pieces(root):
         words[group] += len(re.findall(r"[A-Za-z][A-Za-z'-]*", prose))

@@ -1,9 +1,10 @@
 # ctest: cli.same_bytes label=cli,driver cost=60 @brdf@ @source@
-"""The same command writes the same bytes: on 1, 2 and 3 threads, under a locale with decimal commas, and from
-another folder each time. Usage: determinism_test.py EXECUTABLE SOURCE_TREE; exit 77 where the locale cannot be made.
-The run on two threads, the pictures of `study` and `recommend` are of ./test --full (BRDF_THOROUGH): they take most of the time.
+"""Tests that the same command writes the same bytes on 1, 2 and 3 threads, under a locale with decimal commas, and from another
+folder each time. Usage: determinism_test.py EXECUTABLE SOURCE_TREE; exit code 77 if the locale cannot be made. The run on two threads
+and the pictures of `study` and `recommend` belong to ./test --full (BRDF_THOROUGH), because they take most of the time.
 
-`trade`, and `recommend` without a ledger, measure time: they are left out; so is `recommend` where the ledger lacks a form.
+`trade`, and `recommend` without a ledger, are left out because they measure time. `recommend` is also left out if the ledger lacks a
+form.
 """
 import hashlib
 import json
@@ -18,7 +19,7 @@ import tempfile
 executable, tree = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 data = tree / "data"
 
-# Each command starts in a folder that holds what the earlier ones wrote.
+# The commands share a folder, so that a command can read the files of earlier commands.
 COMMANDS = [
     "models --json",
     "synth --form ward --set alpha_x=0.1 --set alpha_y=0.3 --grid in_plane --azimuths 0,45,90 --noise 0.05 --seed 7 -o w.csv",
@@ -60,7 +61,7 @@ def digests(folder):
 
 
 def outputs(threads, **environment):
-    """Exit code, stdout and every file of all commands, run in a new folder."""
+    """Returns the exit code, stdout and every file of all commands, run in a new folder."""
     with tempfile.TemporaryDirectory(prefix="determinism.") as name:
         folder, told = pathlib.Path(name), {}
         for command in COMMANDS:
@@ -81,7 +82,7 @@ def outputs(threads, **environment):
 
 
 def german_locale(folder):
-    """Compiled for the test, so that no machine must have it."""
+    """Compiles the locale for the test, so that the machine need not have it."""
     made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", f"{folder}/{LOCALE}"], capture_output=True, check=False)
     return (pathlib.Path(folder) / LOCALE).is_dir(), made.stderr.decode()
 

@@ -126,6 +126,7 @@ TEST_F(Outputs, PrintedCommandsTakeAFilesNameAsOneWord) {
     if (finding["witness"].is_null()) continue;
     write("command", "PATH=" + std::filesystem::path(BRDF_EXECUTABLE).parent_path().string() + ":$PATH\n" +
                          finding["witness"]["command"].get<std::string>());
+    EXPECT_THAT(text("command"), Not(HasSubstr("--material"))) << "a material is positional";
     const int status = std::system(("cd '" + folder_.path().string() + "' && bash command >o 2>e").c_str());
     EXPECT_EQ(status, 0) << finding << text("e");
     ++commands;

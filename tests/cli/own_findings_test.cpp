@@ -196,7 +196,7 @@ TEST(OwnProofs, TheSelfTestTakesNothingElse) {
   EXPECT_THAT(run_brdf("prove --self-test --form ward", folder.path()).err,
               HasSubstr("has no effect with --self-test"));
   EXPECT_THAT(run_brdf("prove --seed 3 --form ward", folder.path()).err,
-              HasSubstr("--seed: goes with --self-test"));
+              HasSubstr("--seed: applies to --self-test only"));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_F(OwnMaterial, IsJudged) {
   EXPECT_EQ(run("prove m.json --property finite").exit_code, 0);
   const Outcome certified = run("prove m.json -o c.json");
   EXPECT_EQ(certified.exit_code, 2);
-  EXPECT_THAT(certified.err, HasSubstr("a certificate is of forms of the catalogue, and m.json has glow"));
+  EXPECT_THAT(certified.err, HasSubstr("a certificate covers forms of the catalogue, and m.json has glow"));
 }
 
 TEST_F(OwnMaterial, KeepsItsReportAndItsJson) {

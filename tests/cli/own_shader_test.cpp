@@ -248,8 +248,8 @@ TEST(OwnShader, MacrosAndIncludeFoldersBelongToTheCommand) {
   EXPECT_THAT(run_brdf("eval --shader s.glsl -I far d.csv", folder.path()).err,
               HasSubstr("part.glsl:1: 'SCALE'"));
   EXPECT_THAT(run_brdf("models --define SCALE=1", folder.path()).err,
-              HasSubstr("--define: goes with --shader FILE"));
-  EXPECT_THAT(run_brdf("models -I far", folder.path()).err, HasSubstr("-I: goes with --shader FILE"));
+              HasSubstr("--define: needs --shader FILE"));
+  EXPECT_THAT(run_brdf("models -I far", folder.path()).err, HasSubstr("-I: needs --shader FILE"));
 }
 
 TEST(OwnShader, IntegersAreJudgedAtWholeNumbers) {

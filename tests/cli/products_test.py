@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # ctest: cli.products label=cli cost=20 needs=brdf_render,plain @brdf@ @source@/data
 # ctest: cli.all_products label=slow timeout=3600 needs=brdf_render,plain @brdf@ @source@/data --all
-"""Every option of a verb with every product of it: it is refused (exit code 2), or what comes out differs.
+"""Tests every option of a verb with every product of the verb: the option is refused (exit code 2), or the output differs.
 
     products_test.py BRDF DATA [--all] [--verb VERB]
 
-Files that do not exist are named on purpose: a product that does not read them must say so. Without --all `fit`, `render` and
-`validate`, which take minutes, are left out.
+The options name files that do not exist on purpose: a product that does not read them must refuse the option. Without --all,
+`fit`, `render` and `validate` are left out, because they take minutes.
 """
 import argparse
 import hashlib
@@ -25,7 +25,7 @@ call = parser.parse_args()
 brdf, data = call.brdf.resolve(), call.data.resolve()
 A, B = "a.json", "b.json"
 
-# What changes how long a product takes, or the exit code, and never the product.
+# Options that change the time or the exit code of a product, but never the product.
 NO_BYTES = {"--jobs", "--memory-limit", "--validation", "--require"}
 FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-channel": None, "--shape": "free", "--free-scale": None,
        "--keep-fill": None, "--polarisation": "average", "--repeats": "average", "--quantity": "BRF", "--mirror-side": "negative",
@@ -34,7 +34,7 @@ FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-ch
        "--normals": "fit", "--no-pictures": None}
 SHADER = {"--shader": "none.glsl", "--param": "alpha=0.1:0.5", "--entry": "main", "--returns": "f", "--define": "X=1",
           "--include-folder": "none", "--set": "ks=0.1"}
-# Verb, what is tried of it, and a value of each of its options; None: a flag.
+# The verb, its products with their command lines, and a value of each of its options; None marks a flag.
 VERBS = {
     "lobes": ({"plot": [A, "-o", "OUT.png"], "body": [A, "--body", "-o", "OUT.png"]},
               {"--state": "none.json", "--width": "64", "--compare": B, "--measured": "s.csv", "--theta": "20", "--solo": "A r",
@@ -66,7 +66,7 @@ VERBS["render"] = ({"picture": [A, "-o", "OUT.png"], "two pictures": [A, "--comp
 
 
 def made(folder, verb, words, name):
-    """Exit code, a checksum of all that came out, and what was said."""
+    """Returns the exit code, a checksum of all output files, and the text of both streams."""
     words = [w.replace("OUT", name) for w in words]
     done = subprocess.run([brdf, verb, *words], cwd=folder, capture_output=True)
     text = done.stdout.replace(name.encode(), b"")
@@ -85,7 +85,7 @@ def made(folder, verb, words, name):
 
 
 def with_fill(table):
-    """A second channel, and zeros for what was not measured."""
+    """Adds a second channel, with zeros in place of missing measurements."""
     lines = table.read_text().splitlines()
     head = next(k for k, line in enumerate(lines) if line.startswith("theta_i"))
     lines[head] += ",g"

@@ -93,7 +93,7 @@ TEST_F(QuantityCli, ThatContradictsTheFileIsRefusedWithBoth) {
 TEST_F(QuantityCli, HasNoEffectWhereNoSamplesAreRead) {
   EXPECT_THAT(run("validate --form ward --quantity BRF").err,
               HasSubstr("--quantity: has no effect on what is judged here"));
-  EXPECT_THAT(run("export --form ward --to glsl --quantity BRF").err, HasSubstr("go with --measured"));
+  EXPECT_THAT(run("export --form ward --to glsl --quantity BRF").err, HasSubstr("apply to --measured only"));
 }
 
 // The fit of a folder and the same fit planned in units must give the same messages and results.

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # ctest: cli.terminal label=cli @brdf@
-"""What the terminal shows at 60, 80 and 200 columns, beside tests/cli/terminal/COLUMNS.txt: the same lines of the same words,
-numbers within 2 % as in the documents; no line wider than the terminal, but for a word that alone is. What names a form that
-docs/models.md does not have yet is listed, not compared.
+"""Compares the output at 60, 80 and 200 columns with tests/cli/terminal/COLUMNS.txt. Lines and words must be equal, and numbers
+must agree within 2 %, as in the documents. No line may be wider than the terminal, except a single word that is wider. Output
+that names a form which docs/models.md lacks is listed and not compared.
 
     recorded_test.py BRDF [--update]
 
---update writes what is shown into the files.
+--update writes the present output into the files.
 """
 import importlib.util
 import os
@@ -35,7 +35,7 @@ COMMANDS = [
 
 
 def shown(brdf, columns):
-    """Every command with the lines of what it prints."""
+    """Returns every command with the lines of its output."""
     blocks = []
     environment = os.environ | {"COLUMNS": str(columns), "NO_COLOR": "1", "LC_ALL": "C.UTF-8"}
     with tempfile.TemporaryDirectory() as folder:

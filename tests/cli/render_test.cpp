@@ -168,7 +168,7 @@ TEST_F(RenderCli, TheOldSpellingsOfLobesAndMapsSayTheNewOnes) {
         std::pair{"render m.json --lobes --maps tiles -o x.png", "--lobes"}}) {
     const Outcome refused = run(command);
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.err, HasSubstr(std::string(option) + " is no option of brdf"));
+    EXPECT_THAT(refused.err, HasSubstr(std::string(option) + " is not an option of brdf"));
   }
 }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # ctest: cli.scenes label=cli needs=brdf_render @brdf@ @source@
-"""scenes_test.py BRDF SOURCE: the shipped scenes follow docs/scene.schema.json, and the schema and the program accept and refuse
-the same; of what is drawn every third in ./test, all in ./test --full (BRDF_THOROUGH). Exit 77 without python3-jsonschema."""
+"""scenes_test.py BRDF SOURCE: tests that the shipped scenes follow docs/scene.schema.json, and that the schema and the program
+accept and refuse the same scenes. ./test draws every third scene, ./test --full (BRDF_THOROUGH) all. Exit code 77 without
+python3-jsonschema."""
 import copy
 import json
 import os
@@ -42,7 +43,7 @@ FULL = {
 
 
 def changed(path, value, scene=FULL):
-    """The scene with this value at a path; `del` removes what is there."""
+    """Returns the scene with this value at a path; `del` removes the value at the path."""
     out = copy.deepcopy(scene)
     place = out
     for key in path[:-1]:
@@ -112,7 +113,8 @@ with tempfile.TemporaryDirectory() as folder:
     file = pathlib.Path(folder) / "scene.json"
 
     def refusal(scene):
-        """What the program says of the scene; empty where it takes it. Without a driver it says so after reading it."""
+        """Returns the message of the program about the scene; empty if the program accepts the scene. A missing driver is reported after
+    the scene has been read."""
         file.write_text(json.dumps(scene))
         done = subprocess.run([brdf, "render", "--scene", file, "--supersample", "1", "-o", file.with_suffix(".png")],
                               capture_output=True, text=True)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: cli.schemas label=cli @brdf@ @source@
-"""schemas_test.py BRDF SOURCE: what verbs print with --json follows docs/VERB.schema.json, which refuses what does not.
-validate and study have tests of their own. Exit 77 without python3-jsonschema."""
+"""schemas_test.py BRDF SOURCE: tests that the output of verbs with --json follows docs/VERB.schema.json, and that the schemas
+refuse wrong output. validate and study have their own tests. Exit code 77 without python3-jsonschema."""
 import copy
 import json
 import pathlib

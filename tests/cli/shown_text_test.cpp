@@ -126,7 +126,7 @@ TEST_F(ShownText, OfAnInterruptedRunNamesTheRestInOneLine) {
                       out = file_text(folder_.path() / "out.txt");
     const std::string line = "brdf " + verb + ": interrupted: ";
     ASSERT_THAT(err,
-                AllOf(HasSubstr(line), HasSubstr(" of " + std::to_string(kSamples) + " not looked at\n")));
+                AllOf(HasSubstr(line), HasSubstr(" of " + std::to_string(kSamples) + " not processed\n")));
     EXPECT_EQ(err.find("interrupted", err.find(line) + line.size()), err.npos) << err;
     EXPECT_EQ(err.find("interrupted"), err.find(line) + 6 + verb.size() + 1) << err;
     EXPECT_THAT(out, Not(HasSubstr(" error: ")));

@@ -100,6 +100,34 @@ TEST_F(Streams, AMinusIsStandardInput) {
   EXPECT_EQ(run("prove - --property non_negative <m.json").exit_code, 0);
 }
 
+TEST_F(Streams, MessagesNameStandardInputInWords) {
+  expect_refused("fit - <m.json", "brdf: standard input: is a material, not a table of samples");
+  expect_refused("albedo - --theta 0 <s.csv", "brdf: standard input: is not a material");
+  expect_refused("eval m.json - <m.json", "brdf: standard input");
+  EXPECT_THAT(run("convert - o.csv <s.csv").err, Not(HasSubstr("/dev/stdin")));
+  for (const char* words : {"fit - --form lambert <s.csv", "fit - --form lambert --json <s.csv",
+                            "validate - --json <s.csv", "validate - <m.json", "prove - --json <m.json"}) {
+    const Outcome outcome = run(words);
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("standard input")) << words;
+    EXPECT_THAT(outcome.out + outcome.err, Not(HasSubstr("/dev/stdin"))) << words;
+  }
+}
+
+TEST_F(Streams, APageOfStandardInputHasCommandsThatReadAPipe) {
+  EXPECT_EQ(run("study - --form lambert --no-pictures -o st <s.csv").exit_code, 0);
+  const std::string page = text("st/index.html");
+  EXPECT_THAT(page, HasSubstr("<h1>standard input</h1>"));
+  EXPECT_THAT(page, HasSubstr("brdf validate -\n"));
+  EXPECT_THAT(page, Not(HasSubstr("/dev/stdin")));
+}
+
+TEST_F(Streams, AFileCalledStandardInputIsNoStream) {
+  std::filesystem::copy_file(folder_.path() / "s.csv", folder_.path() / "standard input");
+  const Outcome outcome = run("fit 'standard input' --form lambert");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.out, StartsWith("./standard input: "));
+}
+
 TEST_F(Streams, StandardInputIsReadOnce) {
   expect_refused("eval - - <m.json", "standard input can be read once, and MATERIAL reads it");
   expect_refused("fit - - -o fits <s.csv", "standard input can be read once");

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: cli.surface label=cli @brdf@ @source@
-"""surface_test.py BRDF SOURCE: every verb and option of the program is documented wherever one looks for it: an example in
---help that uses it, the man page, the completion of both shells with what its value may be, a schema where there is --json,
-and a name in Python (python/brdf/names.json, where the module is). One that is missing fails."""
+"""surface_test.py BRDF SOURCE: tests that every verb and option is documented in each place: in a group and an example of --help,
+in the man page, in the completion of both shells with its permitted values, in a schema if the verb has --json, and with a name
+in Python (python/brdf/names.json, if the module is built). The test fails for each missing place."""
 import json
 import os
 import pathlib
@@ -26,7 +26,7 @@ def expect(holds, what):
 
 
 verbs = json.loads(run(brdf, "describe", "json"))["verbs"]
-# What --help itself lists is what was described: nothing is hidden from both.
+# `brdf --help` lists the same verbs as `brdf describe`.
 listed = re.findall(r"^  (\w+) +\S", run(brdf, "--help").split("\nBegin here:")[1], re.M)
 assert sorted(listed) == sorted(v["name"] for v in verbs), (listed, [v["name"] for v in verbs])
 
@@ -47,7 +47,7 @@ with tempfile.TemporaryDirectory() as folder:
             run(shell, "-n", path)  # it parses
 
     def complete(*words):
-        """What bash offers after these words."""
+        """Returns the words that bash offers after these words."""
         script = (f"source {scripts['bash']}; COMP_WORDS=({' '.join(repr(w) for w in words)}); "
                   f"COMP_CWORD={len(words) - 1}; _brdf; printf '%s\\n' \"${{COMPREPLY[@]}}\"")
         return run("bash", "--norc", "-c", script, cwd=folder).split()
@@ -75,6 +75,7 @@ with tempfile.TemporaryDirectory() as folder:
     for verb in verbs:
         name = verb["name"]
         help_text = run(brdf, name, "--help")
+        expect("\nOptions:\n" not in help_text, f"{name}: options without a group in --help")
         expect(re.search(rf"Examples?:.*brdf {name}", verb["footer"], re.S), f"{name}: example in --help")
         page = pages.get(f"brdf-{name}.1", "")
         expect(page, f"{name}: man page")
@@ -87,9 +88,12 @@ with tempfile.TemporaryDirectory() as folder:
             expect(all(n in help_text for n in option["names"]), f"{what}: --help")
             expect(all(n in page for n in option["names"]), f"{what}: man page")
             expect(option["description"] or first in ("-h", "--help"), f"{what}: description")
-            expect(option["takes"] != "unnamed", f"{what}: what it takes (cli/surface/values.cpp)")
+            expect(option["takes"] != "unnamed", f"{what}: what it takes (cli/surface/option_table.cpp)")
             if option["positional"]:
                 continue
+            under = re.search(rf"^{re.escape(option['group'])}:\n((?: .*\n)+)", help_text, re.M)
+            expect(under and re.search(rf"(?<![\w-]){first}(?![\w-])", under[1]), f"{what}: under its heading in --help")
+            expect(f"\n.SS {option['group']}\n" in page, f"{what}: heading in the man page")
             for n in option["names"]:
                 expect(n in offered, f"{what}: bash completion")
                 expect(part and n in part[1], f"{what}: zsh completion")
@@ -102,7 +106,7 @@ with tempfile.TemporaryDirectory() as folder:
             expect((source / f"docs/schemas/{name}.schema.json").is_file()
                    or (source / f"docs/{name}.schema.json").is_file(), f"{name} --json: schema")
 
-    # Where the module is: what each verb and option is called in Python, or that the verb takes them all by their names.
+    # If the module is built: the Python name of each verb and option, or a mark that the verb takes all options by their names.
     table = source / "python/brdf/names.json"
     if table.is_file():
         names = json.loads(table.read_text())["verbs"]

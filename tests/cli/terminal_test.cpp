@@ -106,9 +106,9 @@ TEST_F(Terminal, RankingLeavesOutColumnsThatHaveNoRoom) {
 }
 
 TEST_F(Terminal, NamesThatWereMeantAreSuggested) {
-  EXPECT_EQ(says("fitt"), "brdf: 'fitt' is no verb (did you mean fit? see brdf --help)\n");
+  EXPECT_EQ(says("fitt"), "brdf: 'fitt' is not a verb (did you mean fit? see brdf --help)\n");
   EXPECT_EQ(says("fit --fom"),
-            "brdf: --fom is no option of brdf fit (did you mean --form? see brdf fit --help)\n");
+            "brdf: --fom is not an option of brdf fit (did you mean --form? see brdf fit --help)\n");
   EXPECT_THAT(
       says("models blin"),
       StartsWith("brdf: 'blin' is not the name of a form (did you mean blinn_phong? known: lambert, "));

@@ -58,7 +58,7 @@ TEST_F(Cli, SaysItsVersionAndHelpsWithAnExample) {
 }
 
 TEST_F(Cli, RefusesWrongUsage) {
-  expect_refused("evil", "'evil' is no verb");
+  expect_refused("evil", "'evil' is not a verb");
   expect_refused("eval --form ward", "DIRECTIONS is required");
   expect_refused("models --jsn", "--jsn");
   expect_refused("synth --form ward", "--output is required");
@@ -74,14 +74,14 @@ TEST_F(Cli, RefusesOptionsWithoutEffect) {
   expect_refused("validate --integrators --form lambert", "--form: has no effect on --integrators");
   expect_refused("validate --numerics --shader a.glsl", "--shader: has no effect on --numerics");
   expect_refused("trade --compare a.json b.json --quick", "--quick excludes --compare");
-  expect_refused("export --form ward --to gltf --kernels builtin", "--kernels: is for shaders");
-  expect_refused("export --form ward --to merl --include -o m.binary", "--include: is for shaders");
+  expect_refused("export --form ward --to gltf --kernels builtin", "--kernels: applies to shaders only");
+  expect_refused("export --form ward --to merl --include -o m.binary", "--include: applies to shaders only");
   expect_refused("export --form ward --to glsl --name x",
                  "--name: --to glsl of a form alone writes no material");
   expect_refused("export --form ward --to merl --name x -o m.binary", "--name: --to merl writes no name");
   expect_refused("export --form ward --set ks=0.2 --to explorer --name x",
                  "--name: --to explorer writes no name");
-  expect_refused("export --form ward --to glsl --size 1M", "--size: is of the file that --to rgl writes");
+  expect_refused("export --form ward --to glsl --size 1M", "--size: applies to --to rgl only");
 }
 
 TEST_F(Cli, RefusesUnknownFormsAndParametersOutOfRange) {

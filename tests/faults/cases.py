@@ -41,12 +41,12 @@ class Case:
     outputs: list = dataclasses.field(default_factory=list)
     inputs: list = dataclasses.field(default_factory=list)
     short: bool = False   # in the short selection
-    same: bool = True     # the same bytes every time; else an output is whole where it ends as its kind does
+    same: bool = True     # the same bytes every time; otherwise an output is complete if it has the end of a file of its kind
     draws: bool = False   # needs a driver of Vulkan
-    parts: bool = False   # what failed for one output shows in others (a summary), which are whole all the same
-    kept: bytes = b""     # what stdout says of results that an earlier run had finished
+    parts: bool = False   # the failure of one output appears in others (a summary), which are complete nevertheless
+    kept: bytes = b""     # words on stdout for results that an earlier run had finished
     before: list = dataclasses.field(default_factory=list)    # commands that make further inputs, from these
-    fresh: bool = False   # no output is there before: the old state is none
+    fresh: bool = False   # no output exists before the run
     optional: list = dataclasses.field(default_factory=list)  # outputs that are old or new, however the command ends
     window: bool = False  # needs a display
 
@@ -174,7 +174,7 @@ CASES = [
 
 
 def make_inputs(folder, brdf, source):
-    """Writes every input once; cases copy what they read."""
+    """Writes every input once; each case copies the files that it reads."""
     def write(name, text):
         with open(os.path.join(folder, name), "w") as file:
             file.write(text)

@@ -1,4 +1,4 @@
-"""Places that cannot be written, outputs that nobody takes, and the commands that the program prints."""
+"""Tests places that cannot be written, streams that are closed, and the commands that the program prints."""
 import html
 import json
 import os
@@ -17,7 +17,7 @@ NOBODY = 65534
 
 
 def finish(bench, case, folder, **options):
-    """As Bench.start, without faults, with options of Popen."""
+    """Does the same as Bench.start, without faults, with options of Popen."""
     stdout = options.pop("stdout", None)
     with open(os.path.join(folder, "stdout"), "wb") as out:
         process = subprocess.Popen([bench.brdf, *case.words], cwd=folder, stdin=subprocess.DEVNULL,
@@ -26,7 +26,7 @@ def finish(bench, case, folder, **options):
 
 
 def one_line(outcome, codes, words):
-    """What is wrong with a refusal."""
+    """Returns the faults of a refusal."""
     lines = [line for line in outcome.err.splitlines() if line.startswith("brdf: ") or OF_A_FILE.match(line)]
     if outcome.code not in codes or not lines:
         return [f"exit {outcome.code}: {outcome.err.strip()[-200:]}"]
@@ -36,7 +36,7 @@ def one_line(outcome, codes, words):
 
 
 def try_small_disk(bench, case, expected, tally):
-    """A disk that holds the old files and a page more. Only the superuser can make one."""
+    """Tests a disk that has room for the old files and one page more. Only the superuser can make such a disk."""
     folder = bench.prepare(case)
     size = sum(-(-os.path.getsize(os.path.join(where, name)) // 4096) * 4096
                for where, _, names in os.walk(folder) for name in names)
@@ -118,7 +118,7 @@ NAMES = ["m $(touch pwned);touch pwned2; .json", "it's \"quoted\" `touch pwned3`
 
 
 def commands_in(outcome):
-    """Everything that was printed for somebody to run."""
+    """Returns every printed command."""
     texts = [outcome.out.decode(errors="surrogateescape")] + \
         [content.decode(errors="surrogateescape") for name, content in sorted(outcome.files.items())
          if name.endswith((".html", ".md"))]
@@ -133,7 +133,7 @@ def commands_in(outcome):
 
 
 def try_printed_commands(bench, tally, short):
-    """Every printed command runs in a folder that holds its inputs alone, and makes nothing but its tables."""
+    """Requires that every printed command runs in a folder with only its inputs, and writes only its tables."""
     case = types.SimpleNamespace(name="printed commands")
     sources = [(["validate", "--form", "phong_classic" if short else "ward", "-o", "report.html"], None)]
     for name in NAMES[:2] if short else NAMES:
@@ -146,7 +146,7 @@ def try_printed_commands(bench, tally, short):
     os.makedirs(programs, exist_ok=True)
     os.symlink(bench.brdf, os.path.join(programs, "brdf"))
     environment = dict(os.environ, PATH=programs + ":" + os.environ["PATH"])
-    # What a table says of its making makes the same bytes again.
+    # The command in the header of a table must write the same bytes again.
     for words, copied in ((["synth", "--form", "ward", "--set", "alpha=0.2", "--grid", "d $(touch pwned).csv", "--noise",
                             "0.1", "-oa.csv"], "d $(touch pwned).csv"),
                           (["eval", "--form", "ward", "it's d.csv", "-o=a.csv"], "it's d.csv")):

@@ -1,4 +1,4 @@
-"""One command run once, with or without a fault, and what is judged of it."""
+"""Runs one command once, with or without a fault, and judges its result."""
 import bisect
 import collections
 import hashlib
@@ -17,17 +17,17 @@ FILE_KINDS = ["open", "read", "write", "short", "interrupted", "fsync", "close",
 HARMLESS = {"short", "interrupted"}  # calls that a program must go on after
 OF_A_FILE = re.compile(r"(\[\d+/\d+\]|brdf collect:) ")
 TEMPORARY = re.compile(r"^(.+?\.\d+\.\d+\.tmp)(/|$)")  # a file, or a folder with what is in it
-# Code in the program that is not its own, by mangled names: what is linked statically. The C++ library's templates
-# belong to whoever uses them.
+# Foreign code that is linked statically, by mangled names. The templates of the C++ library count as code of their
+# users.
 FOREIGN = re.compile(r"_ZN[KVRO]*\d+(glslang|spvtools|shaderc|shaderc_util|spv|ceres|google|gflags|ImGui|embree|Assimp)")
 STANDARD = re.compile(r"_ZN?[KVRO]*S[abdiost]|_ZN[KVRO]*9__gnu_cxx")
-# Templates and headers of others that end the program without memory: destructors that allocate, an object that is destroyed
-# before it was made, a search for an option that says it throws nothing.
+# Foreign templates and headers that end the program if memory is exhausted: destructors that allocate, an object that is
+# destroyed before its construction, and CLI11's search for an option by name.
 WITHOUT_MEMORY = {
     "nlohmann::json": re.compile(r"^[^(]*nlohmann.*(::destroy\(|::~basic_json\(|::operator\[\]|::push_back\()"),
     "CLI11": re.compile(r"^CLI::Option::check_[ls]?name\("),
 }
-# The shader compiler has a process of its own with limited memory: what it lacks there counts as the text's fault.
+# The shader compiler runs in a separate process with limited memory; a lack of memory there is reported as a fault of the text.
 OF_THE_TEXT = "the shader compiler needs more than"
 
 
@@ -65,7 +65,7 @@ class Bench:
         self.symbols = self.list_foreign()
 
     def list_foreign(self):
-        """Writes where foreign code stands in the program; returns all its functions for stacks."""
+        """Writes the addresses of foreign code in the program. Returns all functions of the program, to name the entries of stacks."""
         def symbols(*options):
             text = subprocess.run(["nm", *options, "--defined-only", "-n", self.brdf], capture_output=True, text=True)
             return [line.split(" ", 2) for line in text.stdout.splitlines()]
@@ -132,7 +132,7 @@ class Bench:
         return Outcome(process.returncode, out, err, files)
 
     def run(self, case, kind="none", at=0):
-        """Outcome, and what the library reported."""
+        """Returns the outcome and the report of the preloaded library."""
         folder = self.prepare(case)
         report = folder + ".report"
         outcome = self.finish(self.start(case, folder, kind, at, report), folder)
@@ -146,7 +146,7 @@ class Bench:
 
 
 def is_whole(name, content):
-    """Of outputs that differ from run to run: whether one ends as its kind of file does."""
+    """Returns whether an output that differs from run to run has the end of a complete file of its kind."""
     ends = {".json": b"}\n", ".csv": b"\n", ".html": b"</html>\n", ".png": b"IEND\xaeB`\x82"}
     end = ends.get(os.path.splitext(name)[1])
     if name.endswith(".unit"):  # its first line ends with the hash of what follows
@@ -156,7 +156,7 @@ def is_whole(name, content):
 
 
 def wrong_files(case, outcome, expected, may_leave=0):
-    """What is wrong with the files after a fault."""
+    """Returns the faults of the files after a failed call."""
     wrong = []
     left = [name for name in outcome.files if name not in case.inputs and name not in expected.files]
     temporaries = {match[1] for name in left if (match := TEMPORARY.match(name))}
@@ -181,7 +181,7 @@ def is_complete(case, outcome, expected):
 
 
 def judge_sound(case, outcome, expected):
-    """What is wrong with a run that nothing happened to."""
+    """Returns the faults of a run without a failed call."""
     wrong = wrong_files(case, outcome, expected)
     if not is_complete(case, outcome, expected):
         wrong.append(f"ended with {outcome.code}: {outcome.err.strip()[:200]}")
@@ -189,7 +189,7 @@ def judge_sound(case, outcome, expected):
 
 
 def judge(case, outcome, expected, kind, what):
-    """What deviates from the rule after the call of this kind failed."""
+    """Returns the deviations from the rule after a call of this kind has failed."""
     wrong = wrong_files(case, outcome, expected)
     messages = [line for line in outcome.err.splitlines() if line.startswith("brdf: ")]
     if is_complete(case, outcome, expected):
@@ -201,7 +201,7 @@ def judge(case, outcome, expected, kind, what):
     elif outcome.code != 3:
         wrong.append(f"exit {outcome.code}: {outcome.err.strip()[-200:]}")
     else:
-        # A batch says it of the file, beside the progress of the others.
+        # A batch reports the fault of the file together with the progress of the other files.
         lines = messages or [line for line in outcome.err.splitlines() if OF_A_FILE.match(line)]
         if len(messages) > 1 or not lines:
             wrong.append(f"not one line: {outcome.err.strip()[:200]}")

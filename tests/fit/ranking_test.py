@@ -1,14 +1,15 @@
 # ctest: fit.ranking_short label=fit timeout=300 needs=plain @brdf@ --first 10 --tables 6
 # ctest: fit.ranking label=slow timeout=3600 needs=plain @brdf@ --tables 200
-"""Seeded synthetic tables of known form: which form ranks first, and what becomes of matt forms on gloss.
+"""Tests the ranking of forms on seeded synthetic tables of known form, and the verdict on matt forms for glossy samples.
 
     ranking_test.py EXECUTABLE [--tables 200] [--first 0] [--verbose]
 
-Families x scan patterns (light scanned, viewer scanned, both, in plane, hemisphere), noise 1-5 %, alpha .02-.6. Asserts:
-the generating form is first in at least 80 % of the tables with alpha <= .3 and noise <= 2 %; it, or one that this
-script's own paired, one-sided 5 % test does not find worse on the JSON's left-out values, in at least 95 % of all; on
-tables with gloss (the noise-free highlight at least twice the diffuse value in three rows or more) lambert and
-oren_nayar are a misfit, exit 1, under every metric.
+The tables combine families with scan patterns (light scanned, viewer scanned, both, in plane, hemisphere), noise of 1 to
+5 % and alpha from 0.02 to 0.6. The test requires that the generating form is first in at least 80 % of the tables with
+alpha <= 0.3 and noise <= 2 %. In at least 95 % of all tables the first form must be the generating form, or a form that is
+not significantly worse on the held-out values of the JSON (a paired, one-sided 5 % test of this script). On glossy tables (the
+noise-free highlight is at least twice the diffuse value in three rows or more) lambert and oren_nayar must be a misfit with
+exit code 1 under every metric.
 """
 import argparse
 import collections
@@ -39,7 +40,7 @@ def viewer_scanned(_):
 
 
 def both_scanned(draw):
-    """Both arms move at random, light and viewer over the hemisphere; half of the rows near the mirror direction."""
+    """Returns rows for which both arms move at random over the hemisphere; half of the rows are near the mirror direction."""
     rows = []
     while len(rows) < 1200:
         i, o, turn = (math.degrees(math.acos(draw.uniform(0.2, 1))), math.degrees(math.acos(draw.uniform(0.2, 1))),
@@ -67,7 +68,7 @@ PATTERNS = [light_scanned, viewer_scanned, both_scanned, in_plane, hemisphere]
 
 
 def truth(form, draw):
-    """Settings for `synth`, and the lobe's width (oren_nayar has none: 1)."""
+    """Returns the settings for `synth` and the width of the lobe (1 for oren_nayar, which has no lobe)."""
     alpha = math.exp(draw.uniform(math.log(0.02), math.log(0.6)))
     kd = draw.uniform(0.05, 0.8)
     ks = draw.uniform(0.1, 0.9) * (1 - kd)
@@ -117,14 +118,14 @@ class Program:
 
 
 def t_95(freedom):
-    """95 % quantile of Student's t (Abramowitz and Stegun 26.7.5; 1 % off at 2 degrees of freedom)."""
+    """Returns the 95 % quantile of Student's t (Abramowitz and Stegun 26.7.5; 1 % off at 2 degrees of freedom)."""
     z = 1.6448536269514722
     terms = [(z ** 3 + z) / 4, (5 * z ** 5 + 16 * z ** 3 + 3 * z) / 96, (3 * z ** 7 + 19 * z ** 5 + 17 * z ** 3 - 15 * z) / 384]
     return z + sum(term / freedom ** (k + 1) for k, term in enumerate(terms))
 
 
 def worse(a, b):
-    """Whether the values per incidence of `a` are larger than those of `b` beyond chance: paired, one-sided, 5 %."""
+    """Returns whether the values per incidence of `a` are significantly larger than the values of `b` (paired, one-sided, 5 %)."""
     differences = [x["value"] - y["value"] for x, y in zip(a, b, strict=True)]
     n = len(differences)
     mean = sum(differences) / n
@@ -133,7 +134,7 @@ def worse(a, b):
 
 
 def glossy(program, form, settings, grid, folder):
-    """Whether the highlight alone is at least as bright as the diffuse part in three rows or more."""
+    """Returns whether the highlight alone is at least as bright as the diffuse part in three rows or more."""
     if "kd" not in settings:
         return False
     parts = []

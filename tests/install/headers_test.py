@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # ctest: install.headers label=install timeout=3600 needs=install @build@
 # ctest: install.headers_alone label=slow timeout=3600 needs=install @build@ --alone
-"""headers_test.py BUILD [--alone]: every installed header compiles with -Wall -Wextra as errors, by g++ and clang++ where they
-are: all in one source, with --alone each as the first of its own. libbrdf's values are right or nothing compiles, under flags that
-take arithmetic apart."""
+"""headers_test.py BUILD [--alone]: tests that every installed header compiles with -Wall -Wextra as errors, with g++ and clang++ if
+they are installed. One source includes all headers; with --alone, each header is the first of its own source. Under flags that
+rearrange arithmetic, libbrdf must either refuse to compile or give the right values."""
 import concurrent.futures
 import math
 import os
@@ -31,7 +31,7 @@ int main() {
 
 
 def compile_headers(compiler, include, headers):
-    """What is said against a source that includes these."""
+    """Returns the messages of the compiler about a source that includes these headers."""
     source = "".join(f'#include "{header}"\n' for header in headers)
     done = subprocess.run([compiler, "-std=c++20", *WARNINGS, "-fsyntax-only", "-I", include, *SYSTEM, "-x", "c++", "-"],
                           input=source, text=True, capture_output=True)
@@ -39,7 +39,7 @@ def compile_headers(compiler, include, headers):
 
 
 def check_arithmetic(compiler, include, folder):
-    """Either it does not compile, and says why, or the values are right to a rounding."""
+    """Requires that the source is refused with the reason, or gives values that are right to rounding."""
     source = folder / "user.cc"
     source.write_text(PROGRAM)
     compiled = 0

@@ -6,7 +6,7 @@ import tempfile
 
 
 def run(command, **options):
-    """Output of a command; the test ends with what it said where it fails."""
+    """Returns the output of a command. If the command fails, the test ends with its messages."""
     options.setdefault("env", {**os.environ, "LC_ALL": "C"})
     done = subprocess.run([str(word) for word in command], text=True, capture_output=True, **options)
     if done.returncode != 0:
@@ -37,13 +37,13 @@ def temporary_folder():
 
 
 def values_of(text):
-    """The last columns of `brdf eval`'s rows, as numbers: the digits are compared by what they stand for."""
+    """Returns the last columns of the rows of `brdf eval` as numbers, so that values are compared and not digits."""
     rows = [line.split(",") for line in text.splitlines() if line and line[0] in "-0123456789."]
     return [[float(word) for word in row] for row in rows]
 
 
 def check_consumer(programs, brdf, source):
-    """What examples/consumer prints is what `brdf eval` does, bit for bit: of all materials and forms in ./test --full."""
+    """Requires that examples/consumer prints the same values as `brdf eval`, bit for bit; ./test --full tests all materials and forms."""
     every = 1 if "BRDF_THOROUGH" in os.environ else 4
     directions = source / "data/directions.csv"
     for material in sorted((source / "data/materials").glob("*.json"))[::every]:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: install.package label=slow timeout=3600 needs=install @build@ @python@
-"""package_test.py BUILD [PYTHON]: the Debian packages have no error for lintian, install into an empty root, work from
-there, and leave nothing when they are removed. PYTHON: the interpreter that the module was built for. Exit 77 where a tool
-is missing."""
+"""package_test.py BUILD [PYTHON]: tests that lintian finds no error in the Debian packages, that they install into an empty root and
+work from there, and that no file remains when they are removed. PYTHON is the interpreter that the module was built for. Exit code 77
+if a tool is missing."""
 import json
 import os
 import pathlib
@@ -20,7 +20,7 @@ for tool in ("cpack", "lintian", "dpkg-deb", "dpkg-shlibdeps"):
         sys.exit(77)
 
 
-# Fits, evaluates and says which program and module it has, from the folder /.
+# Fits and evaluates from the folder /, and prints the paths of the program and of the module.
 MODULE = """
 import json, sys
 import brdf
@@ -49,7 +49,7 @@ with temporary_folder() as folder:
     print(said.stdout)
     assert said.returncode == 0, said.stdout + said.stderr
 
-    # A root of its own with nothing in it: dpkg unpacks, lists and removes; dependencies are those of the machine.
+    # In an empty root of its own, dpkg unpacks, lists and removes the package; the dependencies are taken from the machine.
     root = folder / "root"
     admin = root / "var/lib/dpkg"
     for name in ("info", "updates", "triggers"):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: install.prefix label=install timeout=3600 needs=install @build@ @source@ @python@
-"""prefix_test.py BUILD SOURCE [PYTHON]: an installed prefix that was moved works from another folder: a fit with its report,
-by the program and by the module that was built for PYTHON, an installed scene where this machine renders, man pages,
-completion, descriptions."""
+"""prefix_test.py BUILD SOURCE [PYTHON]: tests that an installed prefix works after it was moved to another folder: a fit with its
+report, by the program and by the module that was built for PYTHON; an installed scene, if this machine can render; man pages,
+completion and descriptions."""
 import gzip
 import os
 import pathlib
@@ -13,7 +13,7 @@ import sys
 from installed import moved_prefix, run, temporary_folder
 
 build, source, *python = map(pathlib.Path, sys.argv[1:])
-# What it writes has the Chart.js of its prefix, and the program is found beside it.
+# The written pages contain the Chart.js of the prefix, and the program is found in the same folder.
 MODULE = """
 import sys
 import brdf
@@ -51,7 +51,7 @@ with temporary_folder() as folder:
     # Exit code 3: this build or this machine cannot draw, and the scene was found all the same.
     assert drawn.returncode == 0 and (elsewhere / "scene.png").is_file() or drawn.returncode == 3, drawn.stderr
 
-    # Planned work, a unit of it by the script for job arrays.
+    # The script for job arrays does a unit of planned work.
     (elsewhere / "tables").mkdir()
     for k in range(2):
         shutil.copy(share / "brdf/synthetic/lambert.csv", elsewhere / f"tables/{k}.csv")
@@ -62,7 +62,7 @@ with temporary_folder() as folder:
     say("collect", "job", "-o", "fits")
     assert (elsewhere / "fits/summary.csv").read_text().count("tables/") == 2
 
-    # The checker of proofs is beside it, and knows what it is for.
+    # The checker of proofs is in the same folder, and its help states its purpose.
     say("prove", "--form", "lambert", "--property", "finite", "-o", "certificate.json")
     assert ": 2 proved" in run([prefix / "bin/brdf_check", "--require", "finite", "certificate.json"], cwd=elsewhere)
     assert "brdf_check [--help | --version]" in run([prefix / "bin/brdf_check", "--help"])

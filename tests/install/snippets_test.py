@@ -26,7 +26,7 @@ FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror",
 
 
 def public_headers():
-    """The headers that may be entry points, as {name for others: path}."""
+    """Returns the headers that may be entry points, as {name for others: path}."""
     listed = [line for line in (ROOT / "cmake/public_headers.txt").read_text().splitlines()
               if line and not line.startswith("#")]
     headers = {f"brdf/{name}": ROOT / name for name in listed}
@@ -34,7 +34,7 @@ def public_headers():
 
 
 def declares_functions(text):
-    """Whether the text of a header declares a function with its body in a library."""
+    """Returns whether the text of a header declares a function with its body in a library."""
     text = re.sub(r"//.*|= \{\}", "", text)
     text = re.sub(r"^namespace detail \{.*?^\}", "", text, flags=re.M | re.S)
     text = re.sub(r"^template\b.*\n(?:  .*\n)*(?=\S)", "template ", text, flags=re.M)
@@ -43,7 +43,7 @@ def declares_functions(text):
 
 
 def examples_of(text):
-    """[(line of the first line of code, lines of code)] of a header."""
+    """Returns [(line of the first line of code, lines of code)] of a header."""
     found, lines = [], text.split("\n")
     for k, line in enumerate(lines):
         if re.fullmatch(r" *// Example:", line):
@@ -58,7 +58,7 @@ def examples_of(text):
 
 
 def source_of(examples):
-    """A program that runs the example with the number that is its argument, of (header, path, line, code)."""
+    """Returns a program that runs the example with the number in its argument. An example is (header, path, line, code)."""
     includes = [f"#include <{name}>" for name in HEAD]
     functions = []
     for number, (header, path, line, code) in enumerate(examples):
@@ -72,7 +72,7 @@ def source_of(examples):
 
 
 def compiled(source, folder, flags):
-    """The compiler's complaint, and the program if there are libraries among the flags."""
+    """Returns the errors of the compiler, and the program if there are libraries among the flags."""
     (folder / "examples.cpp").write_text(source)
     links = any(flag.startswith("-l") for flag in flags)
     how = ["-o", folder / "examples"] if links else ["-fsyntax-only"]
@@ -93,7 +93,7 @@ def check_that_faults_are_found(folder, flags):
 
 
 def make_files(brdf, folder):
-    """The files that the examples name."""
+    """Writes the files that the examples name."""
     data = ROOT / "data"
     for name, source in (("paint.csv", "synthetic/cook_torrance_metal.csv"),
                          ("matt.csv", "synthetic/lambert.csv"), ("copper.json", "materials/copper.json")):

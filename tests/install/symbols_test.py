@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # ctest: install.symbols label=slow timeout=3600 needs=install @source@ @here@/shared @brdf@
-"""symbols_test.py SOURCE BUILD_FOLDER BRDF: the libraries built as shared ones show symbols of namespace brdf and a few named
-here, carry their version, every installed header stands alone, and a program of core alone needs none of the others."""
+"""symbols_test.py SOURCE BUILD_FOLDER BRDF: tests that shared libraries export only symbols of namespace brdf and the few that are
+listed here, that they carry their version, that every installed header compiles alone, and that a program that uses only the core
+needs no other library."""
 import pathlib
 import re
 import sys
@@ -16,7 +17,7 @@ run(["cmake", "--build", build, "-j2"])
 
 # The names of namespace brdf: functions, variables, types, tables, guards of statics.
 OURS = re.compile(r"_Z(N[KOR]*|TIN|TSN|TVN|TTN|GVN|GVZNK?|ZNK?|Thn\d+_N|Tv0_n?\d+_N)4brdf")
-# What else is shown: the version that the symbols carry.
+# The symbols also carry the version.
 FEW = re.compile(r"BRDF_\d+\.\d+$")
 
 with temporary_folder() as folder:

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: interop.babylon label=interop timeout=600 needs=plain @brdf@ chromium @npm@ @here@/babylon
-"""babylon_test.py BRDF CHROMIUM NPM FOLDER: exports turned, brushed metals as glTF and measures them as Babylon.js shades them in a
-headless browser. It multiplies its lobes by an energy term of its own, so axes and rotation are judged, by ratios: light and viewer
-lie in one direction, which goes around the normal and leaves that term nearly alone."""
+"""babylon_test.py BRDF CHROMIUM NPM FOLDER: exports rotated, brushed metals as glTF and measures them as Babylon.js shades
+them in a headless browser. Babylon.js multiplies its lobes by its own energy term. The test therefore judges axes and rotation by
+ratios: light and viewer share one direction, which goes around the normal and hardly changes that term."""
 import base64
 import json
 import math
@@ -32,19 +32,19 @@ def of_green(values):
 
 
 def wide_axis(values):
-    """The azimuth, in 0..180 degrees, in which the lobe is wide: that of the second harmonic of ln f."""
+    """Returns the azimuth, in 0 to 180 degrees, in which the lobe is wide: the azimuth of the second harmonic of ln f."""
     turns = [2 * math.radians(pair[1]) for pair in around_normal()]
     x, y = (sum(math.log(f) * turn(t) for f, t in zip(values, turns)) for turn in (math.cos, math.sin))
     return math.degrees(math.atan2(y, x)) / 2 % 180
 
 
 def apart(a, b):
-    """Of two axes, in degrees."""
+    """Returns the angle between two axes, in degrees."""
     return abs((a - b + 90) % 180 - 90)
 
 
 def judge(words, here, seen):
-    """True where the seen lobe is ours up to one factor, and lies along the axis of the given tangent."""
+    """Returns whether the measured lobe equals ours up to one factor and lies along the axis of the given tangent."""
     ratios = [b / a for a, b in zip(here, seen)]
     scatter = max(ratios) / min(ratios) - 1
     turned = apart(wide_axis(here), wide_axis(seen))

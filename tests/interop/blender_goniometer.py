@@ -2,9 +2,10 @@
 
     blender -b --factory-startup --python blender_goniometer.py -- SCRIPT.py...
 
-A plane in z = 0, tangent +x, a sun of angle 0 and irradiance 1, an orthographic camera, no bounces: a pixel is f_r cos_i.
-Beside each SCRIPT.py, which defines make_material(name, tangent), SCRIPT.csv gets f_r in red, green and blue of every
-pair in SCRIPT_pairs.csv (theta_i, phi_i, theta_o, phi_o in degrees, a row each).
+The scene is a plane in z = 0 with tangent +x, a sun of angle 0 and irradiance 1, and an orthographic camera, without
+bounces, so that a pixel is f_r cos_i. Each SCRIPT.py defines make_material(name, tangent). SCRIPT_pairs.csv holds pairs of
+directions (theta_i, phi_i, theta_o, phi_o in degrees, one row per pair); f_r of every pair in red, green and blue is
+written to SCRIPT.csv in the same folder.
 """
 import csv
 import math
@@ -56,7 +57,7 @@ def direction(theta, phi):
 
 
 def turn_towards(thing, w):
-    """Its +z along w. Euler angles would lose four digits near the normal."""
+    """Turns the +z axis of the object along w. Euler angles would lose four digits near the normal."""
     q = (1 + w.z, -w.y, w.x, 0)
     length = math.sqrt(sum(x * x for x in q))
     thing.rotation_mode = "QUATERNION"
@@ -74,7 +75,7 @@ def measure(pairs, scene, sun, camera, picture):
         image = bpy.data.images.load(picture)
         pixels = list(image.pixels)
         bpy.data.images.remove(image)
-        # All pixels are equal but for one that may fall on the edge of the plane's two triangles.
+        # All pixels are equal, except one pixel that may fall on the edge between the two triangles of the plane.
         yield [statistics.median(pixels[c::4]) / wi.z for c in range(3)]
 
 

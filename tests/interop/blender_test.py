@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: interop.blender label=interop timeout=1800 setup=clients needs=plain @brdf@ blender @here@/blender
-"""blender_test.py BRDF BLENDER FOLDER: exports materials to Blender 3.4, measures them there with a virtual goniometer and
-compares every value with the target that the export says it wrote, and the loss seen there with that of the target."""
+"""blender_test.py BRDF BLENDER FOLDER: exports materials to Blender 3.4, measures them there with a virtual goniometer, and
+compares every value with the target that the export names, and the measured loss with the stated loss."""
 import csv
 import math
 import pathlib
@@ -19,9 +19,9 @@ def in_float(x):
 
 
 def cost_of_float(alpha, pairs):
-    """What Cycles' own float costs its isotropic D = alpha^2/(pi c^4 (alpha^2 + tan^2)^2): it forms tan^2 as
-    (1 - c^2)/c^2 of a cosine c that it has from directions in float (bsdf_microfacet_ggx_eval_reflect). The largest relative
-    error at these pairs."""
+    """Returns the largest relative error at these pairs that float arithmetic causes in the isotropic
+    D = alpha^2/(pi c^4 (alpha^2 + tan^2)^2) of Cycles: Cycles computes tan^2 as (1 - c^2)/c^2 from a cosine c of directions in
+    float (bsdf_microfacet_ggx_eval_reflect)."""
     worst, a2 = 0, alpha * alpha
     for theta_i, phi_i, theta_o, phi_o in (map(math.radians, pair) for pair in pairs):
         w = [(math.sin(t) * math.cos(p), math.sin(t) * math.sin(p), math.cos(t)) for t, p in ((theta_i, phi_i), (theta_o, phi_o))]
@@ -37,19 +37,19 @@ def cost_of_float(alpha, pairs):
 
 
 def tolerance(widths, pairs):
-    """Relative, of a renderer in float: 1e-5, of a narrow isotropic lobe what its rounding costs."""
+    """Returns the relative bound for a renderer in float: 1e-5, and for a narrow isotropic lobe its rounding error."""
     return max(1e-5, 1.5 * cost_of_float(widths[0], pairs)) if widths and widths[0] == widths[1] else 1e-5
 
 
 def left_out(export):
-    """The most f_r of a diffuse part that Cycles does not evaluate: parts of a weight below 1e-5."""
+    """Returns the largest f_r of a diffuse part that Cycles does not evaluate, that is, of parts with a weight below 1e-5."""
     named = export.named()
     weight = (1 - float(named.get("metallic", 1))) * max(map(float, named.get("base_color", "0").split(",")))
     return weight if weight < 1e-5 else 0
 
 
 def shown(blender, exports):
-    """f_r in Blender of every material at its pairs."""
+    """Returns f_r in Blender of every material at its pairs."""
     scripts = []
     for name, export in exports.of.items():
         (exports.folder / f"{name}_pairs.csv").write_text(rows_of(exports.pairs_of(name)))

@@ -1,11 +1,11 @@
-"""The compilers that exported texts are given to: each takes a text and says what is wrong with it, "" where nothing is."""
+"""The compilers of exported texts. Each function takes a text and returns the errors of the compiler; "" if there are no errors."""
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 
-# What users compile with.
+# The flags that users compile with.
 WARNINGS = ["-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Wsign-conversion", "-Wdouble-promotion", "-pedantic", "-Werror"]
 LANGUAGES = ("glsl", "glsl-es", "hlsl", "cpp", "explorer")
 
@@ -19,7 +19,7 @@ def found(*names):
 
 
 def cpp_compilers():
-    """g++ and clang, in every version that is here."""
+    """Returns g++ and clang in every installed version."""
     return found("g++", "clang++", "clang++-16")
 
 
@@ -52,7 +52,7 @@ def said(*results):
 
 
 def of_explorer(text):
-    """The fragment shader that the Explorer makes of the file: sliders as uniforms, version 410."""
+    """Returns the fragment shader that the Explorer makes of the file: sliders as uniforms, version 410."""
     assert "analytic\n" in text
     sliders, shader = re.fullmatch(
         r"analytic\n::begin parameters\n(.*)::end parameters\n::begin shader\n(.*)::end shader\n", text, re.S).groups()
@@ -66,7 +66,7 @@ def of_explorer(text):
 
 
 def user_of(to, functions, call="vec3(0.0, 0.0, 0.0)"):
-    """A shader or source around functions that are included, which calls them."""
+    """Returns a shader or source that includes the functions and calls them."""
     if to == "glsl":
         return f"#version 450\n{functions}layout(location = 0) out vec4 o;\nvoid main() {{ o = vec4({call}, 1.0); }}\n"
     if to == "glsl-es":
@@ -78,7 +78,7 @@ def user_of(to, functions, call="vec3(0.0, 0.0, 0.0)"):
 
 
 def wrong_with(to, text, exporter, name="text"):
-    """What the language's compilers say against a whole shader or source: all that are here."""
+    """Returns the errors that all installed compilers of the language report for a whole shader or source."""
     e = exporter
     results = []
     if to == "cpp":

@@ -1,5 +1,5 @@
-"""What the tests of programs have in common: the shared materials exported for one of them, and what is judged of the values
-that it shows."""
+"""Shared parts of the tests of programs: the shared materials, exported for one program, and the checks of the values that the
+program shows."""
 import concurrent.futures
 import json
 import os
@@ -16,7 +16,7 @@ NARROW = 0.09  # widths below: there a program's arithmetic in float is seen
 
 
 class Export:
-    """One material as a program's file, with what was said of it."""
+    """One material as a program's file, with the messages of its export."""
 
     def __init__(self, brdf, words, to, path, *options):
         run = subprocess.run([brdf, "export", *shlex.split(words), "--to", to, "-o", path, "--json", *options], text=True,
@@ -29,17 +29,17 @@ class Export:
         assert all(words in self.text for words in self.terms), f"{path} does not state what it holds"
 
     def named(self):
-        """The stated parameters of the first term, as text."""
+        """Returns the stated parameters of the first term, as text."""
         return dict(word.split("=") for word in shlex.split(self.terms[0]) if "=" in word)
 
     def widths(self):
-        """The stated alpha_x and alpha_y; none where the surface is diffuse."""
+        """Returns the stated alpha_x and alpha_y; empty if the surface is diffuse."""
         named = self.named()
         diffuse = (named.get("metallic") == "0" and named.get("specular") == "0") or set(named.get("ks", "").split(",")) == {"0"}
         return [] if diffuse else [float(named[key]) for key in ("alpha_x", "alpha_y") if key in named]
 
     def witness(self):
-        """The pair of the stated largest difference; none where it is nothing."""
+        """Returns the pair of the stated largest difference; empty if the difference is 0."""
         loss = self.said["loss"]
         return [] if loss["largest"] < 1e-9 else [[loss[key] for key in ("theta_i", "phi_i", "theta_o", "phi_o")]]
 
@@ -58,18 +58,19 @@ class Exports:
             self.of = dict(pool.map(made, (MATERIALS | OWN[to]).items()))
 
     def pairs_of(self, name):
-        """The pairs that a program measures of a material: the shared ones, and the stated witness."""
+        """Returns the pairs at which a program measures a material: the shared pairs and the stated witness."""
         return self.pairs + self.of[name].witness()
 
     def values(self, name):
-        """f_r at pairs_of(name): of the material, and of what the file says."""
+        """Returns f_r at pairs_of(name) for the material, and for the material that the file describes."""
         directions = write_directions(self.folder / f"{name}_directions.csv", self.pairs_of(name))
         terms = [evaluated(self.brdf, words, directions) for words in self.of[name].terms]
         return evaluated(self.brdf, self.of[name].words, directions), [[sum(c) for c in zip(*rows)] for rows in zip(*terms)]
 
 
 def summary_of(client, found):
-    """`found`: of each material whether its lobe is narrow, and the relative differences from what its file says."""
+    """Returns the summary. `found` has for each material whether its lobe is narrow, and the relative differences from the
+    values of its file."""
     wide, narrow = ([max(apart) for kind, apart in found if kind == wanted] for wanted in (False, True))
     return {"client": client, "materials": len(found), "pairs": len(found[0][1]) // 3,
             "median": statistics.median(x for _, apart in found for x in apart), "largest": max(wide),
@@ -77,14 +78,14 @@ def summary_of(client, found):
 
 
 class Judged:
-    """What a program showed of each material, against what its files say."""
+    """Compares the values that a program shows for each material with the values of its files."""
 
     def __init__(self, exports, client):
         self.exports, self.client, self.found, self.failed = exports, client, [], []
 
     def add(self, name, seen, bound, left_out=0):
-        """`seen`: f_r at pairs_of(name). The largest relative difference from what the file says, beyond the f_r that the program
-        leaves out, is below `bound`, and the loss that is said is the one that is seen."""
+        """Requires that the largest relative difference between `seen`, which is f_r at pairs_of(name), and the values of the file is
+        below `bound` (`left_out` is the f_r that the program omits), and that the stated loss equals the measured loss."""
         source, target = self.exports.values(name)
         assert len(seen) == len(target) == len(self.exports.pairs_of(name))
         apart = differences(target[:PAIRS], seen[:PAIRS], left_out)
@@ -101,7 +102,7 @@ class Judged:
             self.failed.append(name)
 
     def end(self):
-        """Writes summary.json for tools/interop_clients.py; true where all is as it was said."""
+        """Writes summary.json for tools/interop_clients.py. Returns whether every material agrees with its file."""
         summary = summary_of(self.client, self.found)
         (self.exports.folder / "summary.json").write_text(json.dumps(summary) + "\n")
         print(json.dumps(summary))

@@ -1,4 +1,4 @@
-"""A scene around an exported glTF material, as one binary file: what programs that load models, not materials, are given."""
+"""Writes a scene with an exported glTF material as one binary file, for programs that load models and not materials."""
 import json
 import struct
 
@@ -14,7 +14,7 @@ FLOAT, ARRAY_BUFFER = 5126, 34962
 
 
 def with_mesh(document):
-    """The document with the triangle, and the bytes of its buffer."""
+    """Returns the document with the triangle, and the bytes of its buffer."""
     data, views, accessors = b"", [], []
     for kind, rows in ARRAYS.values():
         part = b"".join(struct.pack(f"<{len(row)}f", *row) for row in rows)
@@ -28,8 +28,8 @@ def with_mesh(document):
 
 
 def around(material):
-    """The bytes of a .glb: the material of the exported text on the triangle under a directional light of illuminance 1, seen by an
-    orthographic camera. Both look along -z from the origin: nodes `light` and `camera`."""
+    """Returns the bytes of a .glb: the material of the exported text on the triangle under a directional light of illuminance 1,
+    with an orthographic camera. The nodes `light` and `camera` look along -z from the origin."""
     document, data = with_mesh(json.loads(material))
     document["extensionsUsed"] = document.get("extensionsUsed", []) + ["KHR_lights_punctual"]
     document["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "directional", "intensity": 1}]}}

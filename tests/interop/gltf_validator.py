@@ -15,7 +15,7 @@ const fs = require("fs"), validator = require(process.argv[1] + "/gltf-validator
 
 
 def reports(node, npm, files):
-    """Of each file: its name, errors, warnings, messages."""
+    """Returns the name, the errors, the warnings and the messages of each file."""
     run = subprocess.run([node, "-e", SCRIPT, npm, *files], text=True, capture_output=True)
     if run.returncode:
         sys.exit(run.stdout + run.stderr)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: interop.khronos label=interop timeout=1800 setup=clients needs=plain @brdf@ node chromium @npm@ @here@/khronos
-"""khronos_test.py BRDF NODE CHROMIUM NPM FOLDER: exports materials as glTF, puts each on a plane in a .glb that gltf-validator
-takes without an error or a warning, and measures it as Khronos' own viewer shades it in a headless browser: each value is that
-of the target which the export says it wrote."""
+"""khronos_test.py BRDF NODE CHROMIUM NPM FOLDER: exports materials as glTF and puts each on a plane in a .glb, which
+gltf-validator must accept without an error or a warning. Then measures the plane as the viewer of Khronos shades it in a headless
+browser: each value must be the value of the target that the export names."""
 import base64
 import json
 import math
@@ -20,14 +20,14 @@ from browser import SOFTWARE, Browser
 
 VIEWER = "@khronosgroup/gltf-viewer"
 
-# A metal of base colour 0.9, widths 0.3 and 0.1, at pairs where KHR_materials_anisotropy holds the visibility at 1, and one where
-# it does not. The extension's text: KhronosGroup/glTF@0554a7f3, extensions/2.0/Khronos/KHR_materials_anisotropy/README.md.
+# A metal with base colour 0.9 and widths 0.3 and 0.1, at pairs for which KHR_materials_anisotropy limits the visibility to 1, and at
+# one pair without this limit. The extension's text: KhronosGroup/glTF@0554a7f3, extensions/2.0/Khronos/KHR_materials_anisotropy/README.md.
 HELD = "--form gltf_metallic_roughness --set base_color=0.9 --set alpha_x=0.3 --set alpha_y=0.1 --set metallic=1"
 HELD_PAIRS = [[75, 0, 75, 180], [70, 90, 70, 270], [60, 0, 60, 180]]
 
 
 def visibility_and_value(pair):
-    """The visibility before it is held at 1, and f_r, of HELD in a mirror direction: the half vector is the normal."""
+    """Returns the visibility before it is limited to 1, and f_r, of HELD in a mirror direction; the half vector is the normal."""
     theta, phi = (math.radians(angle) for angle in pair[:2])
     c, along, across = math.cos(theta), 0.3 * math.sin(theta) * math.cos(phi), 0.1 * math.sin(theta) * math.sin(phi)
     visibility = 0.25 / (c * math.sqrt(along * along + across * across + c * c))
@@ -36,8 +36,8 @@ def visibility_and_value(pair):
 
 
 def tolerance(widths):
-    """Relative, of a shader in float. An isotropic lobe's denominator is 1 - c^2 (1 - alpha^2), whose roundings weigh 1/alpha^2;
-    that of two widths is a sum of squares."""
+    """Returns the relative bound for a shader in float. The denominator of an isotropic lobe is 1 - c^2 (1 - alpha^2), which
+    amplifies rounding by 1/alpha^2; the denominator of a lobe with two widths is a sum of squares and does not."""
     if not widths:
         return 1e-6
     return 1e-6 + (7e-7 if widths[0] == widths[1] else 1.2e-7) / min(widths) ** 2
@@ -55,7 +55,7 @@ class Viewer:
 
 
 def holds_the_visibility(viewer, brdf, folder):
-    """The viewer has the values of the extension's text, and the library's target has them too."""
+    """Requires that the viewer and the target of the library have the values of the extension's text."""
     export = Export(brdf, HELD, "gltf", folder / "held.gltf")
     seen = viewer.measure(around(export.text), HELD_PAIRS)
     here = evaluated(brdf, HELD, write_directions(folder / "held.csv", HELD_PAIRS))

@@ -52,7 +52,7 @@ MATERIALS = {
     "tinted_varnish": lobe("0.2,0.05,0.02", "1,0.8,0.6", 0.06, alpha=0.12),
 }
 
-# Of one program's own formula, or more than the others can say: beside the list above, and counted in no table.
+# Materials with a program's own formula, or with properties that other programs lack. No table counts these materials.
 OWN = {
     "blender-3.4": {
         "own_glossy": "--form blender_glossy --set kd=0.3,0.2,0.1 --set ks=0.2 --set alpha=0.3",

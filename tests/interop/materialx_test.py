@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # ctest: interop.materialx label=interop timeout=1800 setup=clients needs=plain @brdf@ @here@/materialx
-"""materialx_test.py BRDF FOLDER: what is exported to MaterialX is well-formed XML (xmllint) of nodes and inputs that
-MaterialX 1.39 declares, each with its type; every link leads to a node of the asked type that stands before it. What the lobe is
-said to be is what MaterialX' generated shader showed of it: materialx_metal.csv. MaterialX has no package here. Plastics and other
-metals of its surface nodes were measured as well; nothing that is exported has their formulas."""
+"""materialx_test.py BRDF FOLDER: tests that exports to MaterialX are well-formed XML (xmllint) with nodes and inputs that
+MaterialX 1.39 declares, each with its type, and that every link leads to an earlier node of the requested type. The stated lobe must
+agree with recorded values of the shader that MaterialX generates (materialx_metal.csv), because MaterialX has no package here.
+Plastics and other metals of its surface nodes were measured as well; no export uses their formulas."""
 import csv
 import json
 import pathlib
@@ -47,7 +47,7 @@ MATERIALS = {
 
 
 def check(path):
-    """The nodes' names; asserts that the document is one that MaterialX accepts."""
+    """Requires that MaterialX accepts the document. Returns the names of the nodes."""
     subprocess.run(["xmllint", "--noout", path], check=True)
     root = ElementTree.parse(path).getroot()
     assert root.tag == "materialx" and root.get("version") == "1.39" and root.get("colorspace") == "lin_rec709"
@@ -71,7 +71,7 @@ def check(path):
 
 
 def compare_with_seen():
-    """The largest difference, of f_r + 0.001/sr, of what the exported metal is said to be from what MaterialX showed of it."""
+    """Returns the largest relative difference, of f_r + 0.001/sr, between the stated exported metal and the values of MaterialX."""
     lines = [line for line in pathlib.Path(__file__).with_name("materialx_metal.csv").read_text().splitlines() if line[0] != "#"]
     rows = [[float(x) for x in row] for row in csv.reader(lines[1:])]
     words = "--form materialx_schlick --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --set alpha=0.25"

@@ -1,4 +1,4 @@
-"""What programs' virtual goniometers share: pairs of directions, materials as the library evaluates them, differences."""
+"""Shared parts of the virtual goniometers: pairs of directions, materials that the library evaluates, and differences."""
 import math
 import random
 import shlex
@@ -18,7 +18,7 @@ def unit(theta, phi):
 
 
 def about_mirror(draw, least, most):
-    """A pair up to 80 degrees whose half vector's slope is between these."""
+    """Returns a pair up to 80 degrees with a half vector of a slope between these limits."""
     while True:
         incident = [draw.uniform(0, MOST), draw.uniform(0, 360)]
         wi, slope, turn = unit(*incident), math.exp(draw.uniform(math.log(least), math.log(most))), draw.uniform(0, 2 * math.pi)
@@ -30,8 +30,8 @@ def about_mirror(draw, least, most):
 
 
 def draw_pairs():
-    """theta_i, phi_i, theta_o, phi_o in degrees: anywhere; from the mirror direction out to a rough lobe's foot; mirrored; grazing
-    on both sides, the mirror directions of 80 degrees among them."""
+    """Returns pairs theta_i, phi_i, theta_o, phi_o in degrees: random pairs, pairs from the mirror direction out to the edge of a
+    rough lobe, mirror directions, and pairs with both directions at grazing angles, including the mirror directions at 80 degrees."""
     draw = random.Random(20)
     pairs = [[draw.uniform(0, high) for high in (MOST, 360, MOST, 360)] for _ in range(60)]
     pairs += [about_mirror(draw, 0.005, 1) for _ in range(40)]
@@ -57,7 +57,7 @@ def write_directions(path, pairs):
 
 
 def evaluated(brdf, words, directions):
-    """f_r of a material given in words, rows of three channels."""
+    """Returns f_r of a material that is given by options, as rows of three channels."""
     text = subprocess.run([brdf, "eval", *shlex.split(words), str(directions)], check=True, text=True,
                           capture_output=True).stdout
     rows = [line.split(",")[4:] for line in text.splitlines() if not line.startswith("#")][1:]
@@ -65,14 +65,14 @@ def evaluated(brdf, words, directions):
 
 
 def rms(ours, theirs, pairs):
-    """Of ln(1 + f cos_i), as `brdf export` has it."""
+    """Returns the rms difference of ln(1 + f cos_i), the loss of `brdf export`."""
     residuals = [math.log1p(b * math.cos(math.radians(p[0]))) - math.log1p(a * math.cos(math.radians(p[0])))
                  for x, y, p in zip(ours, theirs, pairs) for a, b in zip(x, y)]
     return math.sqrt(sum(r * r for r in residuals) / len(residuals))
 
 
 def differences(target, seen, beyond=0):
-    """Relative ones, of what the values differ by beyond so much."""
+    """Returns relative differences; absolute differences up to `beyond` count as 0."""
     return [max(0, abs(b - a) - beyond) / a for x, y in zip(target, seen) for a, b in zip(x, y)]
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""mitsuba_check.py BRDF: for machines that have Mitsuba 3 (pip install mitsuba). Exports materials, loads them in Mitsuba and
-compares bsdf.eval with the target that the export says it wrote, and an RGL table with its material. No test runs it: where
-there is no Mitsuba it says so and ends with 77."""
+"""mitsuba_check.py BRDF: for machines that have Mitsuba 3 (pip install mitsuba). Exports materials, loads them in Mitsuba, and
+compares bsdf.eval with the target that the export names, and an RGL table with its material. No test runs this script. Without
+Mitsuba it prints a message and ends with exit code 77."""
 import math
 import pathlib
 import re
@@ -36,7 +36,7 @@ def direction(theta, phi):
 
 
 def seen(bsdf, pairs):
-    """f_r in red, green and blue: what eval gives holds the cosine of its wo, the light here."""
+    """Returns f_r in red, green and blue. The result of eval includes the cosine of its wo, which is the light here."""
     context, hit = mitsuba.BSDFContext(), mitsuba.SurfaceInteraction3f()
     hit.p, hit.n = [0, 0, 0], [0, 0, 1]
     hit.sh_frame = mitsuba.Frame3f([1, 0, 0], [0, 1, 0], [0, 0, 1])
@@ -48,7 +48,7 @@ def seen(bsdf, pairs):
 
 
 def bsdf_of(scene):
-    """The one BSDF of a file: put on a sphere, since a scene holds shapes."""
+    """Returns the only BSDF of a file. The BSDF is put on a sphere, because a scene contains shapes."""
     text = scene.read_text()
     name = re.search(r"<bsdf [^>]*id=\"(\w+)\"", text)[1]
     scene.write_text(text.replace("</scene>", f"<shape type=\"sphere\"><ref id=\"{name}\"/></shape></scene>"))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: interop.options label=interop timeout=3600 needs=plain @brdf@ @source@ @here@/options
-"""options_test.py BRDF SOURCE_DIR FOLDER: every target with every option and forty materials. Each call ends with 0, 1 (a loss above
---max-loss) or 2 with one line that names the option or the target; with --json it says what its schema allows; and no call
-that is refused leaves a file."""
+"""options_test.py BRDF SOURCE_DIR FOLDER: tests every target with every option and forty materials. Each call must end with
+0, 1 (a loss above --max-loss), or 2 with one line that names the option or the target. The output of --json must follow its schema,
+and a refused call must leave no file."""
 import json
 import pathlib
 import re
@@ -22,7 +22,7 @@ def run(*words):
 
 
 def targets():
-    """The program's own list."""
+    """Returns the targets that the program lists."""
     names = re.search(r"--to\s+TEXT:\{([^}]*)\}", run("export", "--help").stdout).group(1)
     return [name.strip() for name in names.replace("\n", " ").split(",")]
 

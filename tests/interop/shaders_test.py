@@ -21,7 +21,7 @@ FEW = ("lambert", "ward", "cook_torrance_beckmann")
 
 
 def differing_on_device(exporter, form):
-    """Values of a million that differ from the library's, of the form's HLSL on the device; None without a device."""
+    """Returns how many of a million values of the form's HLSL on the device differ from the library; None without a device."""
     path = exporter.write(f"{form}.device.hlsl", exporter.text("--form", form, "--to", "hlsl"))
     proof = run(brdf, "validate", "--shader", path, "--gpu", "--json")
     if proof.returncode == NO_DRIVER:
@@ -32,7 +32,7 @@ def differing_on_device(exporter, form):
 
 
 def prove(exporter, forms):
-    """How many forms' HLSL is not the library, bit for bit."""
+    """Returns the number of forms with HLSL that differs from the library in any bit."""
     differing = {form: differing_on_device(exporter, form) for form in forms}
     if None in differing.values():
         print("no Vulkan driver: HLSL was not run")
@@ -43,7 +43,7 @@ def prove(exporter, forms):
 
 
 def shader(exporter, to, include, as_material, words):
-    """The whole shader or source of an export."""
+    """Returns the whole shader or source of an export."""
     text = exporter.text("--to", to, *words, *(["--include"] if include else []))
     if to == "explorer":
         return of_explorer(text)
@@ -52,7 +52,8 @@ def shader(exporter, to, include, as_material, words):
 
 
 def compile_all(exporter, models):
-    """Every language, kernels, --include, form or material; how many texts, and how many do not compile."""
+    """Compiles the exports of every language with all kernels, with --include, and of forms and materials. Returns the number of texts,
+    and the number of texts that do not compile."""
     compiled = failed = 0
     for model in models:
         weight = next(iter(model["parameters"]))
@@ -72,7 +73,7 @@ HEADERS = "#include <cmath>\n#include <cstdint>\n#include <cstring>\n"
 
 
 def names_taken():
-    """Words of C++ and of what the exported header includes that can be no namespace, by asking the compilers."""
+    """Returns the words of C++ and of the included headers that the compilers refuse as the name of a namespace."""
     taken = set()
     for compiler in cpp_compilers():
         for standard in ("c++17", "gnu++20"):
@@ -81,7 +82,7 @@ def names_taken():
             words = sorted({w for w in re.findall(r"\w+", text + macros) if re.fullmatch(r"[A-Za-z][A-Za-z0-9]*(_[A-Za-z0-9]+)*", w)})
             limit = "-fmax-errors=0" if "g++" == compiler else "-ferror-limit=0"
             while True:
-                # A word a line: the errors' lines name them. Those are left out until nothing is wrong.
+                # Each line has one word, so that the line of an error identifies the word. Such words are removed until no error remains.
                 source = HEADERS + "".join(f"namespace {w} {{ struct own {{ int a; }}; }}\n" for w in words)
                 checked = run(compiler, f"-std={standard}", limit, "-w", "-fsyntax-only", "-x", "c++", "-", input=source)
                 lines = {int(n) - 4 for n in re.findall(r"^<stdin>:(\d+):\d+: error", checked.stderr, re.M)}
@@ -95,14 +96,14 @@ def names_taken():
 
 
 def is_taken(word):
-    """By itself: beside others an error of one word may be told at another's line."""
+    """Compiles the word alone, because a compiler may report the error of one word at the line of another."""
     source = HEADERS + f"namespace {word} {{ struct own {{ int a; }}; }}\n"
     return any(run(c, f"-std={s}", "-w", "-fsyntax-only", "-x", "c++", "-", input=source).returncode
                for c in cpp_compilers() for s in ("c++17", "gnu++20"))
 
 
 def names_are_free(exporter):
-    """How many of those words stand as they are in a text."""
+    """Requires that a material with such a name gets another namespace."""
     taken = names_taken()
     wrong = [word for word in taken
              if f"namespace material_{word} {{" not in exporter.text("--form", "lambert", "--to", "cpp", "--name", word)]

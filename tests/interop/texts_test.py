@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # ctest: exports.texts label=exports,interop needs=plain @brdf@ @here@/texts
-"""texts_test.py BRDF FOLDER: exported text does what it says wherever it is put. Each test is a function, named as a sentence."""
+"""texts_test.py BRDF FOLDER: tests that exported text has its stated values wherever it is compiled. Each test is a function with a
+sentence as its name."""
 import itertools
 import json
 import math
@@ -17,7 +18,7 @@ from measured import draw_pairs, evaluated, write_directions
 
 brdf, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 
-# What takes arithmetic apart, and what must not.
+# Flags that rearrange arithmetic, and flags that must not.
 FLAGS = ["-O2", "-O3", "-O2 -ffast-math", "-Ofast", "-O2 -funsafe-math-optimizations",
          "-O2 -fassociative-math -fno-signed-zeros -fno-trapping-math", "-O2 -ffp-contract=fast -march=native",
          "-O2 -freciprocal-math", "-O3 -march=native -funsafe-math-optimizations", "-O2 -ffinite-math-only"]
@@ -50,7 +51,7 @@ def near_the_mirror(count):
 
 
 def cpp_has_the_right_value_or_does_not_compile_under_unsafe_flags(e):
-    """-ffast-math and its parts made (x + 12582912) - 12582912 nothing, in silence."""
+    """Covers -ffast-math and its parts, which silently turned (x + 12582912) - 12582912 into x."""
     pairs = near_the_mirror(PAIRS)
     directions = write_directions(e.folder / "pairs.csv", pairs)
     rows = ", ".join("{" + ", ".join(f"{x:.9g}f" for x in direction(*p[:2]) + direction(*p[2:])) + "}" for p in pairs)
@@ -76,7 +77,7 @@ def cpp_has_the_right_value_or_does_not_compile_under_unsafe_flags(e):
 
 
 def cpp_has_the_same_bits_of_every_compiler(e):
-    """Where products and sums are not fused."""
+    """Requires the same bits of every compiler that does not fuse products and sums."""
     rows = ", ".join("{" + ", ".join(f"{x:.9g}f" for x in direction(*p[:2]) + direction(*p[2:])) + "}" for p in near_the_mirror(PAIRS))
     for name, words in MATERIALS.items():
         e.write(f"{name}.hpp", e.text(*shlex.split(words), "--to", "cpp"))
@@ -145,7 +146,7 @@ def two_materials_of_one_name_are_told_the_way_out(e):
 
 
 def different_kernels_in_one_shader_are_told(e):
-    """GLSL cannot hold two functions of one name; C++ can, in their namespaces."""
+    """Requires a message for GLSL, which cannot have two functions of one name. C++ can, in their namespaces."""
     for to, words in INCLUDED:
         own, builtin = (e.text("--form", form, "--to", to, *words, "--kernels", kernels)
                         for form, kernels in (("ward", "own"), ("phong", "builtin")))
@@ -168,7 +169,7 @@ def no_name_breaks_the_text(e):
 
 
 def osl_has_no_reserved_name(e):
-    """From the specification's list of reserved words; plain names stay."""
+    """Requires that names from the specification's list of reserved words are changed, and that other names are kept."""
     for name in ["float", "color", "emit", "surface", "class", "and", "Ci", "P", "ward", "normalize"]:
         assert f"surface material_{name}()" in e.text(*material(e, "named", 0.3, name), "--to", "osl"), name
     assert "surface gold()" in e.text(*material(e, "named", 0.3, "gold"), "--to", "osl")
@@ -180,7 +181,7 @@ def mitsuba_has_no_id_of_its_own(e):
 
 
 def commands_in_xml_can_be_pasted(e):
-    """A name with the instruction's end in it, too."""
+    """Includes a name that contains the end of the instruction."""
     odd = e.folder / "a?>--b.json"
     odd.write_text((e.folder / material(e, "plain", 0.2)[1]).read_text())
     directions = write_directions(e.folder / "pairs.csv", draw_pairs()[:5])

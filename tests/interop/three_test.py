@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: interop.three label=interop timeout=1800 setup=clients needs=plain @brdf@ node chromium @npm@ @here@/three
 """three_test.py BRDF NODE CHROMIUM NPM FOLDER: exports materials for three.js, validates the files with gltf-validator (no error,
-no warning), and measures them as three.js shades them in a headless browser: each value is that of the target which the export
-says it wrote."""
+no warning), and measures them as three.js shades them in a headless browser. Each value must be the value of the target that the
+export names."""
 import json
 import pathlib
 import shutil
@@ -16,15 +16,15 @@ from browser import SOFTWARE, Browser
 
 
 def refuses_what_is_no_gltf(node, npm, folder):
-    """The validator is heard."""
+    """Requires that the errors of the validator are reported."""
     broken = folder / "broken.gltf"
     broken.write_text('{"asset": {"version": "2.0"}, "materials": [{"pbrMetallicRoughness": {"metallicFactor": 2}}]}')
     assert reports(node, npm, [broken])[0][1] == 1
 
 
 def tolerance(widths):
-    """Relative, of a shader in float: its table is looked up with a few digits fewer. An isotropic lobe's denominator is
-    1 - c^2 (1 - alpha^2), whose roundings weigh 1/alpha^2."""
+    """Returns the relative bound for a shader in float, which reads its table with a few digits fewer. The denominator of an
+    isotropic lobe is 1 - c^2 (1 - alpha^2), which amplifies rounding by 1/alpha^2."""
     return 1e-4 + (9e-7 / widths[0] ** 2 if widths and widths[0] == widths[1] else 0)
 
 

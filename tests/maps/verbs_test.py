@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: maps.verbs label=maps @brdf@
-"""verbs_test.py BRDF: `synth --texels` and `fit STACK` as a user calls them: what is written, the same bytes whatever the
-number of threads and the memory, what is refused and in which words."""
+"""verbs_test.py BRDF: tests `synth --texels` and `fit STACK` from the command line: the written files, the same bytes for any number
+of threads and any memory limit, and the messages of refused calls."""
 import json
 import math
 import pathlib
@@ -63,7 +63,7 @@ with tempfile.TemporaryDirectory() as name:
         assert abs(red * math.pi - (0.1 + 0.5 * share)) < 0.01 * (0.1 + 0.5 * share) + 0.002, (column, row, red * math.pi, share)
     assert "no scene: a sum of forms" in run("fit matt --form lambert+phong -o sum --jobs 2", None).stdout
 
-    # One width for all: the same in every texel, and refused where there is none.
+    # A shared width is the same in every texel, and is refused if no width is fitted.
     run(fit + "--share alpha -o shared --jobs 2")
     told = json.loads((folder / "shared/maps.json").read_text())
     assert told["shared"] == ["alpha"] and told["regions"] is None, told

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: prove.check_is_alone label=prove @brdf@ @brdf_check@
-"""check_test.py BRDF BRDF_CHECK: witnesses are repeated by the commands that proofs print, exit codes say what was found, and
-certificates are verified by a program that holds nothing of the search."""
+"""check_test.py BRDF BRDF_CHECK: tests that the printed commands repeat the witnesses of proofs, that exit codes report the verdict,
+and that certificates are verified by a program without any code of the search."""
 import json
 import os
 import pathlib
@@ -32,7 +32,7 @@ with tempfile.TemporaryDirectory() as folder:
         numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", said)]
         assert any(abs(n - w["value"]) <= 1e-9 * abs(w["value"]) for n in numbers), (w, said)
 
-    # Both programs judge alike: what is refuted is no proof, and what is asked for must be there.
+    # Both programs give the same verdicts: a refuted property is not proved, and a requested property must have a result.
     for asked, code in (([], 1), (["--require", "energy"], 1), (["--property", "finite,reciprocity"], 0),
                         (["--property", "finite", "--require", "reciprocity"], 0), (["--property", "rounding", "--form", "oren_nayar"], 0),
                         (["--property", "finite", "--form", "lambert"], 1), (["--property", "beauty"], 2), (["--form", "beauty"], 2)):
@@ -68,7 +68,7 @@ with tempfile.TemporaryDirectory() as folder:
     said = json.loads(done.stdout)["results"]
     assert [r["verdict"] for r in said] == ["proved", "refuted"] and [r["channel"] for r in said] == ["r", "g"]
     assert all(abs(r["high"] - v) < 1e-3 and r["low"] <= v <= r["high"] + 1e-15 for r, v in zip(said, (0.25, 2)))
-    # Its certificate says the same of each channel, and is of no other material.
+    # The certificate has the same verdict for each channel, and is refused for any other material.
     assert run(brdf, "prove", white, "-o", "c.json", cwd=folder).returncode == 1
     told = run(checker, "c.json", "--require", "energy", cwd=folder)
     assert told.returncode == 1 and "energy of " in told.stdout and " g: refuted, not proved" in told.stdout and " r: " not in told.stdout, told.stdout
@@ -83,7 +83,8 @@ with tempfile.TemporaryDirectory() as folder:
     pathlib.Path(folder, "empty.json").write_text('{"format":"brdf-proof","version":1,"seal":"a301b20c69a2aea0","results":[]}')
     told = run(checker, "empty.json", cwd=folder)
     assert told.returncode == 1 and "has no result" in told.stdout, told.stdout
-# A shader's proofs: sound, and with a fault whose witness its command repeats. Exit code 3: this build has no compiler of shaders.
+# Proofs of a sound shader, and of a faulty shader with a witness that its command repeats. Exit code 3: this build has no shader
+# compiler.
 with tempfile.TemporaryDirectory() as folder:
     sound = pathlib.Path(folder, "sound.glsl")
     sound.write_text("//: param r 0 1 0.5\nfloat brdf(vec3 L, vec3 V, vec3 N, float r) { return r / 3.141592653589793; }\n")
@@ -103,8 +104,8 @@ with tempfile.TemporaryDirectory() as folder:
         assert run(brdf, "prove", "--shader", sound, "-o", "c.json", cwd=folder).returncode == 2
     assert run(brdf, "prove", "--param", "r=0:1").returncode == 2
 
-# validate says beside its checks what is proved, and what is sampled: the one form that has such a check takes most of this test's
-# time, so it is of ./test --full.
+# validate marks its checks as proved or sampled. The one form with such a check takes most of the time of this test, so the check
+# belongs to ./test --full.
 expected = {("lambert", "finite"): "proved", ("lambert", "energy"): "proved", ("phong", "reciprocity"): "proved",
             ("phong", "non_negative"): "proved", ("phong", "energy"): "proved", ("oren_nayar", "energy"): None, ("lambert", "albedo"): None}
 if "BRDF_THOROUGH" in os.environ:

@@ -13,7 +13,7 @@ SIZES = (0, 1, 2, 3)
 
 
 def shapes(most):
-    """Every shape of up to `most` dimensions."""
+    """Returns every shape of up to `most` dimensions."""
     return [s for n in range(most + 1) for s in itertools.product(SIZES, repeat=n)]
 
 
@@ -23,7 +23,7 @@ def random_directions(shape, seed=1):
 
 
 def one_by_one(material, wi, wo):
-    """The values pair by pair, of arrays that numpy has broadcast."""
+    """Returns the values pair by pair, for arrays that numpy has broadcast."""
     wi, wo = np.broadcast_arrays(wi, wo)
     values = [material.eval(i, o) for i, o in zip(wi.reshape(-1, 3), wo.reshape(-1, 3))]
     return np.array(values).reshape(wi.shape[:-1] + (len(material.channels),))
@@ -156,7 +156,7 @@ class Types(unittest.TestCase):
 class Sampling(unittest.TestCase):
     def test_values_over_densities_average_to_the_albedo(self):
         u = np.random.default_rng(17).random((40_000, 3))
-        # Of the last one the channels' lobes are of different widths: followed are all of them.
+        # The channels of the last material have lobes of different widths, and the sampler must follow all of them.
         content = brdf.material("ward", kd=[0, 0, 0], ks=0.4).to_dict()
         content["shape"] = {"alpha_x": [0.05, 0.2, 0.5], "alpha_y": [0.05, 0.2, 0.5]}
         for material in (brdf.material("ward", kd=0.2, ks=0.4, alpha_x=0.1, alpha_y=0.3, tangent_phi=30),

@@ -24,7 +24,7 @@ TABLE = brdf.synth(WARD, grid="in_plane", step=5, noise=0.02)
 
 class Errors(unittest.TestCase):
     def same_sentence(self, call, *words):
-        """The program's sentence, without its name and its hint."""
+        """Requires that the module raises the sentence of the program, without the program's name and hint."""
         done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
         expected = done.stderr.strip().removeprefix("brdf: ").partition(" (see brdf ")[0]

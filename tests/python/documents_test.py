@@ -1,7 +1,7 @@
 # ctest: python.documents label=python,style timeout=1200 module @source@
-"""The examples of docs/python.md and of the README print what these show. Usage: documents_test.py SOURCE
+"""Tests that the examples of docs/python.md and of the README print the shown output. Usage: documents_test.py SOURCE
 
-Run in a scratch folder with `data` of the source, so that what they write is nobody's.
+The examples run in a scratch folder with the `data` of the source, so that their files do not remain.
 """
 import doctest
 import os

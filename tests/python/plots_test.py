@@ -1,6 +1,6 @@
 # ctest: python.plots label=slow timeout=1200 module @brdf@
-"""What matplotlib reads and draws: a material's sphere, slices. Of ./test --full: the library brings two dozen packages.
-Usage: plots_test.py BRDF"""
+"""Tests the pictures of matplotlib: the sphere and the slices of a material. The test belongs to ./test --full, because matplotlib
+depends on two dozen packages. Usage: plots_test.py BRDF"""
 import io
 import os
 import sys

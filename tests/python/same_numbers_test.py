@@ -26,13 +26,14 @@ def run(*words, code=(0,)):
 
 
 def columns(text):
-    """A CSV's columns by name, as floats."""
+    """Returns a CSV's columns by name, as floats."""
     rows = list(csv.reader(io.StringIO("\n".join(line for line in text.splitlines() if not line.startswith("#")))))
     return {name: np.array([float(row[k]) for row in rows[1:]]) for k, name in enumerate(rows[0])}
 
 
 def bare(value):
-    """JSON without what tells of the command line, and without "proof": the module holds no prover (docs/python.md)."""
+    """Returns the JSON without the keys about the command line and without "proof", because the module has no prover
+    (docs/python.md)."""
     told = ("provenance", "brdf_version", "command", "subject", "proof")
     if isinstance(value, dict):
         return {k: bare(v) for k, v in value.items() if k not in told}
@@ -40,7 +41,7 @@ def bare(value):
 
 
 def without_head(shader):
-    """A shader's text after the line that names the command."""
+    """Returns a shader's text after the line that names the command."""
     return shader.partition("\n")[2]
 
 
@@ -50,7 +51,7 @@ def settings(values):
 
 
 def drawn(form, random):
-    """Random parameters of a form, three channels where it has weights."""
+    """Returns random parameters of a form, with three channels if the form has weights."""
     chosen = {}
     for p in form.parameters:
         low = max(p.min, 0.02 * p.usual_max)

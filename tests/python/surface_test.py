@@ -25,13 +25,13 @@ def verbs_of_program():
 
 
 def options_of(verb):
-    """Positional arguments and the long names of options, but for --help."""
+    """Returns the positional arguments and the long names of options, except --help."""
     options = re.findall(r"^ +(?:-\w,)?(--[\w-]+|[A-Z]{2,})(?=\s)", help_of(verb), re.M)
     return [o for o in options if o != "--help"]
 
 
 def found(path):
-    """What `.Table.save` names in the module."""
+    """Returns the object of the module that a name such as `.Table.save` refers to."""
     thing = brdf
     for part in path.split(".")[1:]:
         thing = getattr(thing, part)

@@ -10,7 +10,7 @@ import pixels
 
 
 class Desk:
-    """The program, a display of this size, and a folder for what is written. Exits with 77 where a tool is missing."""
+    """Provides the program, a display of this size, and a folder for its files. Exits with 77 if a tool is missing."""
 
     def __init__(self, brdf, folder, width=1280, height=800):
         for tool in ("Xvfb", "xdotool"):
@@ -56,14 +56,14 @@ class Desk:
         return self.window
 
     def pause(self, frames=3):
-        """As long as so many frames take, of which the last state to be saved was one or two: machines differ."""
+        """Waits for the duration of so many frames. Machines differ, and a state may be saved only one or two frames later."""
         time.sleep(0.2 + frames * self.frame)
 
     def title(self):
         return self.x("getwindowname", self.window).rstrip("\n")
 
     def finish(self, viewer):
-        """The viewer has ended well; what it has said on the terminal."""
+        """Requires that the viewer ends with success. Returns its text on the terminal."""
         out, _ = viewer.communicate(timeout=900)
         assert viewer.returncode == 0, f"exit code {viewer.returncode}: {out}"
         return out
@@ -83,7 +83,7 @@ class Desk:
         self.pause(2)
 
     def drag(self, start, end, button=1, keys=()):
-        """In ten steps, while the keys are held."""
+        """Drags in ten steps while the keys are held."""
         for key in keys:
             self.x("keydown", key)
         self.move(*start)
@@ -100,7 +100,7 @@ class Desk:
         self.pause(2)
 
     def wait_for(self, path, before, seconds=60):
-        """Until the file has been written after the time `before`."""
+        """Waits until the file has been written after the time `before`."""
         end = time.time() + seconds
         while time.time() < end:
             if os.path.exists(path) and os.stat(path).st_mtime_ns > before:
@@ -109,7 +109,7 @@ class Desk:
         raise AssertionError(f"{path} was not written")
 
     def written_by(self, key, path, seconds=60):
-        """What the file holds that this key writes."""
+        """Returns the content of the file that this key writes."""
         before, begun = os.stat(path).st_mtime_ns if os.path.exists(path) else 0, time.time()
         self.x("key", key)
         self.wait_for(path, before, seconds)
@@ -124,6 +124,6 @@ class Desk:
         return self.written_by("p", self.picture)
 
     def shown(self, width, height):
-        """The window's pixels, row by row."""
+        """Returns the window's pixels, row by row."""
         place = dict(line.split("=") for line in self.x("getwindowgeometry", "--shell", self.window).split())
         return pixels.screen(os.path.join(self.folder, "Xvfb_screen0"), int(place["X"]), int(place["Y"]), width, height)

@@ -1,4 +1,4 @@
-"""What stands on a virtual screen, and in a PNG file: rows of (red, green, blue).
+"""Reads the pixels of a virtual screen and of PNG files as rows of (red, green, blue).
 
 Usage as a program: pixels.py PICTURE.png SMALLER.webp
 """
@@ -10,7 +10,7 @@ import zlib
 
 
 def screen(xwd_file, left, top, width, height):
-    """Of the frame buffer that Xvfb keeps in a file (-fbdir), an X window dump of 32 bits a pixel."""
+    """Returns the rows of the frame buffer that Xvfb keeps in a file (-fbdir), an X window dump of 32 bits per pixel."""
     with open(xwd_file, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         header = struct.unpack(">25I", data[:100])
         line, start = header[12], header[0] + 12 * header[19]
@@ -24,7 +24,7 @@ def screen(xwd_file, left, top, width, height):
 
 
 def png(content):
-    """Of 8-bit RGB without interlacing."""
+    """Returns the rows of a PNG file with 8-bit RGB without interlacing."""
     at, size, data = 8, None, b""
     while at < len(content):
         length, kind = struct.unpack(">I4s", content[at:at + 8])
@@ -51,7 +51,7 @@ def png(content):
 
 
 def write_png(path, rows):
-    """The same, written."""
+    """Writes rows of pixels as PNG."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
 
@@ -62,7 +62,7 @@ def write_png(path, rows):
 
 
 def write_webp(path, rows, quality=80):
-    """The same as lossy WebP, by libwebp: a page loads a tenth."""
+    """Writes rows of pixels as lossy WebP with libwebp, which takes a tenth of the bytes of PNG."""
     encoder = ctypes.CDLL("libwebp.so.7")
     encoder.WebPEncodeRGB.restype = ctypes.c_size_t
     encoder.WebPEncodeRGB.argtypes = [ctypes.c_char_p, ctypes.c_int, ctypes.c_int, ctypes.c_int, ctypes.c_float,

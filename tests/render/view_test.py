@@ -4,7 +4,7 @@
 """Drives `brdf view` under Xvfb with xdotool: keys, mouse, resizing, dropped files, screenshots; the validation layers
 are on. Then makes the viewer's pictures again from the command line.
 
-Usage: view_test.py BRDF SOURCE_DIR [FRAMES]. Exit code 77 where Xvfb or xdotool is missing.
+Usage: view_test.py BRDF SOURCE_DIR [FRAMES]. Exit code 77 if Xvfb or xdotool is missing.
 """
 import json
 import math
@@ -31,8 +31,8 @@ saved_state, screenshot = desk.saved_state, desk.screenshot
 
 
 def settles_to(shot, seconds=60):
-    """Waits until the window, whose panels are hidden, shows the picture of this file, smooth and dithered: but for 1 pixel in
-    10,000, which may be a step off."""
+    """Waits until the window, with hidden panels, shows the picture of this file, smooth and dithered. 1 pixel in 10,000 may differ
+    by one step."""
     wanted = pixels.png(shot)
     width, height = len(wanted[0]), len(wanted)
     end = time.time() + seconds
@@ -52,15 +52,15 @@ def picture_size(state):
 
 
 def differing(a, b, path="$"):
-    """Where two JSON values differ."""
+    """Returns the paths at which two JSON values differ."""
     if isinstance(a, dict) and isinstance(b, dict) and a.keys() == b.keys():
         return [place for key in a for place in differing(a[key], b[key], f"{path}.{key}")]
     return [] if a == b else [f"{path}: {a} {b}"]
 
 
 def highlight_across(state):
-    """Where the highlight of the unit sphere lies across the picture, 0 to 1: the point on it whose normal halves light and
-    viewer best, of many."""
+    """Returns the horizontal position of the highlight of the unit sphere in the picture, 0 to 1: of many points, the point with the
+    normal that bisects light and viewer best."""
     scene = state["scene"]
     camera, light = scene["camera"], scene["lights"][0]
     minus = lambda a, b: [x - y for x, y in zip(a, b)]
@@ -91,7 +91,7 @@ def form_of(state):
 
 
 def same_from_the_command_line(shot):
-    """`brdf render --state` makes the very bytes of the screenshot."""
+    """Requires that `brdf render --state` writes the bytes of the screenshot."""
     again = os.path.join(folder, "again.png")
     subprocess.run([brdf, "render", "--state", state_file, "--no-labels", "-o", again], check=True,
                    capture_output=True)
@@ -113,7 +113,7 @@ try:
         seen.add(form_of(saved_state()))
     assert len(seen) == wanted and seen <= set(forms), seen
 
-    # Dragging turns the camera, the wheel moves it, r brings it home.
+    # Dragging turns the camera, the wheel moves the camera, and r resets it.
     home = saved_state()["scene"]["camera"]["position"]
     x("mousemove", "--window", window, 180, HEIGHT // 2, "mousedown", 1)
     for step in range(10):
@@ -150,7 +150,7 @@ try:
     settles_to(plain)
     assert len({len(s) for s in shots}) >= 3
 
-    # The line of a split follows the mouse; the camera stands still.
+    # The line of a split follows the mouse; the camera does not move.
     press("s")
     before = saved_state()
     x("mousemove", "--window", window, round(WIDTH * before["split"]), HEIGHT // 2)
@@ -196,7 +196,7 @@ try:
     time.sleep(1)
     assert form_of(saved_state()) == "ward"
 
-    # The same by dropping. What cannot be shown leaves everything as it was and says why in one line.
+    # Files are dropped on the window. A file that cannot be shown changes nothing, and one line gives the reason.
     def drop(*names):
         xdnd.drop(display, int(window), names)
         time.sleep(0.5)
@@ -245,7 +245,7 @@ try:
     drop(state_file)
     time.sleep(1)
     state = saved_state()
-    # The state comes back as it was saved.
+    # The saved state is restored unchanged.
     press("n")
     x("key", "ctrl+l")
     time.sleep(1)

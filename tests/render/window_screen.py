@@ -1,4 +1,4 @@
-"""The window of `brdf view` on a virtual display: where its parts lie, and what its pixels say."""
+"""The window of `brdf view` on a virtual display: the positions of its parts, and the values of its pixels."""
 import os
 import time
 
@@ -17,7 +17,7 @@ class Window:
         desk.find_window()
 
     def picture(self, x, y):
-        """A place of the picture beside the panel, from its share across and down."""
+        """Returns a position in the picture next to the panel, from fractions across and down."""
         return self.panel + x * (self.width - self.panel), y * self.height
 
     def rows(self):
@@ -29,7 +29,7 @@ class Window:
             pixels.write_png(os.path.join(self.pictures, f"{name}_{self.width}.png"), self.rows())
 
     def knobs(self):
-        """The middles of the sliders' knobs, from above: blue as nothing else in the panel."""
+        """Returns the centres of the knobs of the sliders from top to bottom. Only knobs have this blue in the panel."""
         found = []
         for y, row in enumerate(self.rows()):
             across = [k for k in range(self.panel) if row[k][2] > 150 and row[k][2] > row[k][0] + 70 > 100
@@ -44,11 +44,11 @@ class Window:
         return [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in found if b[1] - a[1] >= 8]
 
     def strip(self, y):
-        """What the panel shows at this height."""
+        """Returns the pixels of the panel at this height."""
         return self.rows()[round(y)][:self.panel]
 
     def knob(self, y):
-        """The knob of the slider at this height, when it is there again."""
+        """Waits for the knob of the slider at this height, and returns the knob."""
         found = []
 
         def look():
@@ -59,7 +59,8 @@ class Window:
         return found[0]
 
     def intervals(self):
-        """Of each slider that has one: how far its green bar ends from the knob's middle, at scale 1; 0 where it lies below."""
+        """Returns, for each slider with a green bar, the distance of the end of the bar from the middle of the knob, at scale 1; 0 if the
+        knob covers the end."""
         rows, out = self.rows(), []
         for x, y in self.knobs():
             green = [k for row in rows[round(y):round(y + 14 * self.scale)] for k in range(self.panel)
@@ -76,10 +77,10 @@ class Window:
             time.sleep(0.1)
 
     def agreeing(self):
-        """Pixels of the column beside the picture that are as white as the map of residuals where model and samples agree."""
+        """Returns the pixels of the column next to the picture that are as white as the map of residuals at places without a residual."""
         return sum(min(pixel) > 225 for row in self.rows() for pixel in row[self.width - self.column:]) if self.column else 0
 
     def status_colour(self):
-        """Whether the line below the picture has words in the colour of errors."""
+        """Returns whether the line below the picture has words in the colour of errors."""
         line = self.rows()[-int(26 * self.scale):]
         return any(r > 200 and g < 170 and b < 170 and r > g + 60 for row in line for r, g, b in row[self.panel:])

@@ -43,7 +43,7 @@ def material_of(state):
 
 
 def by_hand(desk, folder, width, height, scale):
-    """What a session at the window does, once through; the window must end without being killed."""
+    """Runs a session at the window once; the window must end without being killed."""
     fitted = os.path.join(folder, "fitted.json")
     if not os.path.exists(fitted):
         run("fit", SAMPLES, "--form", "cook_torrance", "-o", fitted)
@@ -73,7 +73,7 @@ def by_hand(desk, folder, width, height, scale):
     w.until(lambda: desk.title() == "fitted.json - brdf")
     desk.press("ctrl+y")
     assert desk.saved_state() == dragged, "redo"
-    # Ctrl-click types a number beyond the slider's end; it stays, and the slider's own drag is not needed.
+    # Ctrl-click enters a number beyond the end of the slider, which must be kept.
     desk.move(*w.knob(knobs[0][1]))
     desk.pause()
     slider = w.strip(knobs[0][1])
@@ -161,7 +161,7 @@ def by_hand(desk, folder, width, height, scale):
         assert ("environment" in scene) == (key in "456"), key
     desk.press("shift+l", "2")
 
-    # 5. Hand and solver: the samples beside the material, spoiled, and fitted from here.
+    # 5. Hand and solver: the samples next to the material, which is spoiled and then fitted from there.
     xdnd.drop(desk.display, int(desk.window), [fitted])
     w.until(lambda: desk.title() == "fitted.json - brdf")
     solved = material_of(desk.saved_state())
@@ -227,7 +227,7 @@ def by_hand(desk, folder, width, height, scale):
 
 
 def far(a, b):
-    """The largest relative difference of two materials' numbers."""
+    """Returns the largest relative difference between the numbers of two materials."""
     if a["form"] != b["form"]:
         return 1
     pairs = [(u, v) for k in a["weights"] for u, v in zip(a["weights"][k], b["weights"][k])]
@@ -254,12 +254,12 @@ def at_random(desk, folder):
         return ["mousemove", "--window", desk.window, *place()]
 
     def held(words, keys):
-        """While the key before the plus is held."""
+        """Holds the key before the plus during the action."""
         key = keys.split("+")[0]
         return ["keydown", key, *words, "keyup", key] if "+" in keys else words
 
     def wait():
-        """Until all that was done has arrived: what is open is closed, and the state saved."""
+        """Waits until all input has arrived: open prompts are closed and the state is saved."""
         desk.x("key", "--delay", "20", "Escape", "Escape", "Escape")
         return desk.written_by("ctrl+s", desk.state_file, 300)
 
@@ -279,7 +279,7 @@ def at_random(desk, folder):
         else:
             desk.x("key", keys, "key", "Escape")
 
-    # Leaving is tried by hand; what opens a prompt is closed again, or later keys would be typed into it.
+    # Keys that leave the window are tested separately. Every prompt is closed again, because it would receive the next keys.
     commands = [c for c in commands if c["name"] != "leave"]
     begun = time.time()
     for k in range(options.actions):

@@ -1,6 +1,6 @@
-"""Drops files on an X11 window as a file manager does: the XDND protocol (version 5) through libX11, no more.
+"""Drops files on an X11 window as a file manager does, with the XDND protocol (version 5) through libX11.
 
-    drop(display_name, window_id, paths, x, y)     returns when the target says that it has finished
+    drop(display_name, window_id, paths, x, y)     returns when the target reports that it has finished
 """
 import ctypes
 import time

@@ -1,4 +1,4 @@
-"""What the tests of planned work share: the program in a folder, bytes of folders, small inputs."""
+"""Shared parts of the tests of planned work: the program in a folder, the bytes of folders, and small inputs."""
 import pathlib
 import subprocess
 
@@ -23,7 +23,7 @@ class Place:
         return {str(p.relative_to(root)): p.read_bytes() for p in sorted(root.rglob("*")) if p.is_file()}
 
     def same(self, one, other):
-        """Whether two folders hold the same files; the first that differs is named."""
+        """Returns whether two folders contain the same files, and names the first file that differs."""
         a, b = self.digest(one), self.digest(other)
         assert a.keys() == b.keys(), (one, other, sorted(a.keys() ^ b.keys())[:10])
         for name, content in a.items():
@@ -31,7 +31,7 @@ class Place:
         assert a, one
 
     def units(self, job):
-        """Each unit's file and what tells whether it was written anew."""
+        """Returns the file of each unit, with the properties that show whether the file was written again."""
         return {int(p.stem): (p, p.stat().st_ino, p.stat().st_mtime_ns)
                 for p in sorted((self.folder / job / "units").rglob("*.unit"))}
 
@@ -40,7 +40,7 @@ class Place:
                  f"--vary alpha=0.1:0.5 --tilt 20 --noise 0.02 --seed 3 -o {name}")
 
     def make_tables(self, count, name="measurements", broken=None):
-        """`count` tables of different paints; the one of the number `broken` is cut in the middle of a row."""
+        """Writes `count` tables of different paints; the table with the number `broken` is cut in the middle of a row."""
         (self.folder / name).mkdir()
         for k in range(count):
             file = f"{name}/paint_{k:04d}.csv"

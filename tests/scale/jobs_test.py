@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: scale.jobs label=maps,driver timeout=300 needs=plain @brdf@
-"""jobs_test.py BRDF: plan, work, collect. The bytes are those of the verb at once, whatever the units and their order; what
-is there is not done again, what is damaged is; what is no plan of this work is refused."""
+"""jobs_test.py BRDF: tests plan, work and collect. The bytes must be equal to the bytes of the verb alone, for any units in any
+order. Finished units are not done again, damaged units are, and a folder without a plan of this work is refused."""
 import json
 import random
 import shutil

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: scale.memory label=scale,driver timeout=1800 needs=plain @brdf@
 """memory_test.py BRDF: a stack of 512 x 512 texels under 151 lights from 151 viewpoints, 36 GB as half floats, is fitted in
-less than 1 GB: one unit of 64 x 8 texels of it, in two bands of rows. One even image stands for all 22,801 (hard links)."""
+less than 1 GB. The test fits one unit of 64 x 8 texels in two bands of rows. One uniform image replaces all 22,801 (hard links)."""
 import itertools
 import os
 import subprocess

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: scale.parallel label=scale,driver timeout=1800 needs=plain @brdf@
-"""parallel_test.py BRDF: planned work by GNU parallel on two processors. 64 units of a stack give the bytes of the verb at
-once, also when parallel is killed on the way and told to resume; 1,000 tables give one overview with the bad one reported,
-and two units at a time use both processors. Exit 77 without GNU parallel."""
+"""parallel_test.py BRDF: tests planned work with GNU parallel on two processors. 64 units of a stack must give the same bytes as the
+verb alone, even if parallel is killed and resumed. 1,000 tables must give one overview that reports the one bad table, and two
+units at a time must use both processors. Exit code 77 without GNU parallel."""
 import json
 import os
 import resource
@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as name:
     assert (place.folder / "out/index.html").read_text().count("paint_") >= TABLES
     place.run("collect tables_alone -o out_alone", 1)
     place.same("out", "out_alone")
-    # A busy machine gives less than two processors; what is asked of it is that work in two processes is not more work.
+    # A busy machine gives less than two processors. The test requires only that two processes do not need more processor time.
     assert both_used < 1.35 * alone_used, (alone_used, both_used)
     if os.getloadavg()[0] < 2.5:
         assert alone / both > 1.7, (alone, both)

@@ -65,8 +65,9 @@ with tempfile.TemporaryDirectory(prefix="brdf_slurm.") as name:
                                   text=True).stdout.strip().splitlines()
 
         def let_finish(seconds):
-            """Until nothing is queued, or nothing has been done for so long: what Slurm holds then (jobs that were running when it was
-            killed begin again after two minutes) is taken back, and is asked for in the next round."""
+            """Waits until no job is queued, or until no unit has been finished for this time. Jobs that Slurm still holds are then
+            cancelled, and the next round requests their units: jobs that were running when Slurm was killed start again only
+            after two minutes."""
             count, since = done(), time.monotonic()
             while queue() and time.monotonic() - since < seconds:
                 time.sleep(0.5)

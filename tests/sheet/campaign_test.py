@@ -1,8 +1,8 @@
 # ctest: sheet.campaign label=sheet @brdf@
-"""Every fault of faults.py in every table that can show it: campaign_test.py EXECUTABLE.
+"""Plants every fault of faults.py in every table that can show the fault: campaign_test.py EXECUTABLE.
 
-`brdf validate` names a planted fault with the right words, or says that it suspects it; a clean table has no failing check. Four tables in
-./test, all in ./test --full (BRDF_THOROUGH), with the measured ones of BRDF_DATA_DIR. Prints the table of what was found.
+`brdf validate` must name a planted fault in the right words, or report it as suspected. A clean table must have no failing check. ./test
+uses four tables, ./test --full (BRDF_THOROUGH) all tables, including the measured tables of BRDF_DATA_DIR. Prints a table of the results.
 """
 import concurrent.futures
 import json
@@ -91,7 +91,7 @@ def sheet_of(path):
 
 
 def try_table(path):
-    """({fault: "found", "missed" or "untold"}, alarms of the clean table)."""
+    """Returns {fault: "found", "missed" or "untold"}, and the false alarms of the clean table."""
     facts = Facts(Table.read(path))
     clean = sheet_of(path)
     alarms = [f"{check}: {statement}" for check, (verdict, statement) in clean.items() if verdict == "fail"]

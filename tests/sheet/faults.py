@@ -1,7 +1,8 @@
-"""Faults of measurements, planted into tables one at a time, and whether a table can show them at all.
+"""Plants faults of measurements into tables, one at a time, and determines whether a table can show a fault.
 
-A table is canonical: theta_i, phi_i, theta_o, phi_o in degrees and one column of f_r for each channel. `FAULTS` is the one list: what a
-fault does to the rows, the words of which one must stand in the sheet's finding, and when the clean table has what it takes to tell.
+A table is canonical: theta_i, phi_i, theta_o, phi_o in degrees and one column of f_r for each channel. `FAULTS` is the only
+list. For each fault it has the change of the rows, the words of which one must be in the finding of the data check, and the condition
+under which the clean table can show the fault.
 """
 import collections
 import dataclasses
@@ -65,7 +66,7 @@ class Table:
 
 
 class Facts:
-    """What a clean table shows of its darkest channel, where a highlight stands out most."""
+    """Properties of a clean table in its darkest channel, in which a highlight is most distinct."""
 
     def __init__(self, table):
         self.table, self.rows = table, table.rows
@@ -89,7 +90,7 @@ class Facts:
         return sorted((r.theta_o, self.of(r)) for r in self.by_light[light] if r.turn > 179)
 
     def _peak(self, light):
-        """How far the top of the parabola through the logarithms stands from the mirror direction; None without a highlight."""
+        """Returns the distance between the vertex of the parabola through the logarithms and the mirror direction; None without a highlight."""
         line = self._forward(light)
         if len(line) < 5:
             return None
@@ -109,7 +110,7 @@ class Facts:
         return max(near) / middle if near and middle > 0 else 1
 
     def _pairs(self):
-        """(row, row with light and viewer exchanged, logarithm of the ratio of their values), where the grid has both."""
+        """Yields (row, row with light and viewer exchanged, logarithm of the ratio of their values) if the grid has both rows."""
         places = {(round(r.theta_i, 2), round(r.theta_o, 2), round(r.turn, 1)): r for r in self.rows}
         found = []
         for (i, o, turn), row in places.items():
@@ -126,11 +127,11 @@ class Facts:
         return {light: statistics.median(x) for light, x in by_light.items() if len(x) >= 6}
 
     def scatter(self):
-        """Of the pairs' ratios, as a standard deviation."""
+        """Returns the standard deviation of the ratios of the pairs."""
         return 1.4826 * statistics.median([abs(ratio) for *_, ratio in self.pairs] or [math.inf])
 
     def _albedo(self, light, channel):
-        """pi times the value below which half of the projected solid angle lies: a highlight is left out."""
+        """Returns pi times the value below which half of the projected solid angle lies, so that a highlight has no influence."""
         weighed = sorted((r.values[channel], cos(r.theta_o) * sin(r.theta_o)) for r in self.by_light[light])
         half, total = sum(w for _, w in weighed) / 2, 0
         for value, weight in weighed:

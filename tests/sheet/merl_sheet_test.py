@@ -1,5 +1,5 @@
 # ctest: sheet.merl label=sheet needs=plain @brdf@
-"""The sheet of a whole MERL file takes at most five seconds of processor time and 200 MB: merl_sheet_test.py EXECUTABLE"""
+"""Requires that the data check of a whole MERL file takes at most five seconds of processor time and 200 MB: merl_sheet_test.py EXECUTABLE"""
 import json
 import pathlib
 import subprocess
@@ -13,7 +13,7 @@ MATERIAL = {"format": "brdf-material", "version": 1, "form": "cook_torrance", "c
 with tempfile.TemporaryDirectory() as folder:
     material, table = pathlib.Path(folder) / "m.json", pathlib.Path(folder) / "m.binary"
     material.write_text(json.dumps(MATERIAL))
-    # In a process of its own, because the largest child counts.
+    # In a separate process, because the system reports the memory of the largest child.
     subprocess.run([sys.executable, "-c", "import subprocess, sys; subprocess.run(sys.argv[1:], check=True)", executable,
                     "convert", str(material), str(table)], check=True, capture_output=True)
     command = ("import json, resource, subprocess, sys\n"

@@ -48,7 +48,7 @@ class Page(html.parser.HTMLParser):
 
 
 def faults_of(site):
-    """A sentence for each dead link and for each load from another machine, and the number of links."""
+    """Returns a sentence for each dead link and for each load from another machine, and the number of links."""
     pages = {path: Page(path) for path in sorted(site.rglob("*.html"))}
     faults, looked_at = [], 0
     for path, page in pages.items():
@@ -85,7 +85,7 @@ def faults_of(site):
 
 
 def check_that_faults_are_found(folder):
-    """Each kind of fault is reported for a site that has it."""
+    """Requires that each kind of fault is reported for a site with this fault."""
     folder.mkdir()
     (folder / "a.html").write_text('<p id="here"><a href="#here"></a><a href="b.html#there"></a>'
                                    '<a href="c.html"></a><a href="https://example.org"></a>'
@@ -98,7 +98,7 @@ def check_that_faults_are_found(folder):
 
 
 def check_errors(folder):
-    """tools/site with a copy of the documents to which a fault was added."""
+    """Runs tools/site on a copy of the documents with one planted fault."""
     for name, text, expected in (
             ("docs/strange.md", "# Strange\n", "docs/strange.md: no section of docs/index.md links to"),
             ("docs/tour.md", "# Tour\n\nSee [this](no.md).\n", "docs/tour.md, line 3: the link no.md")):

@@ -1,6 +1,6 @@
 # ctest: study.browser label=browser timeout=600 @brdf@ chromium @here@/browser
-"""The pages of a study in a headless browser: what tests/validate/browser_test.py asks of every page, and the overview
-sorted by a click and by the keyboard, its links and small pictures. pages_test.py EXECUTABLE BROWSER FOLDER"""
+"""Tests the pages of a study in a headless browser: the checks of tests/validate/browser_test.py for every page, sorting the
+overview by click and by keyboard, its links and its small pictures. pages_test.py EXECUTABLE BROWSER FOLDER"""
 import pathlib
 import shutil
 import subprocess
@@ -52,7 +52,7 @@ def check_overview(browser, study):
 
 
 def check_sphere(browser, folder):
-    """The sphere draws itself in place of the picture."""
+    """Requires that the sphere replaces the picture by its own drawing."""
     with browser.open(folder / "index.html") as page:
         shown = page.evaluate(SPHERE)
         assert shown == "fitted measured difference", shown

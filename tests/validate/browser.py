@@ -88,13 +88,13 @@ class Browser:
             self.events.append(answer)
 
     def open(self, path, width=1280, height=900, dark=False):
-        """A page by its file, or by its address at `server`."""
+        """Opens a page by its file, or by its address at `server`."""
         address = path if str(path).startswith("http:") else pathlib.Path(path).resolve().as_uri()
         return Page(self, address, width, height, dark)
 
 
 class Page:
-    """A page that is loaded, in a tab of its own."""
+    """A loaded page in a separate tab."""
 
     def __init__(self, browser, address, width, height, dark):
         self.browser, self.console, self.width, self.height = browser, [], width, height
@@ -119,7 +119,7 @@ class Page:
         return answer
 
     def resize(self, height):
-        """Another height of the window, drawn."""
+        """Changes the height of the window and waits until the page is drawn."""
         self.ask("Emulation.setDeviceMetricsOverride", width=self.width, height=int(height), deviceScaleFactor=1,
                  mobile=False)
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
@@ -140,12 +140,12 @@ class Page:
         self.browser.events.clear()
 
     def scheme(self, dark, media=""):
-        """Light or dark; media "print" shows the page as on paper."""
+        """Selects the light or the dark scheme; media "print" shows the page as on paper."""
         self.ask("Emulation.setEmulatedMedia", media=media,
                  features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
     def evaluate(self, expression):
-        """The value of a JavaScript expression (a promise is waited for)."""
+        """Returns the value of a JavaScript expression; waits for a promise."""
         answer = self.ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in answer, answer["exceptionDetails"]
         return answer["result"].get("value")
@@ -157,7 +157,7 @@ class Page:
             time.sleep(0.02)
 
     def key(self, name, text=""):
-        """A key pressed and let go, by its name in KeyboardEvent.key."""
+        """Presses and releases a key, by its name in KeyboardEvent.key."""
         code = {"Tab": 9, "Enter": 13, "Escape": 27}.get(name, ord(text[0].upper()) if text else 0)
         text = text or ("\r" if name == "Enter" else "")
         for kind in ("keyDown", "keyUp"):
@@ -165,7 +165,7 @@ class Page:
                      **({"text": text} if text and kind == "keyDown" else {}))
 
     def screenshot(self, path, whole=True):
-        """The whole page, however long, or what the window shows."""
+        """Takes a picture of the whole page, or of the part that the window shows."""
         if whole:
             self.resize(min(self.ask("Page.getLayoutMetrics")["cssContentSize"]["height"], 16000))
         data = self.ask("Page.captureScreenshot", format="png")["data"]

@@ -1,7 +1,8 @@
 # ctest: validate.browser label=browser timeout=1200 @brdf@ chromium @here@/browser
-"""The pages of fit, validate, trade and recommend in a headless browser without a network, at 1280 and 400 pixels, light
-and dark: no console message, nothing wider than the screen, every plot and picture drawn in colours that stand out from
-the ground, words explained by the keyboard, on paper dark on white. Screenshots of all lie in FOLDER:
+"""Tests the pages of fit, validate, trade and recommend in a headless browser without a network, at 1280 and 400 pixels, light
+and dark. The console must have no message, and no element may be wider than the screen. Every plot and picture must be drawn in
+colours that differ from the background. Words are explained by keyboard, and printed pages are dark on white. Screenshots of all
+pages are written to FOLDER:
 browser_test.py EXECUTABLE BROWSER FOLDER"""
 import pathlib
 import shutil
@@ -13,7 +14,7 @@ from paper import check_print
 
 WIDTHS = (1280, 400)
 
-# What the page holds once every fold is open: canvases with their pixels, pictures, what reaches beyond the edge.
+# The content of the page with every fold open: canvases with their pixels, pictures, and elements beyond the edge.
 PROBE = """(async () => {
   for (const fold of document.querySelectorAll("details")) fold.open = true;
   const frames = () => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
@@ -48,7 +49,7 @@ PROBE = """(async () => {
     pictures: [...document.images].filter(image => image.complete && image.naturalWidth > 0).length};
 })()"""
 
-# A text of every kind against its own ground: the contrast of WCAG 2.
+# The contrast (WCAG 2) of every kind of text with its background.
 CONTRAST = """(() => {
   const linear = c => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
   const rgb = text => text.match(/[\\d.]+/g).map(Number);
@@ -67,7 +68,7 @@ CONTRAST = """(() => {
 
 
 def check_the_probe(browser, folder):
-    """An error on the page must be seen, a canvas that nobody drew on, what is wider than the screen."""
+    """Tests the checks themselves: they must find an error on the page, an empty canvas, and an element wider than the screen."""
     path = folder / "broken.html"
     path.write_text("<!DOCTYPE html><html><body><canvas id='c' width='9' height='9'></canvas><hr style='width:900px'>"
                     "<p style='color:#eee'>pale</p><script>undefined_function();</script></body></html>", encoding="utf-8")
@@ -79,7 +80,7 @@ def check_the_probe(browser, folder):
 
 
 def check_look(page, path, width):
-    """Everything drawn and nothing beyond the edge; how many plots and pictures."""
+    """Requires that everything is drawn and no element is beyond the edge. Returns the numbers of plots and pictures."""
     text = path.read_text(encoding="utf-8")
     found = page.evaluate(PROBE)
     assert not page.console, (path, page.console)
@@ -98,7 +99,7 @@ def check_look(page, path, width):
 
 
 def check_keyboard(page, path):
-    """Tab reaches the first explained word, Enter shows what it says, Escape hides it."""
+    """Requires that Tab reaches the first explained word, Enter shows the explanation, and Escape hides it."""
     page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = false")
     for _ in range(60):
         page.key("Tab")
@@ -114,7 +115,7 @@ def check_keyboard(page, path):
 
 
 def check_paper(page, path):
-    """On paper folds are open or left out, and curves that were drawn for the dark are dark on white."""
+    """Requires that printed pages have folds open or left out, and that curves drawn for the dark scheme are dark on white."""
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.scheme(True, "print")
     closed = page.evaluate("document.querySelectorAll('details:not(.commands, .screen):not([open])').length")
@@ -126,7 +127,7 @@ def check_paper(page, path):
 
 
 def check_page(browser, folder, path, most_paper=None):
-    """At most `most_paper` sheets of A4, if it is given."""
+    """Checks a page, on at most `most_paper` sheets of A4 if it is given."""
     grounds = []
     with browser.open(path) as page:
         sheets = check_print(page, folder, most_paper)

@@ -1,4 +1,4 @@
-"""What the two tests of the HTML report share: how it is made, and a reader of its elements."""
+"""Shared parts of the two tests of the HTML report: the commands that write the reports, and a reader of their elements."""
 import html.parser
 import json
 import pathlib
@@ -12,7 +12,7 @@ PLOTS = re.compile(r"const plots = (\[.*?\n\]);", re.DOTALL)
 
 
 class Document(html.parser.HTMLParser):
-    """Elements in order as (tag, attributes), text by element; a tag that does not match its end is an error."""
+    """The elements of a page in order as (tag, attributes), with their texts. A tag without its end is an error."""
 
     def __init__(self, text):
         super().__init__(convert_charrefs=True)
@@ -43,7 +43,7 @@ class Document(html.parser.HTMLParser):
 
 
 def charts_of(document):
-    """The canvases of plots; those of spheres have no name."""
+    """Returns the canvases of plots; the canvases of spheres have no name."""
     return [k for k in document.places("canvas") if "id" in document.elements[k][1]]
 
 
@@ -53,7 +53,7 @@ def plots_of(text):
 
 
 def make_reports(executable, folder):
-    """A report of forms with and without violations and one of a table: their paths."""
+    """Writes a report of forms with and without violations and a report of a table. Returns the paths of both."""
     folder = pathlib.Path(folder)
     table = folder / "table.csv"
     run([executable, "synth", "--form", "cook_torrance", "--set", "kd=0.3,0.2,0.1", "--set", "alpha=0.3",
@@ -65,7 +65,7 @@ def make_reports(executable, folder):
 
 
 def write_png(path, size=64):
-    """A grey square, where nothing renders."""
+    """Writes a grey square, for machines that cannot render."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     rows = b"".join(b"\0" + bytes(3 * [128]) * size for _ in range(size))
@@ -74,7 +74,7 @@ def write_png(path, size=64):
 
 
 def make_pages(executable, folder):
-    """The pages of every verb that writes one, beside those of make_reports(); recommend only where it can render."""
+    """Writes the page of every other verb that writes pages, in addition to make_reports(); recommend only if it can render."""
     folder = pathlib.Path(folder)
     yield from make_reports(executable, folder)
     table, spectrum = folder / "table.csv", folder / "spectrum_with_a_long_name_that_no_phone_has_room_for.csv"

@@ -60,7 +60,7 @@ def check_plots(text, document):
 
 
 def check_commands(executable, folder, document):
-    """Every command that stands in the report runs."""
+    """Requires that every command in the report runs."""
     environment = dict(os.environ, PATH=f"{os.path.dirname(os.path.abspath(executable))}:{os.environ['PATH']}")
     commands = [document.texts[k] for k in document.places("pre")]
     for command in commands:
@@ -71,7 +71,7 @@ def check_commands(executable, folder, document):
 
 
 def check_the_checks():
-    """What the checks must refuse, so that a pass means something."""
+    """Tests that the checks refuse faulty pages, so that a pass is evidence."""
     for broken in ("<p><b></p></b>", "<div>", "<img src='a' src='b'>"):
         try:
             Document(broken)

@@ -23,7 +23,7 @@ jsonschema.validate(findings, schema)
 verdicts = {f["verdict"] for f in findings["findings"]}
 assert {"pass", "known_violation", "not_applicable"} <= verdicts, verdicts
 
-# A table in one plane, with an outlier: rows, and what is undecided.
+# A table in one plane with an outlier, for the rows of findings and for undecided checks.
 with tempfile.TemporaryDirectory() as folder:
     table = pathlib.Path(folder) / "s.csv"
     subprocess.run([executable, "synth", "--form", "lambert", "--grid", "in_plane", "-o", str(table)], check=True,

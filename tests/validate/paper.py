@@ -1,4 +1,4 @@
-"""A page as it is printed: Chromium writes a PDF, poppler's pdftotext gives the place of every word and pdftoppm the pixels.
+"""Checks a page as it is printed: Chromium writes a PDF, pdftotext of poppler gives the position of every word, and pdftoppm the pixels.
 
     check_print(page, folder, most=6)     # a page of browser.py, on A4; the pages of the PDF that it took
 """
@@ -22,7 +22,7 @@ def write_pdf(page, path):
 
 
 def words_of(path):
-    """Per page its words as (text, left, top, right, bottom) in points."""
+    """Returns for each page its words as (text, left, top, right, bottom) in points."""
     text = subprocess.run(["pdftotext", "-bbox", path, "-"], check=True, capture_output=True, text=True).stdout
     row = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">(.*?)</word>')
     return [[(html.unescape(m[5]), *map(float, m.groups()[:4])) for m in row.finditer(part)]
@@ -30,7 +30,7 @@ def words_of(path):
 
 
 def pixels_of(path, folder):
-    """Per page its width and its rows of grey bytes."""
+    """Returns for each page its width and its rows of grey bytes."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     subprocess.run(["pdftoppm", "-r", str(DOTS), "-gray", path, folder / "p"], check=True)
@@ -44,13 +44,13 @@ def pixels_of(path, folder):
 
 
 def ink(rows, box):
-    """The grey values inside a box of points, row by row."""
+    """Returns the grey values inside a box of points, row by row."""
     left, top, right, bottom = (int(round(x)) for x in box)
     return [row[max(left, 0) : right] for row in rows[max(top, 0) : bottom]]
 
 
 def found(words, heading):
-    """The boxes of the words that follow one another as they do in the heading; a long word may be broken."""
+    """Returns the boxes of words that follow one another as in the heading; a long word may be broken."""
     wanted = "".join(heading.split())
     for k in range(len(words)):
         text, end = "", k
@@ -63,13 +63,13 @@ def found(words, heading):
 
 
 def same(a, b):
-    """As much ink but for the smoothing of letters, which may begin a fraction of a pixel elsewhere."""
+    """Returns whether both have the same amount of ink, except for the smoothing of letters, which may be shifted by a fraction of a pixel."""
     dark = [sum(255 - value for row in part for value in row) for part in (a, b)]
     return abs(dark[0] - dark[1]) <= 0.1 * max(dark)
 
 
 def faults_of(headings, pages, drawn, without_charts):
-    """A sentence for every heading that is missing, painted over, or alone at the foot of its page."""
+    """Returns a sentence for every heading that is missing, painted over, or alone at the foot of its page."""
     faults = []
     for heading in dict.fromkeys(headings):
         places = [(k, box) for k, words in enumerate(pages) for box in found(words, heading)]

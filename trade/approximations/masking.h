@@ -26,13 +26,13 @@ inline constexpr auto schlick_ggx_half = []<class S, class G>(const Roughness<S>
                                                               const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.5) * a.alpha_x, g);
 };
-// The same with k = (roughness + 1)^2/8, alpha = roughness^2 (Karis 2013, for analytic lights; the thesis's
-// listing).
+// Returns the same with k = (roughness + 1)^2/8, alpha = roughness^2 (Karis 2013, for analytic lights; the
+// thesis's listing).
 inline constexpr auto schlick_ggx_analytic = []<class S, class G>(const Roughness<S>& a,
                                                                   const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.125) * square(math::sqrt(a.alpha_x) + S(1)), g);
 };
-// The same with alpha instead of roughness (the thesis's equation).
+// Returns the same with alpha instead of roughness (the thesis's equation).
 inline constexpr auto schlick_ggx_printed = []<class S, class G>(const Roughness<S>& a,
                                                                  const Geometry<G>& g) -> Fraction<S> {
   return v_schlick_ggx(S(0.125) * square(a.alpha_x + S(1)), g);

@@ -111,7 +111,7 @@ io::Json to_json(const Ledger& ledger);
 Ledger ledger_from_json(const io::JsonPlace& place);
 void write_ledger(const std::filesystem::path& path, const Ledger& ledger);
 Ledger read_ledger(const std::filesystem::path& path);
-// The same, but returns std::nullopt for a ledger of another version.
+// Reads a ledger, but returns std::nullopt for a ledger of another version.
 std::optional<Ledger> read_current_ledger(const std::filesystem::path& path);
 
 // Returns one line per row, header first. Texts are quoted.

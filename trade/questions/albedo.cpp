@@ -100,7 +100,8 @@ Question albedo_question() {
   return q;
 }
 
-// The same question at the nodes of a published grid: a production path tracer's 32 x 32 table, F = 1.
+// Answers the same question at the nodes of a published grid, the 32 x 32 table of a production path tracer
+// with F = 1.
 Question table_nodes_question() {
   const auto nodes = [](double cosines, double widths) {
     return make_domain(

@@ -18,7 +18,7 @@ struct Way {
 
 using Pixels = std::function<bool(int x, int y)>;  // the pixels that count
 
-// The same methods on a rarer kind of scene.
+// Measures the same methods on a rarer kind of scene.
 struct FrameExtreme {
   std::string domain;
   std::function<void(render::Scene&)> change = [](render::Scene&) {};

@@ -99,7 +99,7 @@ template <class F, template <class> class Scalar>
 struct shown_by_form {
   static Kernel at(double width) { return fixed_at(kernel(form_kernel<F, Scalar>{}), width); }
 };
-// The same for log, which no form calls: Phong's lobe by pow.
+// Answers the same question for log, which no form calls: Phong's lobe by pow.
 template <template <class> class Scalar>
 struct shown_by_pow {
   static Kernel at(double exponent) {

@@ -69,7 +69,7 @@ std::optional<Ledger> ledger_of(const RecommendOptions& options) {
 
 std::string measured_now(const Recommendation& r, const RecommendOptions& options, bool has_ledger) {
   if (options.ledger.empty()) return "";
-  if (!has_ledger) return r.costs_from + " is of another version, so all costs were measured now";
+  if (!has_ledger) return r.costs_from + " is from another version, so all costs were measured now";
   std::vector<std::string> labels;
   for (const Candidate& c : r.candidates)
     if (c.cost_measured && !c.anisotropic) labels.push_back(c.label());

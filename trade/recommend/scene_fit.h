@@ -39,7 +39,7 @@ io::SampleTable hemisphere_samples(const RgbFunction& reference, std::size_t row
 // Returns mean |dL| / mean L over the lit pixels, with |dL| averaged over the channels.
 double image_error(const SceneView& view, const RgbFunction& model, const RgbFunction& reference);
 
-// The same, from pictures of both by the reference renderer.
+// Pictures of model and reference by the reference renderer, and the image_error() of the pictures.
 struct RenderedPair {
   render::Picture model, reference;
   double image_error = 0;

@@ -254,7 +254,7 @@ class EnergySearch {
 
 namespace {
 
-// Whether reciprocity is violated at pairs of a cover.
+// Returns whether reciprocity is violated at pairs of a cover.
 bool is_one_way(const Subject& subject, const CheckOptions& options) {
   constexpr std::size_t kPairs = 400;
   constexpr double kSeen = 1e-6;

@@ -36,11 +36,11 @@ class Deviations {
     Deviation deviation;
     Truth scale{};
   };
-  // Whether the error is more than a quarter of the body's budget.
+  // Returns whether the error is more than a quarter of the body's budget.
   bool noticeable(const Judged& judged, double error) const;
   bool exceeds_statement(const Judged& judged) const;
-  // Whether the error is noticeable, or exceeds the stated error, and is due to the fact that the stored
-  // directions are not exactly unit vectors. `storing`: the error that this fact causes.
+  // Returns whether the error is noticeable, or exceeds the stated error, and is due to the fact that the
+  // stored directions are not exactly unit vectors. `storing`: the error that this fact causes.
   bool due_to_storing(const Judged& judged, double storing) const;
   std::vector<Truth> truths(const Vec3<Truth>& wi, const Vec3<Truth>& wo) const;
   Judged compare(const Vec3<T>& wi, const Vec3<T>& wo, T f, const std::vector<Truth>& truths, std::size_t set,

@@ -34,12 +34,13 @@ void add_table(ReportContent& content, io::SampleTable table) {
 
 void add_file(ReportContent& content, const std::string& path, const io::Supplied& supplied) {
   io::Content bytes = io::read_content(path);
-  if (io::is_json(bytes)) return add_material(content, path, io::read_material_file(bytes));
+  const std::string name = bytes.name;
+  if (io::is_json(bytes)) return add_material(content, name, io::read_material_file(bytes));
   try {
     add_table(content, io::read_samples(std::move(bytes), supplied));
   } catch (const ExchangedColumns& e) {
     io::SampleTable table;
-    table.source = path;
+    table.source = name;
     content.tables.push_back({table, sheet::exchanged_columns(table, e.what())});
   }
 }

@@ -153,7 +153,7 @@ std::vector<std::pair<std::string, double>> Subject::parameters(const Material& 
 }
 
 std::string Subject::selector(const Material& at) const {
-  if (!form_) return "--material " + io::shell_file(name_);
+  if (!form_) return io::shell_file(name_);
   if (catalogue_index(*form_) < 0 && !outside_) return {};
   std::string words = outside_ ? outside_->words : "--form " + io::shell_word(name_);
   for (const auto& [name, value] : parameters(at))

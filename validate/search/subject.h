@@ -62,7 +62,7 @@ class Subject {
   // Number of coordinates of the shape, then of the weights; both are 0 for a material.
   std::size_t shape_dimensions() const { return shape_dimensions_; }
   std::size_t dimensions() const { return shape_dimensions_ + weight_dimensions_; }
-  // Whether the search includes the azimuth of the light.
+  // Returns whether the search includes the azimuth of the light.
   bool anisotropic() const { return anisotropic_; }
 
   // Returns the material at a point. A form without channels of its own has one channel, "fr".

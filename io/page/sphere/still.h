@@ -14,7 +14,7 @@ namespace brdf::io::sphere {
 std::string still_picture(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure,
                           int side);
 
-// The same spheres, one PNG each. Without a measurement the last two are empty.
+// Returns the same spheres, one PNG each. Without a measurement the last two are empty.
 struct Stills {
   std::string fitted, measured, difference;
 };

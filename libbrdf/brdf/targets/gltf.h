@@ -25,7 +25,7 @@ struct MetalOrDielectric {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
-// The same parameters, with a colour for the dielectric part.
+// Has the same parameters, with a colour for the dielectric part.
 template <class T>
 struct MetalOrTintedDielectric {
   T alpha_x, alpha_y, metallic, eta, specular, specular_color;

@@ -1,6 +1,7 @@
 # ctest: io.sphere_in_a_browser label=browser timeout=600 @sphere_page@ @brdf@ chromium @here@/spheres
-"""The spheres of a report in a headless browser without a network: values as `brdf eval` has them, the picture as the
-still one, mouse, keys and controls, light and dark, 1280 and 400 pixels wide, and a browser without WebGL 2.
+"""Tests the spheres of a report in a headless browser without a network. Values must equal the values of `brdf eval`, and the
+picture must equal the still picture. Covers mouse, keys and controls, light and dark, widths of 1280 and 400 pixels, and a browser
+without WebGL 2.
 sphere_test.py SPHERE_PAGE BRDF BROWSER FOLDER"""
 import json
 import math
@@ -19,7 +20,7 @@ TRUE = {"format": "brdf-material", "version": 1, "form": "sum", "channels": ["r"
     {**LOBE, "weights": {**LOBE["weights"], "ks": [0.3] * 3}, "shape": {"alpha_x": 0.15, "alpha_y": 0.15}},
     {**LOBE, "weights": {"kd": [0] * 3, "ks": [0.3] * 3, "f0": [0.5] * 3}, "shape": {"alpha_x": 0.4, "alpha_y": 0.4}}]}
 
-# Of both spheres, once they are drawn; what the tests do to them.
+# Helpers for both spheres, which must be drawn first.
 TOOLS = """
 const figures = [...document.querySelectorAll("figure.sphere")];
 const pixels = figure => { const c = figure.querySelector("canvas"), copy = new OffscreenCanvas(c.width, c.height);
@@ -40,7 +41,7 @@ def open_page(browser, page, **words):
 
 
 def evaluated(brdf, folder, material, pairs):
-    """f_r of the pairs by `brdf eval`; of unit vectors the azimuths and polar angles are taken."""
+    """Returns f_r of the pairs by `brdf eval`, which receives the azimuths and polar angles of the unit vectors."""
     def degrees(w):
         return math.degrees(math.atan2(math.hypot(w[0], w[1]), w[2])), math.degrees(math.atan2(w[1], w[0]))
     (folder / "m.json").write_text(json.dumps(material), encoding="utf-8")
@@ -79,7 +80,7 @@ def check_values(page, brdf, folder):
 
 
 def check_picture(page):
-    """The canvas against the still picture, at its size."""
+    """Compares the canvas with the still picture at the same size."""
     apart = page.evaluate("""(async () => {
       const still = figures[0].querySelector("img.still"), canvas = document.createElement("canvas");
       await still.decode();
@@ -99,7 +100,7 @@ def check_picture(page):
       return a.length === b.length && far.map(count => count / side ** 2);
     })()""")
     print("canvas against the still picture, pixels that differ: " + ", ".join(f"{100 * part:.2f} %" for part in apart))
-    # What the table's nodes make of the edge of what was measured is seen.
+    # The edge of the measured region is visible, because the table of the canvas has a finite number of nodes.
     assert apart[0] < 0.001 and max(apart[1:]) < 0.04, apart
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: prove.compilers label=slow timeout=3600 @source@ @build@
-"""compilers_test.py SOURCE BUILD: g++ and clang, with -O0 and -O3, find the same boxes and the same bounds of every form, bit
-for bit. BUILD has the generated headers and the parts of the catalogue. Exit code 77 without clang."""
+"""compilers_test.py SOURCE BUILD: tests that g++ and clang, with -O0 and -O3, find the same boxes and the same
+bounds of every form, bit for bit. BUILD has the generated headers and the parts of the catalogue. Exit code 77 without clang."""
 import concurrent.futures
 import os
 import pathlib

@@ -1,6 +1,6 @@
 # ctest: render.webgl_forms label=browser timeout=600 needs=brdf_render @forms_values@ chromium @here@/webgl_forms
-"""Every form's GLSL ES in a headless browser's WebGL 2 against the library's float values: bit for bit on SwiftShader,
-and within rounding on Mesa's driver, whose compiler rearranges more:
+"""Compares the GLSL ES of every form in WebGL 2 of a headless browser with the float values of the library. The values must be equal
+bit for bit on SwiftShader, and within rounding on the driver of Mesa, because its compiler rearranges more:
 forms_test.py FORMS_VALUES BROWSER FOLDER"""
 import glob
 import json
@@ -18,7 +18,7 @@ WITHIN = 5e-6  # of the peak, on Mesa
 
 
 def unguarded(shader):
-    """The shader as it would be if nothing kept compilers from rearranging it."""
+    """Returns the shader without the guards against the rearrangement of arithmetic by compilers."""
     functions = []
     for text in re.split(r"(?<=\n\}\n)", shader):
         bits = dict(re.findall(r"uint (t\d+) = floatBitsToUint\((t\d+)\);", text))
@@ -29,7 +29,7 @@ def unguarded(shader):
 
 
 def controls_of(forms):
-    """A constant that is wrong in its last bit, and a formula that compilers may rearrange: both must be seen."""
+    """Returns two negative controls that the test must detect: a constant with a wrong last bit, and a formula that compilers may rearrange."""
     wrong = forms[0]["shader"].replace("0.318309873", "0.318309903")
     logarithm = next(f for f in forms if f["shader"].count("brdf_log1p(") > 1)
     assert wrong != forms[0]["shader"] and unguarded(logarithm["shader"]) != logarithm["shader"]
@@ -38,7 +38,7 @@ def controls_of(forms):
 
 
 def result_of(name, path, data, driver=None):
-    """What the script makes of the data, on SwiftShader or on Vulkan's driver of that file."""
+    """Returns the results of the script for the data, on SwiftShader or on the Vulkan driver of that file."""
     path.write_text("<!DOCTYPE html><html><head><meta charset='utf-8'><title>forms</title></head><body><script>\n"
                     f"const data = {json.dumps(data)};\n{SCRIPT}</script></body></html>", encoding="utf-8")
     with Browser(name, *SOFTWARE, patience=280, driver=driver) as browser, browser.open(path) as page:

@@ -137,7 +137,7 @@ TEST(Costs, OfALedgerOfAnotherVersionAreMeasured) {
   options.ledger = path;
   const Recommendation r = recommend(options);
   EXPECT_TRUE(r.candidates[0].cost_measured);
-  EXPECT_NE(to_text(r).find("is of another version, so all costs were measured now"), std::string::npos);
+  EXPECT_NE(to_text(r).find("is from another version, so all costs were measured now"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,213 @@
+#include "cli/surface/option_table.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <stdexcept>
+
+namespace brdf::cli {
+namespace {
+
+// An option has the same meaning in every verb, except the options with a verb in their row. An option that
+// takes text must name its kind of value here or offer its words.
+constexpr OptionRow kTable[] = {
+    {"AS", Group::input},
+    {"SAMPLES", Group::input, Value::samples},
+    {"DIRECTIONS", Group::input, Value::samples},
+    {"MATERIAL", Group::input, Value::either},
+    {"MATERIALS", Group::input, Value::material},
+    {"FILES", Group::input, Value::either},
+    {"FORM", Group::input, Value::form},
+    {"IN", Group::input, Value::either},
+    {"JOB", Group::input, Value::folder},
+    {"KIND", Group::input},
+    {"VERB", Group::input},
+    {"--ledger", Group::input, Value::json},
+    {"--reference", Group::input, Value::either},
+    {"--unit", Group::input},
+    {"--check-inputs", Group::input},
+    {"export --measured", Group::input},
+    {"--form", Group::model, Value::form},
+    {"--all", Group::model},
+    {"--material", Group::model, Value::material},
+    {"--set", Group::model, Value::parameter},
+    {"--anisotropic", Group::model},
+    {"--shape", Group::model, Value::file},
+    {"--per-channel", Group::model},
+    {"--physical", Group::model},
+    {"--tie", Group::model, Value::text},
+    {"--fix", Group::model, Value::parameter},
+    {"--bounds", Group::model, Value::parameter},
+    {"--shader", Group::shader, Value::file},
+    {"--param", Group::shader, Value::text},
+    {"--entry", Group::shader, Value::text},
+    {"--returns", Group::shader},
+    {"--define", Group::shader, Value::text},
+    {"--include-folder", Group::shader, Value::folder},
+    {"--require", Group::checks},
+    {"--property", Group::checks},
+    {"--against", Group::checks, Value::form},
+    {"--map", Group::checks, Value::text},
+    {"--such-that", Group::checks, Value::text},
+    {"--numerics", Group::checks},
+    {"--integrators", Group::checks},
+    {"--gpu", Group::checks},
+    {"--check", Group::checks, Value::json},
+    {"--self-test", Group::checks},
+    {"--only", Group::checks, Value::text},
+    {"--validation", Group::checks},
+    {"validate --microsurface", Group::checks},
+    {"--quantity", Group::measurements, Value::text},
+    {"--mirror-side", Group::measurements},
+    {"--polarisation", Group::measurements},
+    {"--repeats", Group::measurements},
+    {"--keep-fill", Group::measurements},
+    {"--max-theta", Group::measurements},
+    {"--aperture", Group::measurements},
+    {"--metric", Group::measurements},
+    {"--weights", Group::measurements},
+    {"--robust", Group::measurements, Value::text},
+    {"--free-scale", Group::measurements},
+    {"--grid", Group::directions, Value::text},
+    {"--theta", Group::directions},
+    {"--theta-i", Group::directions},
+    {"--phi", Group::directions},
+    {"--fixed", Group::directions},
+    {"--azimuths", Group::directions},
+    {"--step", Group::directions},
+    {"--source-aperture", Group::instrument},
+    {"--blind-zone", Group::instrument},
+    {"--noise", Group::instrument},
+    {"--noise-floor", Group::instrument},
+    {"--saturation", Group::instrument},
+    {"--clip-negatives", Group::instrument},
+    {"synth --aperture", Group::instrument},
+    {"--texels", Group::photographs, Value::text},
+    {"--texel-size", Group::photographs},
+    {"--lights", Group::photographs},
+    {"--viewers", Group::photographs},
+    {"--light-distance", Group::photographs},
+    {"--viewer-distance", Group::photographs},
+    {"--vary", Group::photographs, Value::parameter},
+    {"--tilt", Group::photographs},
+    {"--registration", Group::photographs},
+    {"--dark-level", Group::photographs},
+    {"--normals", Group::photographs, Value::picture},
+    {"--share", Group::photographs, Value::text},
+    {"--regions", Group::photographs, Value::picture},
+    {"--microsurface", Group::microsurface, Value::text},
+    {"--bounces", Group::microsurface},
+    {"--orders", Group::microsurface},
+    {"--cell", Group::microsurface},
+    {"--min-power", Group::microsurface},
+    {"--surfaces", Group::microsurface},
+    {"--rays", Group::microsurface},
+    {"synth --size", Group::microsurface},
+    {"--scene", Group::scene, Value::scene},
+    {"--state", Group::scene, Value::json},
+    {"--environment", Group::scene, Value::light},
+    {"--rotate", Group::scene},
+    {"--hard-light", Group::scene},
+    {"render --shape", Group::scene},
+    {"view --shape", Group::scene},
+    {"--shading", Group::shading},
+    {"--per-vertex", Group::shading},
+    {"--as-coded", Group::shading},
+    {"--gbuffer-bits", Group::shading},
+    {"--gbuffer", Group::shading},
+    {"--forward", Group::shading},
+    {"--compare", Group::comparison, Value::json},
+    {"--measured", Group::comparison, Value::samples},
+    {"--show", Group::comparison},
+    {"--split", Group::comparison},
+    {"--split-at", Group::comparison},
+    {"--over", Group::comparison, Value::parameter},
+    {"--balls", Group::comparison},
+    {"--compare-weightings", Group::comparison, Value::folder},
+    {"--width", Group::pictures},
+    {"--height", Group::pictures},
+    {"--size", Group::pictures, Value::text},
+    {"--exposure", Group::pictures},
+    {"--tone-map", Group::pictures},
+    {"--supersample", Group::pictures},
+    {"--no-dither", Group::pictures},
+    {"--no-labels", Group::pictures},
+    {"--turntable", Group::pictures},
+    {"--fps", Group::pictures},
+    {"--quality", Group::pictures},
+    {"--body", Group::pictures},
+    {"--solo", Group::pictures, Value::text},
+    {"--scale", Group::window},
+    {"--frames", Group::window},
+    {"--orbit", Group::window},
+    {"--save-as", Group::window, Value::json},
+    {"--screenshot", Group::window, Value::picture},
+    {"--commands", Group::window},
+    {"view --width", Group::window},
+    {"view --height", Group::window},
+    {"--tolerance", Group::accuracy},
+    {"--rule", Group::accuracy},
+    {"--effort", Group::accuracy},
+    {"--seconds", Group::accuracy},
+    {"--gap", Group::accuracy},
+    {"--starts", Group::accuracy},
+    {"--start", Group::accuracy, Value::parameter},
+    {"--bootstrap", Group::accuracy},
+    {"--seed", Group::accuracy},
+    {"--samples", Group::accuracy},
+    {"--quick", Group::accuracy},
+    {"--max-cost", Group::accuracy},
+    {"--max-loss", Group::accuracy},
+    {"--jobs", Group::accuracy},
+    {"--threads", Group::accuracy},
+    {"--memory-limit", Group::accuracy, Value::text},
+    {"--unit-size", Group::accuracy, Value::text},
+    {"recommend --metric", Group::accuracy},
+    {"OUT", Group::output, Value::samples},
+    {"--output", Group::output, Value::file},
+    {"--json", Group::output},
+    {"--report", Group::output, Value::report},
+    {"--picture", Group::output, Value::picture},
+    {"--no-pictures", Group::output},
+    {"--to", Group::output},
+    {"--name", Group::output, Value::text},
+    {"--include", Group::output},
+    {"--kernels", Group::output},
+    {"--naive", Group::output},
+    {"--embed", Group::output},
+    {"--cos", Group::output},
+    {"--sigma-columns", Group::output},
+    {"--probe", Group::output},
+    {"--times", Group::output},
+    {"--missing", Group::output},
+    {"export --size", Group::output},
+    {"--help", Group::general},
+    {"--quiet", Group::general},
+};
+
+}  // namespace
+
+std::string table_name(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true);
+  return option.get_lnames().empty() ? "-" + option.get_snames().at(0) : "--" + option.get_lnames()[0];
+}
+
+const OptionRow* find_row(std::string_view verb, std::string_view name) {
+  const std::string of_verb = std::string(verb) + " " + std::string(name);
+  const auto* row = std::ranges::find(kTable, std::string_view(of_verb), &OptionRow::name);
+  if (row == std::end(kTable)) row = std::ranges::find(kTable, name, &OptionRow::name);
+  return row == std::end(kTable) ? nullptr : row;
+}
+
+void group_options(CLI::App& app) {
+  for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    for (CLI::Option* option : verb->get_options()) {
+      const std::string name = table_name(*option);
+      const OptionRow* const row = find_row(verb->get_name(), name);
+      if (!row)
+        throw std::logic_error("brdf " + verb->get_name() + " " + name +
+                               ": has no group: add the option to cli/surface/option_table.cpp");
+      option->group(std::string(name_of(row->group)));
+    }
+}
+
+}  // namespace brdf::cli
