@@ -1,26 +1,22 @@
-# Debian packages by `cpack` in the build folder: brdf, libbrdf-dev (static libraries: no interface is promised before 1.0)
-# and, if the module is built, python3-brdf. packaging/*.control has the common and the separate fields. Include after all rooms.
+# Debian packages by `cpack`: brdf, libbrdf-dev (static libraries: no interface is promised before 1.0) and,
+# if the module is built, python3-brdf. packaging/*.control has the common and the separate fields.
 set(BRDF_MAINTAINER "brdf contributors <contributors@brdf.invalid>" CACHE STRING "Of the Debian packages")
-set(from ${PROJECT_SOURCE_DIR}/packaging)
 set(CPACK_COMPONENTS_ALL program development)
 if(TARGET brdf_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
-  # The extension, built for one version of the interpreter, next to the Python files of the package.
-  get_target_property(BRDF_PYTHON_VERSION brdf_python BRDF_PYTHON_VERSION)
-  string(REGEX MATCH "[0-9]+$" next ${BRDF_PYTHON_VERSION})
-  math(EXPR next "${next} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${from}/python3-brdf/postinst;${from}/python3-brdf/prerm")
+  math(EXPR next "${BRDF_PYTHON_MINOR} + 1")  # the extension is built for one version of the interpreter
+  file(GLOB CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${from}/packaging/python3-brdf/*)
   install(TARGETS brdf_python LIBRARY DESTINATION ${BRDF_MODULE_DIR} COMPONENT python)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/brdf/ DESTINATION ${BRDF_MODULE_DIR} COMPONENT python FILES_MATCHING
-          PATTERN *.py PATTERN *.pyi PATTERN py.typed PATTERN *.json PATTERN __pycache__ EXCLUDE)
+  install(DIRECTORY ${from}/python/brdf/ DESTINATION ${BRDF_MODULE_DIR} COMPONENT python
+          FILES_MATCHING PATTERN *.* PATTERN __pycache__ EXCLUDE)
 endif()
 # Debian requires a copyright and a changelog of every package; they are not part of `cmake --install`.
-configure_file(${from}/changelog.in ${PROJECT_BINARY_DIR}/packaging/changelog @ONLY)
-execute_process(COMMAND gzip -9nf ${PROJECT_BINARY_DIR}/packaging/changelog)
+configure_file(${from}/packaging/changelog.in ${made}/packaging/changelog @ONLY)
+execute_process(COMMAND gzip -9nf ${made}/packaging/changelog)
 foreach(component all ${CPACK_COMPONENTS_ALL})
   string(TOUPPER CPACK_DEBIAN_${component} field)
   string(REPLACE CPACK_DEBIAN_ALL CPACK field ${field})
-  file(STRINGS ${from}/${component}.control rows)
+  file(STRINGS ${from}/packaging/${component}.control rows)
   foreach(row IN LISTS rows)  # "NAME: value", continued by rows that begin with a blank
     string(CONFIGURE "${row}" row @ONLY)
     if(row MATCHES "^([A-Z_]+): (.*)")
@@ -32,7 +28,7 @@ foreach(component all ${CPACK_COMPONENTS_ALL})
     endif()
   endforeach()
   if(NOT component STREQUAL all)
-    install(FILES ${from}/copyright ${PROJECT_BINARY_DIR}/packaging/changelog.gz
+    install(FILES ${from}/packaging/copyright ${made}/packaging/changelog.gz
             DESTINATION share/doc/${${field}_PACKAGE_NAME} COMPONENT ${component} EXCLUDE_FROM_ALL)
   endif()
 endforeach()

@@ -1,13 +1,10 @@
-# cmake -D OUT=folder -P public_headers.cmake: writes the headers that public_headers.txt lists, and the headers
-# that they include, as OUT/brdf/ROOM/NAME.h; `#include "ROOM/NAME.h"` becomes `#include "brdf/ROOM/NAME.h"`.
-# The rooms are the installed rooms of rooms.txt without libbrdf, whose headers are in a folder of this form.
+# Writes the headers of public_headers.txt, and the headers that they include, to OUT/brdf, under the paths
+# for users: `#include "ROOM/NAME.h"` becomes `#include "brdf/ROOM/NAME.h"`. tools/site runs this file, too.
 cmake_minimum_required(VERSION 3.25)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH SOURCE)
-file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/rooms.txt rooms REGEX "^[0-9]+ [a-z]+[^ ]* installed:")
-list(TRANSFORM rooms REPLACE "^[0-9]+ ([a-z]+).*" "\\1")
-list(REMOVE_ITEM rooms libbrdf)
-list(JOIN rooms "|" rooms)
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/public_headers.txt entries REGEX "^[^#]")
+list(TRANSFORM entries REPLACE "/.*" "" OUTPUT_VARIABLE rooms)
+list(JOIN rooms "|" rooms)
 while(entries)
   list(POP_FRONT entries header)
   if(NOT header IN_LIST done)

@@ -1,5 +1,6 @@
 #include "study/lobes.h"
 
+#ifdef BRDF_HAS_RENDER
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_points.h"
 
@@ -26,3 +27,16 @@ std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitte
 }
 
 }  // namespace brdf::study
+#else
+namespace brdf::study {
+
+bool has_lobes() {
+  return false;
+}
+
+std::vector<Lobe> lobes_of(const io::SampleTable&, const Material&) {
+  return {};
+}
+
+}  // namespace brdf::study
+#endif

@@ -2,6 +2,7 @@
 // Runs the verbs on the exported shaders of forms. The verdicts and worst cases must equal the results for
 // the form by its name, and a fit must recover the parameters. The environment variable BRDF_FORMS replaces
 // the few usual forms: names separated by blanks, or "all".
+#ifdef BRDF_HAS_SHADER
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -106,3 +107,4 @@ TEST(ExportedForm, IsFittedBack) {
 
 }  // namespace
 }  // namespace brdf
+#endif

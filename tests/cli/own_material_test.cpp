@@ -1,5 +1,6 @@
 // Tests materials with a user's shader as their form. A fit writes them, and every verb reads them without
 // --shader.
+#ifdef BRDF_HAS_SHADER
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -253,3 +254,4 @@ TEST_F(OwnMaterial, IsDrawnAsTheShaderIs) {
 
 }  // namespace
 }  // namespace brdf
+#endif

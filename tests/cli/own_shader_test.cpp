@@ -1,4 +1,5 @@
 // Tests the verbs with a user's shader.
+#ifdef BRDF_HAS_SHADER
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -300,3 +301,4 @@ TEST(OwnShader, LongNamesStayInTheirColumn) {
 
 }  // namespace
 }  // namespace brdf
+#endif

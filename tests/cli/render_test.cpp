@@ -1,4 +1,5 @@
 // Tests `brdf render` and `brdf view` through the executable: error cases and results.
+#ifdef BRDF_HAS_RENDER
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -375,3 +376,4 @@ TEST_F(RenderCli, SamplesAreDrawnInLobesAndAlone) {
 
 }  // namespace
 }  // namespace brdf
+#endif

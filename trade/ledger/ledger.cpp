@@ -37,7 +37,12 @@ const LedgerRow* Ledger::find(std::string_view question, std::string_view choice
 }
 
 Machine this_machine() {
-  return {processor_name(), "GCC " __VERSION__, BRDF_TRADE_FLAGS, std::thread::hardware_concurrency()};
+#ifdef BRDF_FEW_CLONES
+  const char* const flags = BRDF_TRADE_FLAGS ", clones for x86-64-v3";
+#else
+  const char* const flags = BRDF_TRADE_FLAGS ", clones for x86-64-v3 and v4";
+#endif
+  return {processor_name(), "GCC " __VERSION__, flags, std::thread::hardware_concurrency()};
 }
 
 void mark_dominated(std::vector<LedgerRow>& rows) {

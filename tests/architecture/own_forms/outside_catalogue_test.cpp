@@ -95,7 +95,7 @@ TEST(OutsideTheCatalogue, IsWrittenAsGlsl) {
 }
 
 #ifdef BRDF_HAS_RENDER
-// The deferred renderer draws it, too: tests/render/strangers_driver.cpp.
+// The deferred renderer draws it, too: tests/render/driver/strangers_driver.cpp.
 TEST(OutsideTheCatalogue, IsRendered) {
   render::Scene scene = render::material_scene({{"m", glossy({"r", "g", "b"})}});
   scene.camera.width = scene.camera.height = 64;
