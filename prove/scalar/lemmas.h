@@ -133,7 +133,23 @@ struct Side {
   enum { any, negative, other } of = any;
   bool open = false;  // both signs are possible
 };
+// The case of the calling thread. No other thread reads it, and evaluations of cases do not nest.
 inline thread_local Side sign_of_product;
+
+// Evaluates one case while it lives. Afterwards no sign is excluded again: a later product of the thread
+// belongs to no case.
+class OneSide {
+ public:
+  template <class Of>
+  explicit OneSide(Of of) {
+    sign_of_product = {of, false};
+  }
+  ~OneSide() { sign_of_product = {}; }
+  OneSide(const OneSide&) = delete;
+  OneSide& operator=(const OneSide&) = delete;
+  // Returns whether a product of this case may have either sign.
+  bool open() const { return sign_of_product.open; }
+};
 
 // s = x_i x_o + y_i y_o is exactly the library's sum of products (the square of its side is 1), within 16
 // units of the products that are summed: none of their factors exceeds 2.

@@ -57,13 +57,16 @@ template <class F, class Base>
 Bounds enclose(std::span<const Bounds> box) {
   using I = Interval<Base>;
   const OnBox<F, I> b(box);
+  bool both_signs = false;
   const auto value = [&](auto side) {
-    sign_of_product = {side, false};
+    const OneSide one(side);
     const I f = eval(F{}, b.weights, b.first, b.shape, b.g);
-    return hull(f, eval_cos(F{}, b.weights, b.first, b.shape, b.g));
+    const I all = hull(f, eval_cos(F{}, b.weights, b.first, b.shape, b.g));
+    both_signs = one.open();
+    return all;
   };
   I f = value(Side::negative);
-  if (sign_of_product.open) f = hull(f, value(Side::other));
+  if (both_signs) f = hull(f, value(Side::other));
   return {f.lo, f.hi};
 }
 

@@ -1,6 +1,7 @@
 // No value that the library computes lies outside the enclosure of a box that contains the inputs.
 #include <gtest/gtest.h>
 
+#include "prove/scalar/lemmas.h"
 #include "tests/prove/boxes.h"
 #include "tests/thorough.h"
 
@@ -79,6 +80,24 @@ TEST_P(Enclosures, HoldEveryValueInFloat) {
   const auto found = sample<float>(GetParam(), Precision::float_type, kBoxes, kBoxPoints, 2);
   EXPECT_EQ(found.beyond, 0) << found.beyond << " of " << found.points << "\n" << found.first;
   EXPECT_GT(found.finite_boxes, kBoxes / 3);
+}
+
+// A form that chooses by the sign of the product is enclosed case by case. A product that the same thread
+// encloses afterwards belongs to no case and has both signs.
+TEST(Cases, OfOneFormDoNotCutALaterProduct) {
+  using I = Interval<double>;
+  const Vec3<I> w{I::of(-0.5, 0.5), I::of(-0.5, 0.5), I::of(0.5, 1)};
+  const I before = tangential_product(geometry(w, w));
+  ASSERT_LT(before.lo, 0);
+  ASSERT_GT(before.hi, 0);
+  int form = 0;
+  while (catalogue()[std::size_t(form)].info().name != "oren_nayar_energy") ++form;
+  Box box;
+  for (const Variable& v : domain_of(form).variables) box.push_back({v.low, v.high});
+  enclose_f(form, Precision::double_type, box);
+  const I after = tangential_product(geometry(w, w));
+  EXPECT_EQ(after.lo, before.lo);
+  EXPECT_EQ(after.hi, before.hi);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Enclosures, testing::Range(0, int(catalogue().size())),
