@@ -140,7 +140,7 @@ TEST_F(Outputs, MarkdownHoldsNamesAsTheyAre) {
   std::filesystem::rename(folder_.path() / "m.json", folder_.path() / name);
   EXPECT_EQ(run("validate '" + name + "' -o r.md").exit_code, 1);
   EXPECT_THAT(text("r.md"), HasSubstr("| a\\|b\\`c\\`\\*d\\*.json | energy |"));
-  EXPECT_THAT(text("r.md"), HasSubstr("`` brdf albedo --material 'a\\|b`c`*d*.json' "));
+  EXPECT_THAT(text("r.md"), HasSubstr("`` brdf albedo 'a\\|b`c`*d*.json' "));
 }
 
 TEST_F(Outputs, AFitsJsonIsTheSameEveryTime) {
