@@ -19,7 +19,7 @@ namespace brdf::render {
 inline constexpr int kDefaultSamples = 64;
 // Materials to look at are drawn until the noise is at most this, or until a pixel has this many samples.
 inline constexpr double kDefaultNoise = 0.02;
-inline constexpr int kMostDefaultSamples = 512, kMostNoiseSamples = 4096;
+inline constexpr int kMostDefaultSamples = 256, kMostNoiseSamples = 4096;
 
 struct Job {
   std::vector<std::filesystem::path> materials;
@@ -40,7 +40,8 @@ struct Job {
   std::optional<std::string> environment;
   std::optional<float> rotation;  // of the environment, degrees
   int samples = kDefaultSamples;  // of the environment's light, per pixel
-  // The noise (Pictures::noise) at or below which no further samples are drawn; std::nullopt: draws `samples`.
+  // The noise (Pictures::noise) at or below which no further samples are drawn; std::nullopt: draws
+  // `samples`.
   std::optional<double> noise;
   int most_samples = kMostNoiseSamples;  // the limit if the noise does not fall to `noise`
   bool hard_light = false;               // materials are not lit by the studio

@@ -78,7 +78,7 @@ FITTED_BY_LOW = {
                     1.20782),
     "alumina_ceramic": ("alumina ceramic" + LEVEL, "alumina-oxide", (.3143, .2917, .2567), (.12102, .10255, .11529), .01226, 1.32264),
     "cherry_wood": ("varnished cherry wood" + LEVEL, "cherry-235", (.0425, .0199, .0125), (.04239, .04193, .04176), .151471, 1.70373),
-    "red_fabric": ("red fabric", "red-fabric", (.199, .0246, .0078), (.03061, .01008, .00841), .418454, 2.54883),
+    "red_fabric": ("red fabric" + LEVEL, "red-fabric", (.199, .0246, .0078), (.03061, .01008, .00841), .418454, 2.54883),
     "red_car_paint": ("red metallic paint", "red-metallic-paint", (.0541, .0075, .0033), (.1389, .03126, .02203), .031141,
                       2.05916),
 }

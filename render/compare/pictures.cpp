@@ -21,6 +21,8 @@ bool needs_b(const ViewState& state) {
          state.display == Display::difference;
 }
 
+constexpr int kRound = 64;  // samples of an environment's light per pixel
+
 std::string picture_of(const Scene& scene) {
   return scene.environment ? scene.environment->picture : "";
 }
@@ -101,33 +103,38 @@ Picture Pictures::fine_of_a() {
   const bool lit = a_->samples() > 0;
   PreparedScene scene = a_->scene();
   scene.scene.camera.offset = {};
-  const int places = finish_.supersample * finish_.supersample, count = samples_of_a_place();
-  PictureSpread spread(scene.scene.camera.width, scene.scene.camera.height);
+  const int places = finish_.supersample * finish_.supersample;
+  // The fixed number of samples is divided into rounds, whose spread gives the noise.
+  const int planned = lit && !refining_ ? std::max(wanted_ / kRound, 1) : 1;
+  const int count = std::max((wanted_ + planned * places - 1) / (planned * places), 1);
+  PictureSpread of_places(scene.scene.camera.width, scene.scene.camera.height), of_rounds = of_places;
   Picture sum;
   fine_samples_ = 0;
-  double rounds = 0, expected = 1;
+  double rounds = 0, expected = planned;
   // All places and rounds share one sequence of random directions.
   do {
     const auto draw = [&](const PreparedScene& moved) {
       a_->update(moved);
       a_->draw_samples(count, nullptr, std::exchange(fine_samples_, fine_samples_ + count));
       Picture picture = read(*a_);
-      if (lit) spread.add(picture);
+      if (lit && rounds == 0) of_places.add(picture);
       return picture;
     };
     const Picture round = at_places(scene, draw, int(rounds) * places, int(std::ceil(expected)) * places);
     sum = rounds > 0 ? weighted(sum, rounds, round) : round;
     ++rounds;
     if (!lit) break;
-    noise_ = spread.noise();
+    of_rounds.add(round);
+    noise_ = rounds > 1 ? of_rounds.noise() : of_places.noise();
     if (finish_.noise > 0)
       expected = std::clamp(rounds * square(noise_ / finish_.noise), rounds + 1,
                             std::max(double(finish_.most_samples) / (places * count), rounds + 1));
-  } while (noise_ > finish_.noise && fine_samples_ + places * count <= finish_.most_samples);
+  } while (int(rounds) < planned || (finish_.noise > 0 && noise_ > finish_.noise &&
+                                     fine_samples_ + places * count <= finish_.most_samples));
   if (!lit) fine_samples_ = 0;
   // Restores the picture that the window shows.
   a_->update(scene);
-  a_->draw_samples(refining_ ? 0 : count, nullptr, 0, pace_.run());
+  a_->draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
   return sum;
 }
 

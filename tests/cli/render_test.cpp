@@ -274,7 +274,7 @@ TEST_F(RenderCli, MaterialsToLookAtStandInTheStudio) {
 }
 
 TEST_F(RenderCli, SamplesAreDrawnUntilTheNoiseIsReachedOrTheLimitIs) {
-  const std::string size = "render m.json --width 32 --height 32 ";
+  const std::string size = "render m.json --width 12 --height 12 ";
   const auto words = [&](const std::string& options) {
     const Outcome outcome = run(size + options + " -o out.png");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
