@@ -57,7 +57,8 @@ MeasuredReflectance::MeasuredReflectance(const io::SampleTable& table, const Mat
   for (const std::vector<double>& values : table.values) level_.push_back(geometric_mean(values));
   Rows rows = usable_rows(table);
   if (rows.wi.empty()) throw InputError(table.name() + ": has no rows above the horizon");
-  const double noise = io::relative_noise(table).value.value_or(0.0);
+  scatter_ = io::relative_noise(table).value;
+  const double noise = scatter_.value_or(0.0);
   chosen_ = likeliest(rows, noise);
   if (fitted && beside == Beside::likeliest) {
     const std::vector<int> counterpart = std::exchange(counterpart_, std::vector<int>(channels_.size(), -1));

@@ -71,6 +71,9 @@ class MeasuredReflectance final : public ReflectanceModel {
   Seen seen(const Vec3<double>& wi, const Vec3<double>& wo, const Ratio& ratio) const;
 
   const std::vector<std::string>& channels() const { return channels_; }
+  // The relative standard deviation of the table's noise (io/samples/noise.h), which the values do not have
+  // because they are smoothed; std::nullopt if it is not known.
+  const std::optional<double>& scatter() const { return scatter_; }
   // The variation of the ratio, and whether azimuths of the sample are distinguished.
   const Variation& variation() const { return chosen_.variation; }
   Turning turning() const { return chosen_.turning; }
@@ -103,6 +106,7 @@ class MeasuredReflectance final : public ReflectanceModel {
   void fitted_values(const Vec3<double>& wi, const Vec3<double>& wo, std::vector<double>& out) const;
 
   std::vector<std::string> channels_;
+  std::optional<double> scatter_;
   ReflectanceInfo info_;
   std::optional<Material> fitted_;
   std::vector<int> counterpart_;                    // of each channel, in the fitted material; -1: without

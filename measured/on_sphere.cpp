@@ -3,6 +3,7 @@
 #include "io/colour/channel_colours.h"
 #include "io/colour/in_colour.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 
 namespace brdf::measured {
 
@@ -24,6 +25,11 @@ io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> m
     if (!seen) return std::nullopt;
     return io::sphere::Colour{seen->f[of[0]], seen->f[of[1]], seen->f[of[2]]};
   };
+}
+
+std::string smoothed_words(const std::optional<double>& scatter) {
+  return "smoothed measurements (scatter " +
+         (scatter ? io::percent(*scatter, 2) + " removed)" : std::string("not known)"));
 }
 
 io::sphere::TableSize table_size(const MeasuredReflectance& measured) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "io/page/sphere/table.h"
 #include "measured/measured.h"
@@ -20,6 +22,10 @@ std::shared_ptr<const MeasuredReflectance> seen_in_colour(
 //                            .table = table_size(*seen)});
 // Throws InputError for channels that are not colours (io/colour/channel_colours.h).
 io::sphere::MeasuredPairs on_sphere(std::shared_ptr<const MeasuredReflectance> measured);
+
+// Returns the words that pictures of a measurement need: "smoothed measurements (scatter 5.1 % removed)", or
+// "smoothed measurements (scatter not known)".
+std::string smoothed_words(const std::optional<double>& scatter);
 
 // Returns a table size that distinguishes azimuths of the sample if the measurement does.
 io::sphere::TableSize table_size(const MeasuredReflectance& measured);

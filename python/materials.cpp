@@ -170,8 +170,8 @@ py::bytes sphere(const Optics& optics, int side) {
   std::string png;
   {
     const py::gil_scoped_release unlocked;
-    const io::sphere::FittedPairs pairs = io::sphere::fitted_pairs(optics.file.material);
-    png = io::sphere::still_picture(pairs, {}, io::sphere::exposure_of(pairs), side);
+    const Material& material = optics.file.material;
+    png = io::sphere::studio_pictures(material, io::sphere::studio_exposure(material), side).whole;
   }
   return png;
 }

@@ -34,6 +34,8 @@ JobReport run(const Job& given) {
   const Job job = with_samples_told(given);
   ViewState state = state_of(job);
   check_output(job, state);
+  if (job.noise && !state.scene.environment)
+    throw InputError("--noise: has no effect without an environment, whose light is sampled: leave it out");
   // A comparison for which no display is chosen shows A, B and the difference in a row.
   const bool row = compared(job) && state.display == Display::picture && !job.show;
   if (row) state.display = Display::difference;
@@ -55,6 +57,8 @@ JobReport run(const Job& given) {
   Finish finish{.rounding = job.rounding};
   if (job.supersample) finish.supersample = *job.supersample;
   finish.probed = job.probe.has_value();
+  if (job.noise) finish.noise = *job.noise;
+  if (job.noise) finish.most_samples = job.most_samples;
   if (!job.turntable) finish.progress = job.progress;
   Pictures pictures(device, options, job.samples, finish);
   pictures.update(state, {std::uint32_t(camera.width), std::uint32_t(camera.height)});
@@ -67,6 +71,11 @@ JobReport run(const Job& given) {
   if (with_other) {
     report.other = pictures.other_name(state);
     if (!samples_alone(job)) report.difference = pictures.difference();
+    if (pictures.samples()) report.scatter = pictures.scatter();
+    if (pictures.samples() && report.difference && job.deviation) {
+      const double median = job.deviation(state.scene.objects[state.selected].material, *pictures.samples());
+      if (std::isfinite(median)) report.deviation = median;
+    }
   }
   if (job.probe) {
     report.probe = pixel_probe(pictures.prepared(), job.probe->x, job.probe->y);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/samples/samples.h"
 #include "render/compare/state.h"
 #include "render/picture/picture.h"
 #include "render/reference/reference.h"
@@ -16,6 +17,9 @@
 namespace brdf::render {
 
 inline constexpr int kDefaultSamples = 64;
+// Materials to look at are drawn until the noise is at most this, or until a pixel has this many samples.
+inline constexpr double kDefaultNoise = 0.02;
+inline constexpr int kMostDefaultSamples = 256, kMostNoiseSamples = 4096;
 
 struct Job {
   std::vector<std::filesystem::path> materials;
@@ -36,7 +40,11 @@ struct Job {
   std::optional<std::string> environment;
   std::optional<float> rotation;  // of the environment, degrees
   int samples = kDefaultSamples;  // of the environment's light, per pixel
-  bool hard_light = false;        // materials are not lit by the studio
+  // The noise (Pictures::noise) at or below which no further samples are drawn; std::nullopt: draws
+  // `samples`.
+  std::optional<double> noise;
+  int most_samples = kMostNoiseSamples;  // the limit if the noise does not fall to `noise`
+  bool hard_light = false;               // materials are not lit by the studio
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: no limit
@@ -58,6 +66,9 @@ struct Job {
   std::optional<int> turntable;
   double frames_per_second = 25;
   int quality = 90;  // of .webp: 100 is lossless
+  // Returns the median relative error of a material at the measurements themselves; NaN if it cannot be
+  // compared. Passed by the caller because rendering does not depend on fits.
+  std::function<double(const Material&, const io::SampleTable&)> deviation;
   // Called with the finished parts and their total number: the frames of a turn, or the sample places of the
   // picture that is written.
   std::function<void(int, int)> progress;
@@ -70,6 +81,8 @@ struct JobReport {
   double clipped = 0;  // share of surface pixels that the display clips
   std::string other;   // name of B; empty without B
   std::optional<Difference> difference;
+  // B shows smoothed measurements: their scatter, which B does not show, and Job::deviation.
+  std::optional<double> scatter, deviation;
   // Milliseconds; with an environment, of one run of kRun samples.
   std::vector<std::pair<std::string, double>> passes;
   int samples = 0;    // samples of an environment's light; 0: no environment
@@ -90,6 +103,8 @@ std::pair<std::string, Material> any_material();
 
 // Returns the viewer state that a job describes: a saved state, a scene, or materials. Throws InputError.
 ViewState state_of(const Job& job);
+// Returns whether the job shows materials without a scene, in an environment and next to nothing else.
+bool shows_materials_in_light(const Job& job);
 // Applies the job's environment and its rotation to a scene. Throws InputError if a rotation is given but
 // there is no environment to rotate.
 void apply_environment(const Job& job, Scene& scene);

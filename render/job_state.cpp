@@ -99,7 +99,23 @@ bool stands_in_the_studio(const Job& job) {
          !job.forward && !job.gbuffer && !job.probe;
 }
 
+// Puts balls on the floor of the studio, seen from a little above and from farther away, so that the floor
+// and the shadow on it are seen.
+void stand_on_floor(Scene& scene) {
+  constexpr float kAbove = 14, kFarther = 1.22f, kLower = 0.12f;  // degrees; a factor; in radii
+  scene.environment->floor = -1.0f;
+  const float distance = kFarther * glm::length(scene.camera.position - scene.camera.target);
+  scene.camera.target.y -= kLower;
+  scene.camera.position = scene.camera.target + distance * glm::vec3(0, std::sin(glm::radians(kAbove)),
+                                                                     std::cos(glm::radians(kAbove)));
+}
+
 }  // namespace
+
+bool shows_materials_in_light(const Job& job) {
+  const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
+  return alone && !compared(job) && (job.environment || stands_in_the_studio(job));
+}
 
 // If the job consists of materials alone, the environment becomes the only light and is shown behind the
 // objects.
@@ -118,6 +134,7 @@ void apply_environment(const Job& given, Scene& scene) {
     if (spheres) {
       scene.lights.clear();
       scene.ambient = glm::vec3(0);
+      if (environment.picture == name_of(Formula::studio) && job.shape.empty()) stand_on_floor(scene);
     }
   }
   if (!job.rotation) return;

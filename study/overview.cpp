@@ -87,9 +87,8 @@ io::Row cells_of(const Row& row, bool pictures) {
                     link = studied ? io::address_of(name) + "/" + kPage : "";
   io::Row cells{{.text = name, .link = link}};
   if (pictures)
-    for (const auto& [picture, what] :
-         {std::pair{kSmallMeasured, " measured"}, std::pair{kSmallFitted, " fitted"}})
-      cells.push_back(studied ? picture_cell(row, picture, link, name + what) : Cell{});
+    cells.push_back(studied ? picture_cell(row, kSmallStudio, link, name + ", fitted, in the studio")
+                            : Cell{});
   cells.push_back(verdict_cell(row));
   if (studied) {
     const double over = number_of(row.json, "residual_over_scatter");
@@ -139,7 +138,7 @@ void add_table(io::HtmlReport& report, const std::vector<Row>& rows) {
   report.explain("samples", "The data check: checks of the measurements themselves, before any fit.");
   const bool pictures = count(rows, is_drawn) > 0;
   std::vector<std::string> header{"sample"};
-  if (pictures) header.insert(header.end(), {"measured", "fitted"});
+  if (pictures) header.emplace_back("in the studio");
   header.insert(header.end(), {"verdict", "median", "x scatter", "energy", "samples", "remarks"});
   std::vector<io::Row> cells;
   for (const Row& row : rows) cells.push_back(cells_of(row, pictures));

@@ -7,6 +7,7 @@
 #include "io/files/shell.h"
 #include "io/page/html_report.h"
 #include "io/page/sphere/page.h"
+#include "measured/on_sphere.h"
 #include "validate/form/checks.h"
 #include "validate/report/report.h"
 #include "validate/report/report_plots.h"
@@ -23,11 +24,16 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
   if (const auto colours = io::channel_colours(best.material.channels); colours && !colours->note.empty())
     report.paragraph(colours->note + ".");
   if (io::sphere::obstacle(best.material).empty())
-    return fit::add_sphere(report, best, found.name, spheres.seen);
+    return fit::add_sphere(report, best, found.name, spheres.seen, spheres.studio.whole);
   report.pictures(
-      {{.png = spheres.whole.measured,
+      {{.png = spheres.studio.whole, .title = "fitted", .text = best.form + ", in the studio"},
+       {.png = spheres.whole.measured,
         .title = "measured",
-        .text = "the measurements, interpolated; hatched: no measurements nearby"},
+        .text =
+            measured::smoothed_words(spheres.seen->scatter()) +
+            ", under one light; hatched: no measurements nearby. The measurements themselves deviate from "
+            "the fit by " +
+            io::percent(best.median_relative_error) + " (median)"},
        {.png = spheres.whole.fitted, .title = "fitted", .text = best.form + ", under the same light"},
        {.png = spheres.whole.difference,
         .title = "difference",
@@ -71,8 +77,10 @@ std::string meaning_of(const std::string& file) {
       {kProperties, "the checks of the material"},
       {kSheet, "the data check of the measurements"},
       {kResults, "the summary of this page, for programs"},
-      {kMeasured, "the measured sphere"},
-      {kFitted, "the fitted sphere"},
+      {kStudio, "the fitted material in the studio"},
+      {kSmallStudio, "the fitted material in the studio, small"},
+      {kMeasured, "the measured sphere, under one light"},
+      {kFitted, "the fitted sphere, under the same light"},
       {kDifference, "their difference"},
       {kSmallMeasured, "the measured sphere, small"},
       {kSmallFitted, "the fitted sphere, small"}};

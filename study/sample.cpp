@@ -80,6 +80,8 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
 
 void add_spheres(const Spheres& spheres, std::vector<File>& files) {
   if (!spheres.missing.empty()) return;
+  files.push_back({kStudio, spheres.studio.whole});
+  files.push_back({kSmallStudio, spheres.studio.half});
   files.push_back({kMeasured, spheres.whole.measured});
   files.push_back({kFitted, spheres.whole.fitted});
   files.push_back({kDifference, spheres.whole.difference});

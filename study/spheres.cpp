@@ -16,6 +16,7 @@ Spheres draw(const io::SampleTable& samples, const Material& fitted) {
   spheres.seen = measured::seen_in_colour(samples, &fitted);
   const auto of_fitted = io::sphere::fitted_pairs(fitted);
   const auto of_samples = measured::on_sphere(spheres.seen);
+  spheres.studio = io::sphere::studio_pictures(fitted, io::sphere::studio_exposure(fitted), 2 * kSmallPixels);
   const double exposure = io::sphere::exposure_of(of_fitted);
   spheres.whole = io::sphere::still_pictures(of_fitted, of_samples, exposure, kPicturePixels);
   spheres.small = io::sphere::still_pictures(of_fitted, of_samples, exposure, kSmallPixels);

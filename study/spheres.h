@@ -1,4 +1,4 @@
-// Pictures of a material and of its samples, lit in the same way.
+// Pictures of a fitted material in the studio, and of the material and its samples under one light.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@
 namespace brdf::study {
 
 struct Spheres {
-  io::sphere::Stills whole, small;
+  io::sphere::StudioPictures studio;  // the fitted material in the studio
+  io::sphere::Stills whole, small;    // under one light
   std::vector<Lobe> lobes;
   std::string missing;  // the reason why there are no pictures; empty if there are pictures
   // The samples as drawn, for the interactive sphere of a page.

@@ -70,16 +70,29 @@ METALS = {  # file: name, table, its source, form, widths, source of the widths
 # Löw, Kronander, Ynnerman and Unger 2012 (ACM Transactions on Graphics 31, 1), fits of MERL's measurements by the logarithmic
 # metric: kd, ks, m, eta. Their Cook-Torrance is ks F D G/(pi cos_i cos_o) with D = exp(-tan^2/m^2)/(m^2 cos^4), V-cavities
 # and the exact Fresnel reflectance: 4 ks times the lobe of the form, because the D of the form includes pi.
+# MERL's whites are dark (white-diffuse-bball: kd 0.32), so names of materials that are known to be white or of a certain
+# brightness say that the level is the database's.
+LEVEL = " (level as in MERL)"
 LOW = "Löw et al. 2012 (ACM Transactions on Graphics 31, 1), Cook-Torrance fitted to {} of the MERL database"
 FITTED_BY_LOW = {
     "red_plastic": ("glossy red plastic", "red-specular-plastic", (.2489, .0380, .0176), (.12735, .11017, .11215), .008954,
                     1.20782),
-    "alumina_ceramic": ("alumina ceramic", "alumina-oxide", (.3143, .2917, .2567), (.12102, .10255, .11529), .01226, 1.32264),
-    "cherry_wood": ("varnished cherry wood", "cherry-235", (.0425, .0199, .0125), (.04239, .04193, .04176), .151471, 1.70373),
-    "white_marble": ("white marble", "white-marble", (.2293, .2153, .1901), (.047, .04361, .04203), .018867, 1.55502),
-    "red_fabric": ("red fabric", "red-fabric", (.199, .0246, .0078), (.03061, .01008, .00841), .418454, 2.54883),
+    "alumina_ceramic": ("alumina ceramic" + LEVEL, "alumina-oxide", (.3143, .2917, .2567), (.12102, .10255, .11529), .01226, 1.32264),
+    "cherry_wood": ("varnished cherry wood" + LEVEL, "cherry-235", (.0425, .0199, .0125), (.04239, .04193, .04176), .151471, 1.70373),
+    "red_fabric": ("red fabric" + LEVEL, "red-fabric", (.199, .0246, .0078), (.03061, .01008, .00841), .418454, 2.54883),
     "red_car_paint": ("red metallic paint", "red-metallic-paint", (.0541, .0075, .0033), (.1389, .03126, .02203), .031141,
                       2.05916),
+}
+
+# Published colours with the gloss of Löw's fit to white-marble: ks, m, eta. A part of the light is reflected by the gloss, so
+# the diffuse weight is the colour times 1 - 0.06, with which both together conserve energy.
+MARBLE_GLOSS = (.047, .04361, .04203), .018867, 1.55502
+GLOSS_LEFT = .94
+PUBLISHED = {  # file: name, colour, its source, source of the gloss
+    "white_marble": ("white marble", (.83, .79, .75), "diffuse reflectance of marble by Jensen et al. 2001 (doi "
+                     "10.1145/383259.383319), figure 5", "gloss: " + LOW.format("white-marble")),
+    "porcelain": ("porcelain", (.745, .745, .723), "colour of porcelain measured by Palmqvist with a Nix Spectro 2, D65 "
+                  "(physically-based-api, CC0)", "the gloss is chosen, not measured"),
 }
 
 # Ngan, Durand and Matusik 2005 (Experimental analysis of BRDF models, supplement): isotropic Ward fitted to MERL's
@@ -129,6 +142,11 @@ def materials():
                              {"kd": [0, 0, 0], "ks": [1, 1, 1], "f0": f0}, {"alpha_x": along, "alpha_y": across})
     for file, (name, merl, kd, ks, width, eta) in FITTED_BY_LOW.items():
         yield file, material(name, LOW.format(merl), "cook_torrance_vcavity", {"kd": kd, "ks": [4 * k for k in ks]},
+                             {"alpha_x": width, "alpha_y": width, "eta": eta})
+    for file, (name, colour, source, gloss) in PUBLISHED.items():
+        ks, width, eta = MARBLE_GLOSS
+        yield file, material(name, f"{source}, times {GLOSS_LEFT}; {gloss}", "cook_torrance_vcavity",
+                             {"kd": [GLOSS_LEFT * c for c in colour], "ks": [4 * k for k in ks]},
                              {"alpha_x": width, "alpha_y": width, "eta": eta})
     for file, (name, merl, kd, ks, width) in FITTED_BY_NGAN.items():
         scale = (1, 1.15, 1.66)

@@ -29,9 +29,10 @@ std::vector<Reflectance> forms_in(const Material& material) {
 // Compares materials with one table after another. The rows of each table are prepared once.
 class Comparison {
  public:
+  explicit Comparison(std::size_t most_rows) : most_rows_(most_rows) {}
   double operator()(const Material& material, const io::SampleTable& table) {
     if (table.source != source_ || table.rows() != rows_) {
-      data_ = fit::thinned(fit::prepare(table, default_options()), kComparedRows);
+      data_ = fit::thinned(fit::prepare(table, default_options()), most_rows_);
       source_ = table.source;
       rows_ = table.rows();
     }
@@ -48,6 +49,7 @@ class Comparison {
   }
 
  private:
+  std::size_t most_rows_;
   std::string source_;
   std::size_t rows_ = 0;
   fit::FitData data_;
@@ -114,20 +116,29 @@ render::Fitted go_on(const Material& from, const io::SampleTable& table, const s
 }  // namespace
 
 render::Solver solver_beside() {
-  return {[compare = std::make_shared<Comparison>()](const Material& material, const io::SampleTable& table) {
-            return (*compare)(material, table);
-          },
+  return {[compare = std::make_shared<Comparison>(kComparedRows)](
+              const Material& material, const io::SampleTable& table) { return (*compare)(material, table); },
           go_on};
+}
+
+double median_deviation(const Material& material, const io::SampleTable& table) {
+  return Comparison(table.rows())(material, table);
 }
 
 }  // namespace brdf::cli
 
 #else
 
+#include <limits>
+
 namespace brdf::cli {
 
 render::Solver solver_beside() {
   return {};
+}
+
+double median_deviation(const Material&, const io::SampleTable&) {
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace brdf::cli

@@ -10,6 +10,7 @@
 #include "cli/options/progress.h"
 #include "cli/options/terminal.h"
 #include "cli/steps/shown_shader.h"
+#include "cli/steps/solver_beside.h"
 #include "cli/verb.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
@@ -18,11 +19,24 @@
 #include "io/material/material_file.h"
 #include "render/compare/supersample.h"
 #include "render/job.h"
+#include "render/light/points.h"
 
 namespace brdf::cli {
 namespace {
 
-void print_text(const render::JobReport& report, const render::Job& job, bool times) {
+// `says_target`: the noise was requested, and the words state whether it was reached.
+std::string noise_words(const render::JobReport& report, const render::Job& job, bool says_target) {
+  if (report.noise < 0)
+    return "the remaining noise is not known, because all samples are one run of " +
+           std::to_string(render::kRun);
+  std::string text = "remaining noise at most about " + io::percent(report.noise) + " of the mean";
+  if (!says_target || !job.noise) return text;
+  if (report.noise <= *job.noise) return text + " (requested: " + io::percent(*job.noise) + ")";
+  return text + "; the requested " + io::percent(*job.noise) + " are not reached within the limit of " +
+         std::to_string(job.most_samples) + " samples";
+}
+
+void print_text(const render::JobReport& report, const render::Job& job, bool times, bool says_target) {
   std::cout << (job.output.empty() ? "not written" : io::printable(job.output.string())) << ": "
             << report.width << " x " << report.height;
   if (job.turntable) std::cout << ", " << io::plural(std::size_t(*job.turntable), "frame");
@@ -39,13 +53,13 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
       std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
                 << " % of the surface";
     std::cout << '\n';
+    if (report.deviation)
+      std::cout << "against the measurements themselves: median relative error "
+                << io::percent(*report.deviation) << '\n';
   }
   if (report.samples > 0) {
-    std::cout << io::plural(std::size_t(report.samples), "sample") << " of the environment's light per pixel";
-    if (report.noise >= 0)
-      std::cout << ": standard error at most about " << io::short_number(100 * report.noise, 3)
-                << " % of the mean";
-    std::cout << '\n';
+    std::cout << io::plural(std::size_t(report.samples), "sample")
+              << " of the environment's light per pixel: " << noise_words(report, job, says_target) << '\n';
   }
   for (const auto& [pass, ms] : report.passes) {
     if (times) std::cout << pass << ' ' << ms << " ms\n";
@@ -95,9 +109,12 @@ void print_json(const render::JobReport& report, const render::Job& job) {
     out["psnr"] = report.difference->psnr;
     out["coverage_mismatch"] = report.difference->coverage_mismatch;
     out["not_measured"] = report.difference->not_measured;
+    if (report.scatter) out["scatter_removed"] = *report.scatter;
+    if (report.deviation) out["measurements_median_error"] = *report.deviation;
   }
   if (report.samples > 0) out["samples"] = report.samples;
   if (report.noise >= 0) out["noise"] = report.noise;
+  if (report.samples > 0 && job.noise) out["noise_wanted"] = *job.noise;
   if (report.probe) out["probe"] = json_of(*report.probe, report);
   if (job.validation) out["validation_messages"] = report.validation_messages;
   std::cout << io::to_text(out);
@@ -125,6 +142,7 @@ constexpr OptionOf kRenderOptions[] = {
     {"--tone-map", kShown | kMeasures},
     {"--no-dither --show --no-labels", kShown},
     {"--hard-light", kAll & ~kOfTwo},
+    {"--noise", kAll & ~kOfTwo},
     {"--gbuffer-bits", kAll},
     {"--supersample", kAll & ~kMeasures},
     {"--balls", kAll, "--over"},
@@ -144,6 +162,15 @@ void read_exposure(const std::string& text, render::Job& job) {
   if (std::abs(stops) > 20)
     throw CLI::ValidationError("--exposure", text + ": must be a number from -20 to 20");
   job.exposure = float(stops);
+}
+
+void read_noise(const std::string& text, render::Job& job) {
+  double percent = 0;
+  const bool marked = !text.empty() && text.back() == '%';
+  if (!marked || !io::parse_number(text.substr(0, text.size() - 1), percent) ||
+      !(percent > 0 && percent <= 100))
+    throw CLI::ValidationError("--noise", "'" + text + "' must be a percentage above 0%, for example 1%");
+  job.noise = percent / 100;
 }
 
 void add_scene_options(CLI::App& verb, render::Job& job) {
@@ -179,6 +206,14 @@ void add_scene_options(CLI::App& verb, render::Job& job) {
       "--no-dither", [&job] { job.rounding = render::Rounding::nearest; },
       "PNG: round to the nearest byte instead of spreading the rounding as blue noise");
   add_environment_options(verb, job, job.samples);
+  verb.add_option_function<std::string>(
+          "--noise", [&job](const std::string& text) { read_noise(text, job); },
+          "Draw samples until the remaining noise is at most this, in place of --samples; at most " +
+              std::to_string(render::kMostNoiseSamples) +
+              " samples (default for materials in an environment: " + io::percent(render::kDefaultNoise) +
+              ", at most " + std::to_string(render::kMostDefaultSamples) + ")")
+      ->type_name("PERCENT%")
+      ->excludes("--samples");
   verb.add_flag("--forward", job.forward, "Light every fragment as it is drawn, without the seven targets");
   add_memory_option(verb, job.memory_limit);
   verb.add_flag("--validation", job.validation, "Run under Vulkan's validation and synchronisation layers");
@@ -286,11 +321,17 @@ Exit run_render(const CLI::App& verb, RenderCall& o) {
   if (job.output.empty() && o.probe.empty() && !o.times)
     throw InputError("-o is required (see brdf render --help)");
   if (!o.over.empty()) make_row(o);
+  const bool says_noise = verb.count("--noise") > 0;
+  if (!says_noise && verb.count("--samples") == 0 && render::shows_materials_in_light(job)) {
+    job.noise = render::kDefaultNoise;
+    job.most_samples = render::kMostDefaultSamples;
+  }
+  job.deviation = median_deviation;
   job.progress = progress_line(job.turntable ? "brdf render: frames" : "brdf render: parts of the picture");
   const render::JobReport report = render::run(job);
   job.progress = {};  // erases the line
   for (const std::string& note : report.notes) Warning() << "brdf render: " << note;
-  o.json ? print_json(report, job) : print_text(report, job, o.times);
+  o.json ? print_json(report, job) : print_text(report, job, o.times, says_noise);
   return report.validation_messages > 0 ? Exit::failed : Exit::good;
 }
 
@@ -324,6 +365,7 @@ void add_render(CLI::App& app) {
       "gold.webp\n"
       "          brdf render gold.json --hard-light -o hard.png\n"
       "          brdf render gold.json --over alpha=0.05:0.8 --balls 6 -o over_alpha.png\n"
+      "          brdf render gold.json --noise 1% -o smooth.png\n"
       "          brdf render fitted.json --environment studio --rotate 30 --samples 256 -o studio.png\n"
       "          brdf render --state brdf-view.json --probe 320,240 --times -o as_viewed.png");
   require_every_option(*verb, kRenderOptions);

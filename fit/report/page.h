@@ -21,9 +21,10 @@ void add_verdict(io::HtmlReport& report, const FitResult& result);
 // (io/page/sphere/page.h). Adds nothing if the channels are not colours.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table);
 // Adds the sphere for prepared samples. The caller has ensured that io::sphere::obstacle() reports no
-// obstacle for the material.
+// obstacle for the material. `still`: a PNG of the material in the studio; empty: drawn here.
 void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& title,
-                const std::shared_ptr<const measured::MeasuredReflectance>& seen);
+                const std::shared_ptr<const measured::MeasuredReflectance>& seen,
+                const std::string& still = {});
 
 // Adds plots of the samples and the fitted curve in the plane of incidence, for up to three channels and
 // four angles of incidence. The curve is evaluated every half degree and at each sample. `aperture` is that

@@ -236,7 +236,7 @@ class Material:
         return plot_slices(self, table, list(theta_i), axes)
 
     def picture(self, side: int = SIDE) -> bytes:
-        """Returns a PNG of `side` by `side` pixels: a sphere under one light. Raises InputError if channels are not colours."""
+        """Returns a PNG of `side` by `side` pixels: a sphere in the studio. Raises InputError if channels are not colours."""
         if self._optics.obstacle:
             raise InputError(self._optics.obstacle)
         return self._optics.sphere(whole("side", side, 8, 4096))

@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "io/colour/in_colour.h"
 #include "io/formats/read.h"
+#include "io/samples/noise.h"
+#include "measured/on_sphere.h"
 #include "render/compare/object_labels.h"
+#include "render/compare/picture_spread.h"
 #include "render/compare/supersample.h"
 #include "render/reference/reference.h"
 
@@ -15,6 +19,8 @@ bool needs_b(const ViewState& state) {
   return state.display == Display::split || state.display == Display::flip ||
          state.display == Display::difference;
 }
+
+constexpr int kRound = 64;  // samples of an environment's light per pixel
 
 std::string picture_of(const Scene& scene) {
   return scene.environment ? scene.environment->picture : "";
@@ -64,14 +70,15 @@ int Pictures::samples_of_a_place() const {
 int Pictures::samples_drawn() const {
   if (!a_ || a_->samples() == 0) return 0;
   if (stands()) return pace_.run() * standing_->pictures();
-  return fine_a_ ? samples_of_a_place() * finish_.supersample * finish_.supersample : a_->samples();
+  return fine_a_ ? fine_samples_ : a_->samples();
 }
 
-Picture Pictures::at_places(const PreparedScene& scene, const Draw& draw) {
-  int done = 0;
+Picture Pictures::at_places(const PreparedScene& scene, const Draw& draw, int before, int total) {
+  int done = before;
   return supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
     Picture picture = draw(moved);
-    if (finish_.progress) finish_.progress(++done, finish_.supersample * finish_.supersample);
+    if (finish_.progress)
+      finish_.progress(++done, std::max(total, before + finish_.supersample * finish_.supersample));
     return picture;
   });
 }
@@ -89,6 +96,55 @@ Picture Pictures::fine(Renderer& renderer) {
   renderer.update(scene);
   renderer.draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
   return picture;
+}
+
+Picture Pictures::fine_of_a() {
+  const bool lit = a_->samples() > 0;
+  PreparedScene scene = a_->scene();
+  scene.scene.camera.offset = {};
+  const int places = finish_.supersample * finish_.supersample;
+  // The fixed number of samples is divided into rounds, whose spread gives the noise.
+  const int planned = lit && !refining_ ? std::max(wanted_ / kRound, 1) : 1;
+  const int count = std::max((wanted_ + planned * places - 1) / (planned * places), 1);
+  PictureSpread of_places(scene.scene.camera.width, scene.scene.camera.height), of_rounds = of_places;
+  Picture sum;
+  fine_samples_ = 0;
+  double rounds = 0, expected = planned;
+  // All places and rounds share one sequence of random directions.
+  do {
+    const auto draw = [&](const PreparedScene& moved) {
+      a_->update(moved);
+      a_->draw_samples(count, nullptr, std::exchange(fine_samples_, fine_samples_ + count));
+      Picture picture = read(*a_);
+      if (lit && rounds == 0) of_places.add(picture);
+      return picture;
+    };
+    const Picture round = at_places(scene, draw, int(rounds) * places, int(std::ceil(expected)) * places);
+    sum = rounds > 0 ? weighted(sum, rounds, round) : round;
+    ++rounds;
+    if (!lit) break;
+    of_rounds.add(round);
+    noise_ = rounds > 1 ? of_rounds.noise() : of_places.noise();
+    if (finish_.noise > 0)
+      expected = std::clamp(rounds * square(noise_ / finish_.noise), rounds + 1,
+                            std::max(double(finish_.most_samples) / (places * count), rounds + 1));
+  } while (int(rounds) < planned || (finish_.noise > 0 && noise_ > finish_.noise &&
+                                     fine_samples_ + places * count <= finish_.most_samples));
+  if (!lit) fine_samples_ = 0;
+  // Restores the picture that the window shows.
+  a_->update(scene);
+  a_->draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
+  return sum;
+}
+
+// Draws further runs through the centres of the pixels until the noise of `finish` is reached.
+void Pictures::reduce_noise() {
+  while ((noise_ < 0 || noise_ > finish_.noise) && a_->samples() < finish_.most_samples) {
+    const int wanted = std::min(std::max(2 * a_->samples(), 2 * kRun), finish_.most_samples);
+    while (a_->samples() < wanted) a_->draw();
+    a_picture_.reset();
+    measure_noise();
+  }
 }
 
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
@@ -164,6 +220,8 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   noise_ = -1;
   if (!refining_) measure_noise();
   read_times();
+  if (finish_.noise > 0 && finish_.supersample <= 1 && prepared_.environment && !needs_b(state))
+    reduce_noise();
   drawn_a_ = std::move(scene);
   if (!same) drawn_b_.reset();
 }
@@ -241,6 +299,7 @@ void Pictures::update_b(const ViewState& state) {
         io::SampleTable table = io::read_samples(state.samples);
         samples_ = interpolate(table, &state.scene.objects[state.selected].material);
         const std::string note = require_colours(table.channels, table.source).note;
+        scatter_ = io::relative_noise(io::in_colour(table)).value;
         samples_note_ = note.empty() ? "" : table.name() + ": " + note;
         table_ = std::move(table);
         samples_file_ = state.samples;
@@ -267,7 +326,7 @@ void Pictures::update_b(const ViewState& state) {
 
 std::string Pictures::other_name(const ViewState& state) const {
   if (state.other == Other::embree) return "Embree";
-  if (state.other == Other::samples) return "measured: " + state.samples.stem().string();
+  if (state.other == Other::samples) return measured::smoothed_words(scatter_);
   return state.material ? state.material_name : "the same";
 }
 
@@ -278,7 +337,7 @@ const Picture& Pictures::a_picture() {
 
 const Picture& Pictures::fine_a() {
   if (finish_.supersample <= 1) return a_picture();
-  if (!fine_a_) fine_a_ = fine(*a_);
+  if (!fine_a_) fine_a_ = fine_of_a();
   return *fine_a_;
 }
 

@@ -22,6 +22,10 @@ struct Finish {
   // The picture with one sample per pixel is needed, too.
   bool probed = false;
   Rounding rounding = Rounding::dithered;
+  // A picture of A alone in an environment: draws further rounds of samples until noise() is at most this,
+  // or until a pixel has `most_samples`. 0: one round.
+  double noise = 0;
+  int most_samples = 0;
   // Called after each sample place of a picture, with the finished places and their total number.
   std::function<void(int done, int total)> progress = {};
 };
@@ -51,8 +55,8 @@ class Pictures {
   bool unfinished() const;
   // samples_drawn(): samples of an environment's light in A, 0 without an environment. noise(): the noise
   // left by these samples, as the root mean square of the surface's standard errors over the surface's
-  // mean. The noise is measured now and then while A is refined; a negative value means that no measurement
-  // exists yet.
+  // mean. The noise is measured now and then while A is refined, and after fine_a() is drawn; a negative
+  // value means that no measurement exists yet.
   int samples_drawn() const;
   double noise() const { return noise_; }
 
@@ -77,6 +81,8 @@ class Pictures {
   const Picture& fine_b();
   // The samples that were last shown, or null.
   const io::SampleTable* samples() const { return table_ ? &*table_ : nullptr; }
+  // The noise that the picture of the samples does not show; std::nullopt if it is not known.
+  const std::optional<double>& scatter() const { return scatter_; }
   // Explains how the channels of the samples were mapped to colours; empty if their names determine the
   // colours.
   const std::string& samples_note() const { return samples_note_; }
@@ -99,8 +105,12 @@ class Pictures {
   Picture read(Renderer& renderer);
   int samples_of_a_place() const;
   Picture fine(Renderer& renderer);
-  // Calls draw() at each place, and reports the progress.
-  Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw);
+  // Draws A with rounds of samples until the noise of `finish` is reached.
+  Picture fine_of_a();
+  void reduce_noise();
+  // Calls draw() at each place, and reports the progress; `total`: of all rounds.
+  Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw,
+                    int before = 0, int total = 0);
   Comparison comparison(const ViewState& state, bool labels);
 
   Device* device_;
@@ -118,12 +128,14 @@ class Pictures {
   std::optional<Picture> a_picture_;
   Picture b_picture_;
   std::optional<Picture> fine_a_, fine_b_;
+  int fine_samples_ = 0;  // of fine_a_
   std::function<Picture()> draw_fine_b_;
   std::filesystem::path samples_file_;
   Measured samples_;
   std::optional<io::SampleTable> table_;
   std::string samples_note_;
-  std::optional<Scene> drawn_a_;  // the scene and the state that the pictures show
+  std::optional<double> scatter_;  // of the samples
+  std::optional<Scene> drawn_a_;   // the scene and the state that the pictures show
   std::optional<ViewState> drawn_b_;
   bool images_changed_ = true;
   std::vector<std::pair<std::string, double>> pass_times_;

@@ -28,6 +28,8 @@ inline constexpr int kFourthShape = 16;  // bit of GpuItem::form.y: the form has
 inline constexpr int kRemainderScale = 4096;
 // Kinds of background in GpuFrame::counts.y: one colour (0), a sky, a backdrop.
 inline constexpr int kSky = 1, kBackdrop = 2;
+// GpuFrame::environment.w if the environment has no floor: lower than any floor.
+inline constexpr float kNoFloor = -1e9f;
 
 struct GpuLight {
   glm::vec4 vector;

@@ -39,7 +39,8 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
   frame.zenith = glm::vec4(scene.sky_zenith.value_or(scene.backdrop_top.value_or(scene.background)), 0);
   if (scene.environment) {
     const float turn = glm::radians(scene.environment->rotation);
-    frame.environment = {std::cos(turn), std::sin(turn), scene.environment->intensity, 0};
+    frame.environment = {std::cos(turn), std::sin(turn), scene.environment->intensity,
+                         scene.environment->floor.value_or(kNoFloor)};
   }
   frame.counts = {int(scene.lights.size()),
                   scene.sky_zenith     ? kSky
@@ -48,8 +49,8 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
                   scene.camera.width, scene.camera.height};
   const std::optional<ShadowView> shadow = shadow_view(prepared);
   if (shadow) frame.shadow_projection = shadow->projection;
-  frame.shadow =
-      shadow ? glm::vec4(shadow->light, kShadowMapSize, prepared.meshes.size(), 0) : glm::vec4(-1, 0, 0, 0);
+  const auto objects = float(prepared.meshes.size());
+  frame.shadow = shadow ? glm::vec4(shadow->light, kShadowMapSize, objects, 0) : glm::vec4(-1, 0, objects, 0);
   for (std::size_t k = 0; k < scene.lights.size(); ++k) frame.lights[k] = gpu_light(scene.lights[k]);
   return frame;
 }

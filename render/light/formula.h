@@ -8,7 +8,7 @@
 namespace brdf {
 namespace render {
 
-// studio: three soft boxes on a dim wall, the largest at the upper left of a viewer who looks along -z.
+// studio: io/light/studio.h, with its floor.
 // sky: a clear sky without the sun's disc over a grey ground. uniform: radiance 1 from all directions.
 enum class Formula { studio, sky, uniform };
 

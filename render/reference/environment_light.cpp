@@ -1,5 +1,9 @@
 #include "render/reference/environment_light.h"
 
+#include <cmath>
+
+#include "render/scene/floor.h"
+
 namespace brdf::render {
 namespace {
 
@@ -12,7 +16,9 @@ class Run {
         shape_(surface.shape.begin(), surface.shape.end()),
         to_picture_(to_picture(*scene.scene.environment)),
         frame_(surface.tangent, surface.bitangent, surface.normal),
-        wo_{wo.x, wo.y, wo.z} {}
+        wo_{wo.x, wo.y, wo.z},
+        floor_(scene),
+        position_(surface.position) {}
 
   void draw(const std::array<double, kPointDimensions>& u) {
     const LightSample light = map_.sample(u[0], u[1]);
@@ -45,7 +51,7 @@ class Run {
     const auto density = float(form_->pdf(shape_, i, o)) + light_density;
     if (!(density > 0)) return;
     pairs_.set(count_, {wi.x, wi.y, wi.z}, wo_);
-    weighted_[count_++] = radiance / density;
+    weighted_[count_++] = radiance * (floor_.share(position_, frame_ * wi) / density);
   }
 
   const LightMap& map_;
@@ -53,6 +59,8 @@ class Run {
   std::vector<double> shape_;
   glm::mat3 to_picture_, frame_;
   Vec3<float> wo_;
+  Floor floor_;
+  glm::vec3 position_;
   DirectionArrays<float> pairs_{2 * kRun};
   std::array<glm::vec3, 2 * kRun> weighted_;
   std::array<float, 2 * kRun> values_;

@@ -13,6 +13,7 @@
 #include "render/reference/surface_hit.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/display_rule.h"
+#include "render/scene/floor.h"
 #include "render/scene/shadow_view.h"
 
 namespace brdf::render {
@@ -108,7 +109,7 @@ glm::vec3 backdrop(const Scene& scene, const glm::vec3& ray) {
 glm::vec3 sky(const PreparedScene& prepared, const glm::vec3& ray) {
   const Scene& scene = prepared.scene;
   if (prepared.environment && scene.environment->shown)
-    return scene.environment->intensity *
+    return scene.environment->intensity * Floor(prepared).share(scene.camera.position, glm::normalize(ray)) *
            prepared.environment->shown(to_picture(*scene.environment) * glm::normalize(ray));
   if (!scene.sky_zenith) return scene.backdrop_top ? backdrop(scene, ray) : scene.background;
   const float up = glm::normalize(ray).y;
@@ -169,7 +170,8 @@ MeasuredValue shade(const PreparedScene& prepared, const RTCRayHit& hit, const g
       const Lit lit = lit_by(scene.lights[k], s.position);
       const glm::vec3 wi = to_local(lit.wi, s);
       if (wi.z > 0 && shadow.hides(k, item.object, s.position, lit.wi)) continue;
-      const MeasuredValue value = measured ? (*measured)(wi, wo) : eval_cos_at(item, s, wi, wo);
+      const MeasuredValue value =
+          measured ? (*measured)(in_surface(wi, item), in_surface(wo, item)) : eval_cos_at(item, s, wi, wo);
       sum.f_cos += lit.irradiance * value.f_cos;
       sum.known = sum.known && value.known;
     }

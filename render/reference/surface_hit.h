@@ -20,9 +20,15 @@ struct SurfaceHit {
 SurfaceHit surface_at(const PreparedScene& scene, const Item& item, std::uint32_t triangle,
                       const glm::vec3& ray);
 
-// Returns a world-space vector in the frame of the surface.
+// Returns a world-space vector in the frame of the item: that of the surface, turned by tangent_phi.
 inline glm::vec3 to_local(const glm::vec3& w, const SurfaceHit& s) {
   return {glm::dot(w, s.tangent), glm::dot(w, s.bitangent), glm::dot(w, s.normal)};
+}
+
+// Returns a direction of the item's frame in the frame of the surface, in which the tangent of the material
+// has the azimuth tangent_phi.
+inline glm::vec3 in_surface(const glm::vec3& w, const Item& item) {
+  return {item.cos_turn * w.x - item.sin_turn * w.y, item.sin_turn * w.x + item.cos_turn * w.y, w.z};
 }
 
 // Returns f_r cos_i of the item's form with the parameters of the surface, in float.

@@ -1,11 +1,12 @@
-// Colours with one definition for C++ and (traced) for the shaders: the sky, sRGB, tone maps, false
-// colours.
+// Colours with one definition for C++ and (traced) for the shaders: the sky, tone maps, false colours, the
+// light of a floor.
 #pragma once
 
 #include <array>
 #include <cmath>
 
 #include "brdf/math.h"
+#include "io/colour/neutral.h"
 #include "io/colour/srgb.h"
 #include "io/page/colour_scales.h"
 #include "render/scene/scene.h"
@@ -19,10 +20,7 @@ inline float log_10(float x) {
   return std::log10(x);
 }
 
-template <class S>
-S mixed(const S& a, const S& b, const S& share) {
-  return a * (S(1) - share) + b * share;
-}
+using io::mixed;
 
 // Returns one channel of the sky; `up` is the y of the unit vector towards it.
 template <class S>
@@ -41,24 +39,6 @@ using io::srgb_encoded;
 
 template <class S>
 using Colour = std::array<S, 3>;
-
-// Keeps the hue exactly, and the colour itself up to a peak of 0.76; above, compresses towards 1 and mixes
-// with white: the Khronos PBR Neutral Tone Mapper (Khronos Group 2024, specification 1.0; there F90 =
-// 0.04). A grey is subtracted first, as the share that a dielectric reflects of white surroundings. The
-// result is linear, in [0, 1).
-template <class S>
-Colour<S> neutral(const Colour<S>& c) {
-  const S least = at_most(at_most(c[0], c[1]), c[2]);
-  const S grey = select(least < S(0.08), least - S(6.25) * least * least, S(0.04));
-  const S knee = S(0.76), room = S(1) - knee;
-  const S peak = at_least(at_least(at_least(c[0], c[1]), c[2]) - grey, knee);
-  const S compressed = S(1) - room * room / (peak + room - knee);
-  const S white = S(1) - S(1) / (S(0.15) * (peak - compressed) + S(1));
-  Colour<S> out;
-  // Below the knee the factor is 1 and the share of white is 0.
-  for (std::size_t k = 0; k < 3; ++k) out[k] = mixed((c[k] - grey) * (compressed / peak), compressed, white);
-  return out;
-}
 
 // Returns one channel, linear and exposed, mapped by a curve that is independent of the other channels.
 template <class S>
@@ -81,12 +61,8 @@ S channel_curve(ToneMap tone_map, const S& linear) {
 // Returns the display value of a linear and exposed colour.
 template <class S>
 Colour<S> tone_curve(ToneMap tone_map, const Colour<S>& linear) {
+  if (tone_map == ToneMap::neutral) return io::neutral_display(linear);
   Colour<S> out;
-  if (tone_map == ToneMap::neutral) {
-    out = neutral<S>({at_least(linear[0], S(0)), at_least(linear[1], S(0)), at_least(linear[2], S(0))});
-    for (S& c : out) c = srgb_encoded(at_most(c, S(1)));
-    return out;
-  }
   for (std::size_t k = 0; k < 3; ++k) out[k] = channel_curve(tone_map, linear[k]);
   return out;
 }

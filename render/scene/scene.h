@@ -44,6 +44,9 @@ struct Environment {
   float rotation = 0;
   float intensity = 1;  // factor on the radiance
   bool shown = true;    // behind the objects, in place of the scene's background
+  // Height of a floor on which the objects stand. Directions below the horizon then see the floor, which is
+  // darker next to the objects (taken as balls around their origins). Without it, distant light only.
+  std::optional<float> floor = {};
   friend bool operator==(const Environment&, const Environment&) = default;
 };
 

@@ -78,13 +78,14 @@ Light read_light(const JsonPlace& place) {
 }
 
 Environment read_environment(const JsonPlace& place) {
-  place.allow_keys({"picture", "rotation", "intensity"});
+  place.allow_keys({"picture", "rotation", "intensity", "floor"});
   Environment environment;
   environment.picture = place.at("picture").text();
   if (environment.picture.empty())
     place.at("picture").fail("must be the name of a file or one of " + known_names<Formula>());
   read(place, "rotation", environment.rotation, -360, 360);
   read(place, "intensity", environment.intensity, 0, 1e6);
+  if (place.has("floor")) read(place, "floor", environment.floor.emplace(0.0f), -1e6, 1e6);
   return environment;
 }
 
@@ -165,9 +166,11 @@ Json json_of(const Object& object) {
 }
 
 Json json_of(const Environment& environment) {
-  return {{"picture", environment.picture},
-          {"rotation", environment.rotation},
-          {"intensity", environment.intensity}};
+  Json json{{"picture", environment.picture},
+            {"rotation", environment.rotation},
+            {"intensity", environment.intensity}};
+  if (environment.floor) json["floor"] = *environment.floor;
+  return json;
 }
 
 Json json_of(const Light& light) {

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <fstream>
 
+#include "io/colour/traced_power.h"
+#include "io/light/studio.h"
 #include "io/page/hatching.h"
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
@@ -16,11 +18,7 @@
 
 namespace brdf {
 
-// The functions that display_rule.h requires of a scalar, as functions of GLSL.
-Traced to_power(Traced x, Traced exponent) {
-  return Traced::from_node(
-      Trace::current().add({Trace::Type::float_type, "pow", {x.node(), exponent.node()}}));
-}
+// A function that display_rule.h requires of a scalar, as a function of GLSL.
 Traced log_10(Traced x) {
   return Traced::from_node(Trace::current().add({Trace::Type::float_type, "log2", {x.node()}})) /
          Traced(std::log2(10.0));
@@ -72,6 +70,9 @@ std::string traced_rules() {
                                 {sky_color(in("horizon"), in("zenith"), in("up"))}, "return %0;", true);
   text += detail::glsl_function("float backdrop_color(float bottom, float top, float height)",
                                 {backdrop_color(in("bottom"), in("top"), in("height"))}, "return %0;", true);
+  text += detail::glsl_function("float light_beside_ball(float height, float radius, float distance2)",
+                                {io::studio::light_beside_ball(in("height"), in("radius"), in("distance2"))},
+                                "return %0;", true);
   return text;
 }
 
@@ -104,6 +105,7 @@ std::string layout() {
          constant("kHatchPeriod", io::kHatchPeriod) + constant("kHatchDark", io::kHatchDark) +
          constant("kHatchBright", io::kHatchBright) + constant("kBackdrop", kBackdrop) +
          constant("kPointDimensions", kPointDimensions) + point_steps() +
+         "const float kNoFloor = " + std::to_string(kNoFloor) + ";\n" +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +
          enumerators<ToneMap>("tone_map") + enumerators<Display>("display") + enumerators<Target>("target") +

@@ -16,6 +16,7 @@ layout(push_constant) uniform Push {
 const bool kSingle = false;
 #include "stored_surface.glsl"
 #include "points.glsl"
+#include "rules.glsl"
 #include "light.glsl"
 layout(location = 0) out vec4 color;
 
@@ -51,7 +52,7 @@ void main() {
       }
       const float density = texel.a + brdf_pdf(kForm, wi, wo, s.shape);
       const vec3 value = brdf_eval_cos(kForm, wi, wo, s.shape, s.weights[0], s.weights[1], s.weights[2]);
-      if (wi.z > 0.0 && density > 0.0) sum += value * texel.rgb / density;
+      if (wi.z > 0.0 && density > 0.0) sum += value * texel.rgb * (floor_share(s.position, basis * wi) / density);
     }
   }
   color = vec4(sum * (frame.environment.z / float(push.count)), 0.0);

@@ -9,7 +9,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
   vec4 camera;
   vec4 right, up, forward;  // of the picture plane: the ray through ndc (x, y) is forward + x right + y up
   vec4 ambient, back_color, background, zenith;
-  vec4 environment;         // cosine and sine of the rotation, intensity
+  vec4 environment;         // cosine and sine of the rotation, intensity, height of the floor or kNoFloor
   ivec4 counts;  // x: lights, y: 1 for a sky, kBackdrop for a backdrop, zw: width and height of the picture
   mat4 shadow_projection;
   vec4 shadow;   // x: number of the light with a shadow, or -1; y: width of the map in texels; z: number of objects

@@ -13,6 +13,22 @@ vec3 from_picture(vec3 w) {
   return vec3(e.x * w.x + e.y * w.z, w.y, e.x * w.z - e.y * w.x);
 }
 
+// The share of the environment's radiance from the direction w (in the world) that reaches the point p: below the horizon,
+// the light that reaches the floor next to the objects, which are taken as balls. render/scene/floor.h is the same.
+float floor_share(vec3 p, vec3 w) {
+  const float floor_height = frame.environment.w;
+  if (w.y >= 0.0 || floor_height <= kNoFloor) return 1.0;
+  const vec3 place = p + w * (max(p.y - floor_height, 0.0) / max(-w.y, 1e-4));
+  float share = 1.0;
+  for (int k = 0; k < int(frame.shadow.z); ++k) {
+    const vec3 centre = items[k].model[3].xyz;
+    const vec2 apart = place.xz - centre.xz;
+    const float radius = items[k].weights[2].a;
+    share *= light_beside_ball(max(centre.y - floor_height, radius), radius, dot(apart, apart));
+  }
+  return share;
+}
+
 // The first cell with an end above u.
 int cell_of_row(float u, int count) {
   int low = 0, high = count - 1;

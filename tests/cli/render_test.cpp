@@ -18,6 +18,7 @@ namespace brdf {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string kLambert =
     R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],"weights":{"rho":[0.6,0.4,0.2]}})";
@@ -265,11 +266,37 @@ TEST_F(RenderCli, MaterialsToLookAtStandInTheStudio) {
     return render::load_texture(folder_.path() / "out.png").texels;
   };
   const auto usual = bytes("");
-  EXPECT_EQ(usual, bytes("--environment studio --samples 64"));
+  EXPECT_EQ(usual, bytes("--environment studio"));
+  EXPECT_EQ(bytes("--samples 64"), bytes("--environment studio --samples 64"));
   EXPECT_NE(usual, bytes("--hard-light"));
   // Pictures that measure or decompose the reflectance keep the single light.
   EXPECT_EQ(bytes("--forward"), bytes("--forward --hard-light"));
   EXPECT_EQ(run("render m.json --hard-light --environment sky -o x.png").exit_code, 2);
+}
+
+TEST_F(RenderCli, SamplesAreDrawnUntilTheNoiseIsReachedOrTheLimitIs) {
+  const std::string size = "render m.json --width 12 --height 12 ";
+  const auto words = [&](const std::string& options) {
+    const Outcome outcome = run(size + options + " -o out.png");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  // The noise is always printed; the target only if it was requested.
+  EXPECT_THAT(words("--samples 64"),
+              HasSubstr("64 samples of the environment's light per pixel: remaining noise"));
+  EXPECT_THAT(words(""), Not(HasSubstr("requested")));
+  EXPECT_THAT(words("--noise 20%"), HasSubstr("(requested: 20 %)"));
+  EXPECT_THAT(words("--noise 20%"), Not(HasSubstr("not reached")));
+  const std::string missed = words("--noise 0.0001%");
+  EXPECT_THAT(missed, HasSubstr("4096 samples"));
+  EXPECT_THAT(missed, HasSubstr("not reached within the limit of 4096 samples"));
+  EXPECT_THAT(missed, Not(HasSubstr("(requested")));
+  EXPECT_THAT(words("--supersample 1 --samples 16"), HasSubstr("the remaining noise is not known"));
+  EXPECT_THAT(words("--supersample 1 --noise 20%"), HasSubstr("(requested: 20 %)"));
+  for (const char* wrong : {"1", "0%", "-1%", "101%", "x%", "%"})
+    expect_refused(size + "--noise " + wrong + " -o x.png", 2, "must be a percentage above 0%");
+  expect_refused(size + "--noise 1% --samples 64 -o x.png", 2, "--samples");
+  expect_refused(size + "--noise 1% --hard-light -o x.png", 2, "has no effect without an environment");
 }
 
 TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {

@@ -46,7 +46,7 @@ TEST(Spectrum, AReportDrawsItOverWavelength) {
   const std::string page = html_report(result, table, options);
   for (const char* parameter : {"kd", "ks", "f0"})
     EXPECT_THAT(page, HasSubstr(std::string(parameter) + " over wavelength"));
-  EXPECT_THAT(page, HasSubstr("on a sphere"));
+  EXPECT_THAT(page, HasSubstr("in the studio"));
   const io::SampleTable rgb = measured(make_material(*find_form("ward")), {"hemisphere"}, 0.02);
   EXPECT_THAT(html_report(fit(rgb, {forms({"ward"})}, options), rgb, options),
               Not(HasSubstr("over wavelength")));

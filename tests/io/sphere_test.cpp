@@ -153,15 +153,32 @@ TEST(SpherePage, IsSelfContainedAndBringsItsScriptOnce) {
   EXPECT_EQ(count_of(page, "touch-action: none"), 1u);
   EXPECT_THAT(page, Not(HasSubstr("http://")));
   EXPECT_THAT(page, Not(HasSubstr("https://")));
-  EXPECT_THAT(page, HasSubstr("first &lt;&amp;&gt; on a sphere"));
+  EXPECT_THAT(page, HasSubstr("first &lt;&amp;&gt; in the studio"));
   EXPECT_THAT(page, HasSubstr("vec3 brdf_eval_ward("));
   EXPECT_THAT(page, Not(HasSubstr("class=\"titles\"")));
 }
 
 TEST(SpherePage, ShowsTheStillPictureThatItIsGiven) {
   EXPECT_THAT(page_of({.title = "m", .fitted = make_material(ward{}), .still = "a picture"}),
-              HasSubstr("<img class=\"still\" alt=\"m on a sphere: computed from the formula\" "
+              HasSubstr("<img class=\"still\" alt=\"m in the studio: computed from the formula\" "
                         "src=\"data:image/png;base64,YSBwaWN0dXJl\">"));
+}
+
+TEST(SpherePage, SaysWhichLightAndThatMeasurementsAreSmoothed) {
+  const FittedPairs pairs = fitted_pairs(make_material(ward{}));
+  const std::string page =
+      page_of({.title = "m",
+               .fitted = make_material(ward{}),
+               .measured = [&](const Vec3<double>& wi,
+                               const Vec3<double>& wo) { return std::optional(pairs(wi, wo)); },
+               .caption = "Smoothed & said."});
+  EXPECT_EQ(count_of(page, "<figure class=\"sphere one\">"), 1u);
+  EXPECT_EQ(count_of(page, "<figure class=\"sphere measured\">"), 1u);
+  EXPECT_EQ(count_of(page, "vec3 brdf_eval_ward("), 1u);  // the shader is stored once
+  EXPECT_THAT(page, HasSubstr("The fitted material in the studio"));
+  EXPECT_THAT(page, HasSubstr("lit by one distant light only"));
+  EXPECT_THAT(page, HasSubstr("Smoothed &amp; said."));
+  EXPECT_THAT(page_of({.title = "m", .fitted = make_material(ward{})}), Not(HasSubstr("one distant light")));
 }
 
 TEST(SpherePage, RefusesWhatShadersCannotHave) {

@@ -57,6 +57,27 @@ TEST(Reference, EveryFormEqualsTheMaterialsOwnEvaluation) {
   }
 }
 
+// Measurements know the frame of the surface, not that of a material's tangent.
+TEST(Reference, MeasurementsOfATurnedMaterialGiveThePictureOfTheMaterial) {
+  const auto form = find_form("ward");
+  Material material = make_material(*form);
+  material.terms[0].shape[0][std::size_t(form->info().axes().along)] = 0.5;
+  material.terms[0].tangent_phi = degrees(30);
+  Scene scene = small_scene(material);
+  scene.ambient = glm::vec3(0);
+  const PreparedScene prepared = prepare(scene);
+  const Measured measured = [&](const glm::vec3& wi, const glm::vec3& wo) {
+    std::vector<double> f(3);
+    eval_cos(material, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z}, f);
+    return MeasuredValue(glm::vec3(f[0], f[1], f[2]));
+  };
+  const Picture expected = render_reference(prepared);
+  EXPECT_LT(compare(render_reference(prepared, {.measured = &measured}), expected).rel_mse, 1e-8);
+  // The turn is visible: without it, the picture of the material differs.
+  scene.objects[0].material.terms[0].tangent_phi = {};
+  EXPECT_GT(compare(render_reference(prepare(scene)), expected).rel_mse, 1e-3);
+}
+
 TEST(Reference, DrawsWhatIsNotInTheCatalogue) {
   // Seven weights of 0.1 and no GLSL: f_r is 0.7 everywhere, and ambient light has no effect because no
   // weight is diffuse.

@@ -14,7 +14,7 @@ NAMES = "[...document.querySelectorAll('tbody tr')].map(row => row.cells[0].text
 SORT = "[...document.querySelectorAll('th')].find(head => head.textContent.includes('median')).querySelector('button.sort')"
 
 SPHERE = """(async () => {
-  const figure = document.querySelector("figure.sphere");
+  const figure = document.querySelector("figure.sphere.measured");
   figure.scrollIntoView();
   for (let k = 0; k < 200 && !figure.dataset.shown; ++k) await new Promise(done => setTimeout(done, 50));
   return figure.dataset.shown ?? "nothing";

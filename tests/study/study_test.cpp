@@ -172,6 +172,9 @@ TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   EXPECT_EQ(text(kFitted), io::sphere::still_pictures(pairs, {}, exposure, 360).fitted);
   EXPECT_EQ(text(kSmallFitted), io::sphere::still_pictures(pairs, {}, exposure, 120).fitted);
   EXPECT_NE(text(kMeasured), text(kFitted));
+  const Material material = io::read_material(options_.folder / kMaterial);
+  EXPECT_EQ(text(kStudio),
+            io::sphere::studio_pictures(material, io::sphere::studio_exposure(material), 240).whole);
   EXPECT_NE(text(kDifference), text(kMeasured));
 }
 

@@ -4,11 +4,13 @@
 #include "io/files/base64.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
+#include "io/files/numbers.h"
 #include "io/material/glsl.h"
 #include "io/page/hatching.h"
 #include "io/page/html_markup.h"
 #include "io/page/sphere/files.h"
 #include "io/page/sphere/still.h"
+#include "io/page/sphere/studio.h"
 
 namespace brdf::io::sphere {
 namespace {
@@ -56,43 +58,82 @@ std::string obstacle(const Material& material) {
   return "";
 }
 
+namespace {
+
+constexpr const char* kMeasuredTitles =
+    "<div class=\"titles\"><span>fitted</span><span>measured</span><span>difference</span></div>";
+
+// The parts of a figure that differ between the studio and the single light.
+struct Block {
+  std::string kind, title, name, still, below, caption;
+  bool measured = false;
+  Json data;
+};
+
+std::string figure(const Block& block) {
+  std::string still = image(block.still, block.name);
+  still.insert(still.find(' '), " class=\"still\"");
+  return "<figure class=\"sphere " + block.kind + "\"><p class=\"title\">" + html_escaped(block.title) +
+         "</p><canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(block.name) +
+         ". Arrow keys turn the sphere, with Shift they move the light, Home resets both.\"></canvas>" +
+         still + block.below + controls(block.measured) +
+         "<p class=\"note\">This picture is static: an interactive sphere needs a browser with WebGL 2 and "
+         "scripts.</p><figcaption>" +
+         block.caption +
+         " <span class=\"turning\">Drag the sphere, or use the arrow keys while it has the "
+         "focus.</span></figcaption><script type=\"application/json\">" +
+         within_script(to_line(block.data)) + "</script></figure>";
+}
+
+Block in_studio(const Shown& shown, const FittedPairs& fitted) {
+  const double exposure = studio_exposure(shown.fitted);
+  const std::string functions = glsl_source(shown.fitted, {.whole = false, .dialect = GlslDialect::es});
+  return {
+      .kind = "one",
+      .title = shown.title + " in the studio",
+      .name = shown.title + " in the studio: computed from the formula",
+      .still = shown.still.empty() ? studio_pictures(shown.fitted, exposure, kStillSide).whole : shown.still,
+      .caption = std::string(shown.measured ? "The fitted material in" : "In") +
+                 " the studio: three soft boxes and a bright floor, as in <code>brdf render</code>." +
+                 (exposure == 0 ? "" : " Exposure " + short_number(exposure) + " stops."),
+      .data = {{"shader", "#version 300 es\nprecision highp float;\nprecision highp int;\n" + functions +
+                              studio_glsl() + kShader},
+               {"exposure", exposure},
+               {"studio", lobe_widths(fitted)},
+               {"stations", stations()},
+               {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}}}};
+}
+
+// The shader is that of the sphere in the studio before it.
+Block under_one_light(const Shown& shown, const FittedPairs& fitted) {
+  const double exposure = exposure_of(fitted);
+  return {
+      .kind = "measured",
+      .title = shown.title + " under one light, measured and fitted",
+      .name = shown.title + " under one light: fitted, measured and the difference of the two",
+      .still = still_picture(fitted, shown.measured, exposure, kStillSide),
+      .below = kMeasuredTitles + colour_bar("fitted 50 % too dark", Colours::diverging, "50 % too bright"),
+      .caption =
+          "For comparison: lit by one distant light only, initially 44.8 degrees from the viewing "
+          "direction. Hatched: no measurements nearby. The difference combines all channels, "
+          "relative to the measured values." +
+          (shown.caption.empty() ? "" : " " + html_escaped(shown.caption)),
+      .measured = true,
+      .data = {{"exposure", exposure},
+               {"stations", stations()},
+               {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}},
+               {"table", to_json(table_of(fitted, shown.measured, shown.table))}}};
+}
+
+}  // namespace
+
 void add(HtmlReport& report, const Shown& shown) {
   if (const std::string why = obstacle(shown.fitted); !why.empty())
     throw InputError("no sphere for " + shown.title + ": " + why);
-  const bool measured = bool(shown.measured);
   const FittedPairs fitted = fitted_pairs(shown.fitted);
-  const double exposure = exposure_of(fitted);
-  const std::string functions = glsl_source(shown.fitted, {.whole = false, .dialect = GlslDialect::es});
-  Json data{
-      {"shader", "#version 300 es\nprecision highp float;\nprecision highp int;\n" + functions + kShader},
-      {"exposure", exposure},
-      {"stations", stations()},
-      {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}}};
-  if (measured) data["table"] = to_json(table_of(fitted, shown.measured, shown.table));
-  const std::string what =
-      measured ? "fitted, measured and the difference of the two" : "computed from the formula";
-  const std::string name = shown.title + " on a sphere: " + what;
-  std::string html =
-      "<figure class=\"sphere" + std::string(measured ? "" : " one") + "\"><p class=\"title\">" +
-      html_escaped(shown.title) + " on a sphere</p>" +
-      "<canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(name) +
-      ". Arrow keys turn the sphere, with Shift they move the light, Home resets both.\"></canvas>";
-  std::string still = image(
-      shown.still.empty() ? still_picture(fitted, shown.measured, exposure, kStillSide) : shown.still, name);
-  html += still.insert(still.find(' '), " class=\"still\"");
-  if (measured)
-    html += "<div class=\"titles\"><span>fitted</span><span>measured</span><span>difference</span></div>" +
-            colour_bar("fitted 50 % too dark", Colours::diverging, "50 % too bright");
-  html += controls(measured) +
-          "<p class=\"note\">This picture is static: an interactive sphere needs a browser with WebGL 2 and "
-          "scripts.</p>"
-          "<figcaption>Lit by one distant light, initially 44.8 degrees from the viewing direction. " +
-          (measured ? std::string("Hatched: no measurements nearby. The difference combines all channels, "
-                                  "relative to the measured values. ")
-                    : std::string()) +
-          "<span class=\"turning\">Drag the sphere, or use the arrow keys while it has the "
-          "focus.</span></figcaption><script type=\"application/json\">" +
-          within_script(to_line(data)) + "</script></figure>";
+  std::string html = figure(in_studio(shown, fitted));
+  if (shown.measured)
+    html = "<div class=\"lights\">" + html + figure(under_one_light(shown, fitted)) + "</div>";
   report.raw(html);
   report.style(kStyle);
   report.script(kScript);

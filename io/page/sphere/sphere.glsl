@@ -1,4 +1,5 @@
-// One sphere under one directional light, seen from far away. The page's fragment shader is brdf_material() and this.
+// One sphere under one directional light or in the studio, seen from far away. The page's fragment shader is
+// brdf_material(), the functions of studio.h, and this.
 uniform vec2 middle;         // centre of the sphere, pixels
 uniform float radius;        // pixels
 uniform mat3 camera;         // right, up, towards the viewer, in the frame of the sphere
@@ -10,6 +11,10 @@ uniform vec4 counts;         // numbers of nodes of the ratio: theta_h, theta_d,
 uniform vec3 scale;          // the logarithms that bytes 0 and 255 represent, and the floor
 uniform vec3 stations[5];    // colours of the difference
 uniform vec4 hatching;       // period in pixels, dark, bright; the panel's side
+uniform vec2 widths;         // of the lobes that the studio draws directions from
+uniform vec2 room;           // cosine and sine of the studio's turn about the vertical axis
+uniform ivec2 rounds;        // of the studio's directions: the first of this frame, and their number
+uniform highp sampler2D sum; // of the rounds before this frame
 out vec4 colour;
 const float kPi = 3.14159265, kRim = 0.9999;  // at the rim itself, rounding could move the viewer below the horizon
 
@@ -41,9 +46,26 @@ vec4 measured(vec3 wi, vec3 wo, vec3 fitted) {
   return vec4((fitted + scale.z) * exp(logarithm), found.a);
 }
 
-vec3 encoded(vec3 x) {
-  x = clamp(x, 0.0, 1.0);
-  return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, x));
+// From directions of the sphere's frame to those of the studio, and back.
+vec3 to_room(vec3 w) { return vec3(room.x * w.x - room.y * w.z, w.y, room.y * w.x + room.x * w.z); }
+vec3 from_room(vec3 w) { return vec3(room.x * w.x + room.y * w.z, w.y, room.x * w.z - room.y * w.x); }
+
+// The sum of these rounds; studio.cpp has the same.
+vec3 in_studio(mat3 frame, vec3 wo) {
+  vec3 total = vec3(0.0), place = to_room(frame[2]);
+  for (int k = 0; k < rounds.y; ++k) {
+    vec2 u = fract(0.5 + kStudioStep * float(rounds.x + k));
+    mat3 boxes = studio_boxes(u);
+    for (int j = 0; j < 6; ++j) {
+      vec3 wi = j < 3 ? from_room(boxes[j]) * frame : j == 3 ? studio_cosine(u) : studio_lobe(widths[j - 4], u, wo);
+      if (wi.z <= 0.0) continue;
+      vec3 w = to_room(frame * wi);
+      float density = studio_density(w) + wi.z / kPi + studio_lobe_density(widths.x, wi, wo) +
+                      studio_lobe_density(widths.y, wi, wo);
+      total += brdf_material(wi, wo) * studio_radiance(w) * (wi.z * studio_floor(place, w) / density);
+    }
+  }
+  return total;
 }
 
 // Fitted over measured, -50 % to 50 %.
@@ -68,14 +90,22 @@ void main() {
   vec3 n = camera * vec3(p, sqrt(max(0.0, 1.0 - dot(p, p))));
   vec3 t = cross(vec3(0.0, 1.0, 0.0), n);
   t = length(t) > 1e-6 ? normalize(t) : vec3(1.0, 0.0, 0.0);
-  mat3 to_local = transpose(mat3(t, cross(n, t), n));
+  mat3 frame = mat3(t, cross(n, t), n), to_local = transpose(frame);
+  if (shown == 7) {  // adds rounds
+    colour = texelFetch(sum, ivec2(gl_FragCoord.xy), 0) + vec4(covered > 0.0 ? in_studio(frame, to_local * camera[2]) : vec3(0.0), 0.0);
+    return;
+  }
+  if (shown == 8) {  // shows their mean
+    colour = vec4(displayed(texelFetch(sum, ivec2(gl_FragCoord.xy), 0).rgb * (gain / float(rounds.x))) * covered, covered);
+    return;
+  }
   vec3 wi = to_local * light, wo = to_local * camera[2], fitted = brdf_material(wi, wo);
   vec4 known = counts.w > 0.0 ? measured(wi, wo, fitted) : vec4(0.0);
   if (shown >= 3) {  // values for readings
     colour = shown == 3 ? vec4(fitted, 1.0) : shown == 4 ? known : vec4(shown == 5 ? wi : wo, 1.0);
     return;
   }
-  vec3 seen = encoded((shown == 0 ? fitted : known.rgb) * max(wi.z, 0.0) * gain);
+  vec3 seen = displayed((shown == 0 ? fitted : known.rgb) * max(wi.z, 0.0) * gain);
   if (shown > 0 && wi.z > 0.0) seen = known.a < 0.5 ? hatched() : shown == 2 ? difference(fitted, known.rgb) : seen;
   if (shown == 2 && wi.z <= 0.0) seen = vec3(0.0);
   colour = vec4(seen * covered, covered);

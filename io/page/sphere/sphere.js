@@ -4,6 +4,7 @@
 (() => {
   "use strict";
   const views = ["fitted", "measured", "difference"], values = { fitted: 3, measured: 4, wi: 5, wo: 6 };
+  const mostRounds = 256;  // of directions of the studio's light
   const start = { turn: 0, tilt: 0, lightTurn: -35, lightTilt: 30 };
   const radians = degrees => degrees * Math.PI / 180;
   const bytes = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
@@ -43,11 +44,32 @@
     return texture;
   }
 
+  // A square of floats to draw into.
+  function floatTarget(side) {
+    const target = gl.createFramebuffer(), texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE1);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, side, side);
+    for (const filter of ["MIN_FILTER", "MAG_FILTER"]) gl.texParameteri(gl.TEXTURE_2D, gl["TEXTURE_" + filter], gl.NEAREST);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.bindTexture(gl.TEXTURE_2D, null);  // a texture that is drawn into must not be readable
+    return { target, texture };
+  }
+
+  // A measured sphere has the shader of the sphere in the studio before it.
+  function shaderOf(figure) {
+    const all = [...document.querySelectorAll("figure.sphere")], at = all.indexOf(figure);
+    const shaders = all.slice(0, at + 1).map(f => JSON.parse(f.querySelector("script").textContent).shader);
+    return shaders.filter(shader => shader).pop();
+  }
+
   class Sphere {
     constructor(figure) {
       this.figure = figure;
       this.data = JSON.parse(figure.querySelector("script").textContent);
-      this.program = programOf(this.data.shader);
+      this.studio = this.data.studio;
+      this.program = programOf(shaderOf(figure));
       this.table = this.data.table && textureOf(this.data.table);
       this.canvas = figure.querySelector("canvas");
       this.show = figure.querySelector(".show");
@@ -67,6 +89,7 @@
 
     reset() {
       Object.assign(this, start);
+      this.from = undefined;
       this.exposure.value = this.data.exposure;
       this.draw();
     }
@@ -100,6 +123,7 @@
       this.waiting ??= requestAnimationFrame(() => {
         this.waiting = undefined;
         this.paint();
+        if (this.studio && this.done < mostRounds) this.draw();
       });
     }
 
@@ -118,13 +142,21 @@
       gl.uniform1f(at("radius"), 0.47 * side);
       gl.uniformMatrix3fv(at("camera"), false, [...right, ...cross(towards, right), ...towards]);
       gl.uniform3fv(at("light"), light);
-      gl.uniform1f(at("gain"), Math.PI * 2 ** this.exposure.value);
+      gl.uniform1f(at("gain"), (this.studio ? 1 : Math.PI) * 2 ** this.exposure.value);
+      if (this.studio) {
+        const turned = radians(this.lightTurn - start.lightTurn);
+        gl.uniform2f(at("room"), Math.cos(turned), Math.sin(turned));
+        gl.uniform2fv(at("widths"), this.studio);
+      }
+      gl.uniform1i(at("ratio"), 0);
+      gl.uniform1i(at("sum"), 1);
+      gl.activeTexture(gl.TEXTURE0);
       gl.uniform3fv(at("stations"), this.data.stations.flat());
       gl.uniform4fv(at("hatching"), [...this.data.hatching, side]);
       gl.uniform4fv(at("counts"), this.table ? this.data.table.counts : [0, 0, 0, 0]);
       gl.uniform3fv(at("scale"), this.table ? this.data.table.scale : [0, 0, 0]);
       gl.bindTexture(gl.TEXTURE_3D, this.table || null);
-      return { shown: at("shown"), middle: at("middle"), angle: degreesOf(dot(light, towards)) };
+      return { shown: at("shown"), middle: at("middle"), rounds: at("rounds"), angle: degreesOf(dot(light, towards)) };
     }
 
     paint() {
@@ -136,10 +168,11 @@
       gl.canvas.width = Math.max(gl.canvas.width, this.canvas.width);
       gl.canvas.height = Math.max(gl.canvas.height, side);
       const uniforms = this.uniforms(side);
+      if (this.studio) this.addRounds(uniforms, side);
       gl.bindFramebuffer(gl.FRAMEBUFFER, null);
       panels.forEach((shown, k) => {
         gl.viewport(k * side, 0, side, side);
-        gl.uniform1i(uniforms.shown, shown);
+        gl.uniform1i(uniforms.shown, this.studio ? 8 : shown);
         gl.uniform2f(uniforms.middle, (k + 0.5) * side, 0.5 * side);
         gl.enable(gl.SCISSOR_TEST);
         gl.scissor(k * side, 0, side, side);
@@ -147,16 +180,56 @@
       });
       this.canvas.getContext("2d").drawImage(gl.canvas, 0, gl.canvas.height - side, this.canvas.width, side, 0, 0,
         this.canvas.width, side);
-      this.figure.dataset.shown = panels.map(k => views[k]).join(" ");
-      this.reading.textContent = `light ${uniforms.angle} from the viewer`;
+      this.figure.dataset.shown = this.studio ? "studio" : panels.map(k => views[k]).join(" ");
+      this.reading.textContent = this.studio ? "" : `light ${uniforms.angle} from the viewer`;
+    }
+
+    // Adds rounds of directions to the sum, which starts anew if the view has changed. The number of rounds follows the
+    // time of the last frame; the textures of the sum take turns.
+    addRounds(uniforms, side) {
+      const view = JSON.stringify([this.turn, this.tilt, this.lightTurn, side]), now = performance.now();
+      if (this.from !== view) {
+        if (this.side !== side) {
+          for (const { target, texture } of this.sums || []) gl.deleteFramebuffer(target), gl.deleteTexture(texture);
+          this.sums = [0, 1].map(() => floatTarget(side));
+        }
+        this.done = 0;
+      } else if (this.done < mostRounds) {
+        const frame = now - this.last;
+        this.step = clamp(Math.round(this.step * (frame < 25 ? 2 : frame > 60 ? 0.5 : 1)), 1, 16);
+      }
+      Object.assign(this, { from: view, side, last: now });
+      this.step = Math.max(this.step || 0, 2);
+      gl.activeTexture(gl.TEXTURE1);
+      if (this.done < mostRounds) {
+        const [before, after] = this.sums, count = Math.min(this.step, mostRounds - this.done);
+        if (this.done === 0) {
+          gl.bindFramebuffer(gl.FRAMEBUFFER, before.target);
+          gl.disable(gl.SCISSOR_TEST);
+          gl.clearColor(0, 0, 0, 0);
+          gl.clear(gl.COLOR_BUFFER_BIT);
+        }
+        gl.bindTexture(gl.TEXTURE_2D, before.texture);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, after.target);
+        gl.disable(gl.SCISSOR_TEST);
+        gl.viewport(0, 0, side, side);
+        gl.uniform1i(uniforms.shown, 7);
+        gl.uniform2f(uniforms.middle, 0.5 * side, 0.5 * side);
+        gl.uniform2i(uniforms.rounds, this.done, count);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        this.sums.reverse();
+        this.done += count;
+      }
+      gl.bindTexture(gl.TEXTURE_2D, this.sums[0].texture);
+      gl.uniform2i(uniforms.rounds, this.done, 0);
     }
 
     // Returns directions and f_r at a point of the canvas, in the floats of the shader; null outside the sphere.
     read(x, y) {
       const place = this.panelAt(x, y), { side } = place, far = Math.hypot(place.x - side / 2, place.y - side / 2);
       if (!reads || far > 0.47 * side) return null;
-      this.target ??= this.floatTarget();
-      gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+      this.target ??= floatTarget(1);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.target.target);
       gl.disable(gl.SCISSOR_TEST);
       gl.viewport(0, 0, 1, 1);
       const uniforms = this.uniforms(side), pixel = new Float32Array(4), found = {};
@@ -170,16 +243,8 @@
       return found;
     }
 
-    floatTarget() {
-      const target = gl.createFramebuffer(), texture = gl.createTexture();
-      gl.bindTexture(gl.TEXTURE_2D, texture);
-      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 1, 1);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-      return target;
-    }
-
     tell(x, y) {
+      if (this.studio) return;
       const found = this.read(x, y);
       if (!found) return;
       const three = f => f.slice(0, 3).map(v => v.toPrecision(3)).join(", ");
@@ -193,7 +258,8 @@
     for (const { target, isIntersecting } of entries) {
       if (!isIntersecting) continue;
       seen.unobserve(target);
-      target.sphere = new Sphere(target);
+      // The studio's sum needs floats; without them the still picture remains.
+      if (reads || target.classList.contains("measured")) target.sphere = new Sphere(target);
     }
   }, { rootMargin: "300px" });
   for (const figure of document.querySelectorAll("figure.sphere")) seen.observe(figure);

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/colour/srgb.h"
+#include "io/colour/neutral.h"
 #include "io/files/parallel.h"
 #include "io/files/png.h"
 #include "io/page/hatching.h"
 #include "io/page/html_report.h"
+#include "io/page/sphere/studio.h"
 
 namespace brdf::io::sphere {
 namespace {
@@ -18,16 +19,26 @@ constexpr double kRadius = 0.47, kRim = 0.9999;
 
 using Pixel = std::array<unsigned char, 4>;
 
-unsigned char encoded(double linear) {
-  return static_cast<unsigned char>(std::lround(255 * srgb_encoded(std::clamp(linear, 0.0, 1.0))));
-}
-
 double sum(const Colour& f) {
   return f[0] + f[1] + f[2];
 }
 
 Pixel lit(const Colour& f, double light) {
-  return {encoded(f[0] * light), encoded(f[1] * light), encoded(f[2] * light), 255};
+  Pixel pixel{0, 0, 0, 255};
+  const Colour shown = neutral_display<double>({f[0] * light, f[1] * light, f[2] * light});
+  for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<unsigned char>(std::lround(255 * shown[c]));
+  return pixel;
+}
+
+// A point of the picture, and the share of its pixel that the ball covers.
+struct Spot {
+  double x, y, covered;
+};
+Spot spot_at(int column, int row, int side) {
+  const double radius = kRadius * side;
+  const double x = (column + 0.5 - 0.5 * side) / radius, y = (0.5 * side - row - 0.5) / radius;
+  const double distance = std::hypot(x, y), inside = std::fmin(1.0, kRim / std::fmax(distance, kRim));
+  return {x * inside, y * inside, std::clamp((1 - distance) * radius + 0.5, 0.0, 1.0)};
 }
 
 Pixel hatched(int x, int y) {
@@ -49,7 +60,7 @@ using Panels = std::vector<std::vector<unsigned char>>;
 Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, double exposure, int side) {
   constexpr std::size_t kBytes = std::tuple_size_v<Pixel>;
   Panels panels(measured ? 3 : 1, std::vector<unsigned char>(kBytes * std::size_t(side) * std::size_t(side)));
-  const double radius = kRadius * side, gain = kPi * std::exp2(exposure);
+  const double gain = kPi * std::exp2(exposure);
   const View view = first_view();
   const auto draw_row = [&](std::size_t row_number) {
     const int row = int(row_number);
@@ -58,10 +69,8 @@ Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, doubl
         pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
         std::ranges::copy(pixel, &panel[kBytes * (row_number * std::size_t(side) + std::size_t(column))]);
       };
-      const double x = (column + 0.5 - 0.5 * side) / radius, y = (0.5 * side - row - 0.5) / radius;
-      const double distance = std::hypot(x, y), covered = std::clamp((1 - distance) * radius + 0.5, 0.0, 1.0);
-      const double inside = std::fmin(1.0, kRim / std::fmax(distance, kRim));
-      const auto [wi, wo] = pair_at(view, x * inside, y * inside);
+      const auto [x, y, covered] = spot_at(column, row, side);
+      const auto [wi, wo] = pair_at(view, x, y);
       if (!(covered > 0 && wi.z > 0)) {
         for (auto& panel : panels) add(panel, {}, covered);
         continue;
@@ -101,6 +110,62 @@ std::string still_picture(const FittedPairs& fitted, const MeasuredPairs& measur
     for (const auto& panel : panels)
       bytes.insert(bytes.end(), panel.begin() + 4 * side * row, panel.begin() + 4 * side * (row + 1));
   return png_of_pixels(panels.size() * std::size_t(side), std::size_t(side), bytes);
+}
+
+namespace {
+
+// Returns the mean of each 2 x 2 pixels; colours count by their alpha.
+std::vector<unsigned char> halved(const std::vector<unsigned char>& panel, std::size_t side) {
+  const std::size_t half = side / 2;
+  std::vector<unsigned char> out(4 * half * half);
+  for (std::size_t at = 0; at < half * half; ++at) {
+    std::array<int, 4> sum{};
+    for (const std::size_t corner : {std::size_t(0), std::size_t(1), side, side + 1}) {
+      const unsigned char* pixel = &panel[4 * (2 * (at / half) * side + 2 * (at % half) + corner)];
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += pixel[c] * pixel[3];
+      sum[3] += pixel[3];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      out[4 * at + c] = static_cast<unsigned char>(sum[3] > 0 ? (sum[c] + sum[3] / 2) / sum[3] : 0);
+    out[4 * at + 3] = static_cast<unsigned char>((sum[3] + 2) / 4);
+  }
+  return out;
+}
+
+}  // namespace
+
+StudioPictures studio_pictures(const Material& material, double exposure, int side) {
+  const Studio studio(material);
+  const View view = first_view();
+  const double gain = std::exp2(exposure);
+  constexpr std::size_t kBytes = std::tuple_size_v<Pixel>;
+  std::vector<unsigned char> panel(kBytes * std::size_t(side) * std::size_t(side));
+  parallel_for(std::size_t(side), [&](std::size_t row) {
+    for (int column = 0; column < side; ++column) {
+      const auto [x, y, covered] = spot_at(column, int(row), side);
+      if (!(covered > 0)) continue;
+      Pixel pixel = lit(studio.reflected(view, x, y), gain);
+      pixel[3] = static_cast<unsigned char>(std::lround(255 * covered));
+      std::ranges::copy(pixel, &panel[kBytes * (row * std::size_t(side) + std::size_t(column))]);
+    }
+  });
+  return {png_of(side, panel), png_of(side / 2, halved(panel, std::size_t(side)))};
+}
+
+double studio_exposure(const Material& material) {
+  constexpr double kDark = 1.0 / 64, kBright = 4;
+  const Studio studio(material);
+  std::vector<double> values;
+  for (double y = -0.9; y < 1; y += 0.2)
+    for (double x = -0.9; x < 1; x += 0.2) {
+      if (x * x + y * y >= 1) continue;
+      const Colour c = studio.reflected(first_view(), x, y);
+      values.push_back(std::max({c[0], c[1], c[2]}));
+    }
+  std::ranges::sort(values);
+  const double low = values[values.size() / 10], high = values[values.size() * 9 / 10];
+  if (!(high > 0) || (low < kBright && high > kDark)) return 0;
+  return std::clamp(std::floor(2 * std::log2(0.8 / high)) / 2, -12.0, 12.0);
 }
 
 double exposure_of(const FittedPairs& fitted) {

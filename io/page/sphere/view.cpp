@@ -40,13 +40,17 @@ View first_view() {
   return view_from({}, {}, degrees(-35), degrees(30));
 }
 
-Pair pair_at(const View& view, double x, double y) {
+Frame frame_at(const View& view, double x, double y) {
   const double z = std::sqrt(std::fmax(0.0, 1 - x * x - y * y));
   const Vec3<double> n = view.right * x + view.up * y + view.towards * z;
   Vec3<double> t = cross(Vec3<double>{0, 1, 0}, n);
   const double length = std::sqrt(dot(t, t));
   t = length > 1e-6 ? t * (1 / length) : Vec3<double>{1, 0, 0};
-  const Vec3<double> b = cross(n, t);
+  return {n, t, cross(n, t)};
+}
+
+Pair pair_at(const View& view, double x, double y) {
+  const auto [n, t, b] = frame_at(view, x, y);
   const auto local = [&](const Vec3<double>& w) { return Vec3<double>{dot(w, t), dot(w, b), dot(w, n)}; };
   return {local(view.light), local(view.towards)};
 }

@@ -33,6 +33,12 @@ View view_from(Angle turn, Angle tilt, Angle light_turn, Angle light_tilt);
 // Returns the initial view of a page: the light comes from the upper left, 44.8 degrees from the viewer.
 View first_view();
 
+// Returns the frame of the surface at a point of the picture, as for pair_at().
+struct Frame {
+  Vec3<double> normal, tangent, bitangent;
+};
+Frame frame_at(const View& view, double x, double y);
+
 // Returns the pair of directions at a point of the picture. The point is in radii from the centre of the
 // sphere, at a distance of at most 1. The frame has the normal of the sphere, and its tangent runs along a
 // parallel of the sphere. wi points below the horizon on the dark side.

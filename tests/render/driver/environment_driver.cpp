@@ -116,6 +116,31 @@ TEST(Environment, ThePictureStandsBehindTheObjects) {
   EXPECT_EQ(lit(device, prepare(scene), 16).at(0, 0), glm::vec4(0.25f, 0.25f, 0.25f, 0));
 }
 
+// The floor darkens next to two balls of different size, in the background and in what the balls reflect.
+TEST(Environment, TheFloorIsTheReferences) {
+  Device device;
+  Scene scene = sphere_in(narrow_material(0.2, 0.2), "studio", 32).scene;
+  scene.camera.vertical_fov = 60;
+  scene.camera.position = {0, 2, 4};
+  scene.objects.push_back(scene.objects[0]);
+  scene.objects[1].position = {1.6f, -0.4f, 0};
+  scene.objects[1].scale = glm::vec3(0.6f);
+  const PreparedScene open = prepare(scene);
+  scene.environment->floor = -1.0f;
+  const PreparedScene standing = prepare(scene);
+  const Picture drawn = lit(device, standing, 256), without = lit(device, open, 256),
+                reference = render_reference(standing, {.samples = 2048, .seed = 5});
+  EXPECT_LE(relative_mse(drawn, reference), 2e-3);
+  EXPECT_GT(relative_mse(without, reference), 5e-3);
+  double darkest = 1;
+  for (std::size_t k = 0; k < drawn.pixels.size(); ++k) {
+    if (is_surface(reference.pixels[k])) continue;
+    EXPECT_NEAR(drawn.pixels[k].g, reference.pixels[k].g, 0.002f + 0.01f * reference.pixels[k].g);
+    darkest = std::min(darkest, double(drawn.pixels[k].g / without.pixels[k].g));
+  }
+  EXPECT_LT(darkest, 0.5);  // the contact shadow
+}
+
 // One form has GLSL but no sampler, so only light directions and cosine-distributed directions are sampled.
 TEST(Environment, LightsWhatIsNotInTheCatalogue) {
   const std::string glsl =
