@@ -6,6 +6,7 @@
 
 #include "cli/options/options.h"
 #include "cli/options/terminal.h"
+#include "cli/surface/values.h"
 #include "io/files/error.h"
 
 namespace brdf::cli {
@@ -28,11 +29,12 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       "Residual; auto: the residual with the most uniform noise on the data, log if the noise is not known");
   verb.add_flag("--anisotropic", choice.options.anisotropic, "Two widths and the tangent's azimuth");
   verb.add_flag("--per-channel", choice.options.per_channel, "A shape for every channel: --shape free");
-  offer(verb.add_option(
-            "--shape", choice.shape,
-            "Over the channels: shared (default), free, or smooth[:DEGREE], a polynomial in 1/wavelength "
-            "(default degree 2)"),
-        {"shared", "free", "smooth"});
+  takes(
+      offer(verb.add_option("--shape", choice.shape,
+                            "Over the channels: shared (default), free, or smooth[:DEGREE], a polynomial in "
+                            "1/wavelength (default degree 2)"),
+            {"shared", "free", "smooth"}),
+      Value::word);
   verb.add_flag("--free-scale", choice.options.free_scale,
                 "Uncalibrated samples: divide them by a scale, which is reported; weights are relative then");
   add_keep_fill_option(verb, choice.options.keep_fill);
@@ -64,6 +66,13 @@ void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--bootstrap", choice.options.bootstrap,
                   "Replicates: fits to incidences drawn with replacement; their spread is reported")
       ->check(CLI::Range(0, 100000));
+}
+
+void add_tolerance_option(CLI::App& verb, std::string& tolerance) {
+  takes(verb.add_option(
+            "--tolerance", tolerance,
+            "Largest median error (fitted) that is accepted: 5% or 0.05; above it the exit code is 1"),
+        Value::text);
 }
 
 void add_pictures_option(CLI::App& verb, bool& no_pictures) {

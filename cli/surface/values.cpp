@@ -14,7 +14,13 @@ std::map<const CLI::Option*, std::vector<std::string>>& offers() {
   return all;
 }
 
-// The kinds of values, by option name. An option has the same meaning in every verb. An option that takes
+// The kinds of options that have another meaning in another verb (takes()).
+std::map<const CLI::Option*, Value>& own_kinds() {
+  static std::map<const CLI::Option*, Value> all;
+  return all;
+}
+
+// The kinds of values, by option name, for options that have the same meaning in every verb. An option that takes
 // text must be listed here or offer its words; otherwise its value is `unnamed`.
 const std::map<std::string, Value, std::less<>> kByName{
     {"FORM", Value::form},
@@ -81,6 +87,11 @@ CLI::Option* offer(CLI::Option* option, std::vector<std::string> words) {
   return option;
 }
 
+CLI::Option* takes(CLI::Option* option, Value value) {
+  own_kinds()[option] = value;
+  return option;
+}
+
 // Returns the words passed to offer(), or the list of a CLI11 check: {8,16,32}.
 std::vector<std::string> offered(const CLI::Option& option) {
   if (const auto found = offers().find(&option); found != offers().end()) return found->second;
@@ -91,6 +102,7 @@ std::vector<std::string> offered(const CLI::Option& option) {
 }
 
 Value value_of(const CLI::Option& option) {
+  if (const auto own = own_kinds().find(&option); own != own_kinds().end()) return own->second;
   const std::string name = option.get_positional()       ? option.get_name(true)
                            : option.get_lnames().empty() ? "-" + option.get_snames()[0]
                                                          : "--" + option.get_lnames()[0];

@@ -47,7 +47,10 @@ CLI::Option* offer_names(CLI::Option* option) {
 // Returns the words that were declared, or the list of a CLI11 check.
 std::vector<std::string> offered(const CLI::Option& option);
 
-// Returns the kind of the option's value, by the option's name and type.
+// Declares the kind of values of an option that has another meaning in another verb. Returns the option.
+CLI::Option* takes(CLI::Option* option, Value value);
+
+// Returns the kind of the option's value: as declared, or by the option's name and type.
 Value value_of(const CLI::Option& option);
 
 // Returns the names offered for a form or for a parameter ("alpha="). Empty for other kinds.
