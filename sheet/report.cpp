@@ -9,7 +9,7 @@
 namespace brdf::sheet {
 namespace {
 
-constexpr std::size_t kMostCurves = 8;  // the most curves that fit into a legend
+constexpr std::size_t kMostCurves = 8;  // that are distinguished by colour, dash and shape
 
 }  // namespace
 
@@ -20,8 +20,8 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
   report.table({}, rows);
   io::Plot plane;
   plane.title = "In the plane of incidence: " + io::file_name(t.source);
-  plane.x_label = "theta_o, degrees: viewing angle, positive on the mirror side";
-  plane.y_label = "f_r of channel " + t.channels.front() + ", 1/sr";
+  plane.x_label = "viewing angle theta_o, degrees, positive on the mirror side";
+  plane.y_label = "BRDF value f_r of channel " + t.channels.front() + ", 1/sr";
   plane.log_y = true;
   plane.caption = "Measured values, one colour for each angle of incidence.";
   plane.command = "grep -v '^#' " + io::shell_file(t.source);
@@ -41,10 +41,17 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
     }
     if (!s.x.empty()) lights.push_back(std::move(s));
   }
-  if (lights.size() > kMostCurves)
-    plane.caption += " " + std::to_string(kMostCurves) + " of " + std::to_string(lights.size()) +
-                     " angles of incidence are shown.";
-  for (io::Series& s : io::evenly(std::move(lights), kMostCurves)) plane.series.push_back(std::move(s));
+  if (plane.series.empty()) {
+    plane.counted = "angles of incidence";
+    plane.all = lights.size();
+  }
+  constexpr std::size_t kOffered = 16;  // the most entries of a legend
+  lights = io::evenly(std::move(lights), kOffered);
+  std::vector<std::size_t> numbers(lights.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  for (io::Series& s : lights) s.hidden = true;
+  for (const std::size_t k : io::evenly(std::move(numbers), kMostCurves)) lights[k].hidden = false;
+  for (io::Series& s : lights) plane.series.push_back(std::move(s));
   if (!plane.series.empty()) report.plot(plane);
   io::Plot albedo;
   albedo.title = "Directional albedo, integrated from the measurements: " + io::file_name(t.source);
@@ -72,7 +79,15 @@ void add_to_report(io::HtmlReport& report, const io::SampleTable& t, const DataS
     albedo.caption +=
         " " + std::to_string(kMostCurves) + " of " + std::to_string(channels.size()) + " channels are shown.";
   albedo.command = "brdf validate " + io::shell_file(t.source) + " --json";
-  if (!albedo.series.empty() && albedo.series[0].x.size() > 1) report.plot(albedo);
+  if (albedo.series.empty() || albedo.series[0].x.size() < 2) return;
+  double highest = 1;
+  for (const io::Series& s : albedo.series)
+    for (const double high : s.high) highest = std::max(highest, high);
+  albedo.range_y = {0, 1.05 * highest};
+  const std::vector<double>& angles = albedo.series[0].x;
+  albedo.series.push_back(
+      {"1: energy limit", {angles.front(), angles.back()}, {1, 1}, io::Series::Style::faint});
+  report.plot(albedo);
 }
 
 }  // namespace brdf::sheet

@@ -1,6 +1,8 @@
 #include "study/lobes.h"
 
 #ifdef BRDF_HAS_RENDER
+#include <algorithm>
+
 #include "render/compare/lobe_body.h"
 #include "render/compare/lobe_points.h"
 
@@ -16,13 +18,19 @@ bool has_lobes() {
 }
 
 std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitted) {
-  std::vector<Lobe> lobes;
+  std::vector<double> angles;
+  double outer = 0;
   for (const double wished : {30.0, 65.0}) {
     const double theta_i = render::nearest_light(samples, wished);
-    if (!lobes.empty() && lobes.back().theta_i == theta_i) continue;
-    lobes.push_back({theta_i, render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples,
-                                                                       kLobePixels))});
+    if (!angles.empty() && angles.back() == theta_i) continue;
+    angles.push_back(theta_i);
+    outer = std::max(outer, render::largest_of_lobe(fitted, theta_i, &samples));
   }
+  std::vector<Lobe> lobes;
+  for (const double theta_i : angles)
+    lobes.push_back({theta_i, outer,
+                     render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples,
+                                                              kLobePixels, outer, false))});
   return lobes;
 }
 

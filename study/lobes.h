@@ -12,6 +12,7 @@ namespace brdf::study {
 
 struct Lobe {
   double theta_i;   // angle of incidence, degrees
+  double outer;     // f_r of the outer circle, 1/sr: the same for all lobes of a sample
   std::string png;  // the content of the PNG file
 };
 

@@ -1,5 +1,6 @@
 #include "study/page.h"
 
+#include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "io/colour/channel_colours.h"
 #include "io/files/address.h"
@@ -45,9 +46,13 @@ void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
   for (const Lobe& lobe : spheres.lobes)
     pictures.push_back({.png = lobe.png,
                         .title = "incidence at " + io::short_number(lobe.theta_i) + " degrees",
-                        .text = "the radius is the cube root of f_r; dots: measurements at this incidence"});
-  if (!pictures.empty()) report.heading("Lobes: fitted (surface) and measured (dots)");
-  if (!pictures.empty()) report.pictures(pictures);
+                        .text = "dots: measurements at this incidence, faint behind the lobe"});
+  if (pictures.empty()) return;
+  report.heading("Lobes: fitted (surface) and measured (dots)");
+  report.pictures(pictures);
+  report.paragraph(
+      "All lobes are drawn on one scale: the radius is the cube root of f_r, and the outer circle is " +
+      io::short_number(spheres.lobes.front().outer, 3) + " 1/sr.");
 }
 
 // The properties of the fitted material, and its albedo, lobes and reciprocity.
@@ -110,7 +115,10 @@ void add_files(io::HtmlReport& report, const Findings& found, const SampleOption
 std::string sample_page(const Findings& found, const SampleOptions& options) {
   io::HtmlReport report(found.name);
   const fit::FormFit& best = found.fit.ranking.front();
-  fit::add_verdict(report, found.fit);
+  const std::string look = best.solved() ? "brdf view " + std::string(kMaterial) + " --measured " +
+                                               io::shell_file(found.table.source)
+                                         : std::string();
+  fit::add_first_screen(report, found.fit, found.table, options.fit, options.tolerance, look);
   if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
   if (best.solved()) {
     add_spheres(report, found);

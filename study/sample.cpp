@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/fit.h"
+#include "fit/report/first_screen.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
 #include "io/files/error.h"
@@ -36,6 +37,30 @@ Json failed_checks(const std::vector<validate::Finding>& findings) {
   return names;
 }
 
+Json undecided_checks(const std::vector<validate::Finding>& findings) {
+  Json names = Json::array();
+  for (const validate::Finding& f : findings)
+    if (f.outcome == validate::Outcome::undecided) names.push_back(f.check);
+  return names;
+}
+
+// The estimated parameters with the intervals that the page shows, for the comparison with another run.
+Json estimates_of(const fit::FormFit& fit) {
+  Json list = Json::array();
+  for (const fit::Estimate& e : fit.estimates) {
+    const fit::NamedParameter parameter = fit::named(fit, e);
+    if (parameter.repeats || e.status == fit::Status::unidentified) continue;
+    const bool wide = fit.lack_of_fit.beyond_scatter && std::isfinite(e.with_lack_of_fit.low);
+    const fit::Extent extent = wide ? e.with_lack_of_fit : fit::Extent{e.low, e.high};
+    list.push_back({{"name", parameter.symbol},
+                    {"channel", e.channel},
+                    {"value", number(e.value)},
+                    {"low", number(extent.low)},
+                    {"high", number(extent.high)}});
+  }
+  return list;
+}
+
 // Warnings that users should consider before they use the fit.
 Json warnings_of(const fit::FitResult& result) {
   Json texts = Json::array();
@@ -46,7 +71,8 @@ Json warnings_of(const fit::FitResult& result) {
   return texts;
 }
 
-Json row_of(const Findings& found, const std::string& name, bool relative) {
+Json row_of(const Findings& found, const std::string& name, const SampleOptions& options) {
+  const bool relative = options.fit.free_scale;
   const fit::FormFit& best = found.fit.ranking.front();
   Json row{{"name", name}, {"file", found.table.source}, {"error", nullptr}};
   row["rows"] = found.table.rows();
@@ -70,7 +96,13 @@ Json row_of(const Findings& found, const std::string& name, bool relative) {
   row["recommended"] = fit::usable(found.fit.ranking[found.fit.recommended].verdict)
                            ? Json(found.fit.ranking[found.fit.recommended].form)
                            : Json(nullptr);
+  row["tolerance"] = options.tolerance ? Json(*options.tolerance) : Json(nullptr);
+  row["within_tolerance"] =
+      options.tolerance ? Json(fit::is_within(best, *options.tolerance)) : Json(nullptr);
+  row["estimates"] = estimates_of(best);
+  row["next"] = fit::next_step(found.fit);
   row["sheet"] = counts(found.sheet.findings);
+  row["sheet_undecided"] = undecided_checks(found.sheet.findings);
   row["sheet_failed"] = failed_checks(found.sheet.findings);
   row["properties"] = counts(found.properties);
   row["properties_failed"] = failed_checks(found.properties);
@@ -134,7 +166,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
   if (found.fit.ranking.front().solved()) add_material(found, options, step, out.files);
   for (const File& file : out.files) found.files.push_back(file.name);
-  out.row = row_of(found, name, options.fit.free_scale);
+  out.row = row_of(found, name, options);
   out.files.push_back({kPage, sample_page(found, options)});
   return out;
 }

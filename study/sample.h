@@ -23,7 +23,8 @@ struct SampleOptions {
   fit::FitOptions fit;
   std::string fit_words;  // the options of `fit` in shell syntax, for the commands that the page shows
   bool pictures = true;
-  bool alone = true;  // the page is not part of an overview
+  bool alone = true;                // the page is not part of an overview
+  std::optional<double> tolerance;  // of the median error (fitted), a fraction
 };
 
 // The content of the page and of the JSON files.

@@ -8,6 +8,7 @@
 #include "io/files/error.h"
 #include "io/files/fingerprint.h"
 #include "io/files/output.h"
+#include "io/files/text.h"
 #include "study/overview.h"
 
 namespace brdf::study {
@@ -16,10 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 using io::Json;
 
+// Part of the key of kept results. It changes whenever a row of study.json gets other members.
+constexpr const char* kRowFormat = "row 2\n";
+
 class Study {
  public:
   Study(const std::vector<std::string>& samples, const StudyOptions& options)
-      : options_(options), names_(folder_names(samples)) {
+      : options_(options), names_(folder_names(samples)), earlier_(options.against, options.folder) {
     const std::size_t first = std::min(options.first, samples.size());
     names_.erase(names_.begin(), names_.begin() + std::ptrdiff_t(first));
     names_.resize(std::min(options.count, names_.size()));
@@ -36,13 +40,18 @@ class Study {
   std::vector<Row> run() {
     io::parallel_for(
         rows_.size(), [this](std::size_t k) { work(k); }, options_.jobs);
+    for (Row& row : rows_)
+      if (row.fault == Fault::none && earlier_.has(row.json["name"])) {
+        row.changes = earlier_.changes_to(row.json);
+        row.compared = !options_.against.empty() || !row.changes.empty();
+      }
     if (is_part_) return std::move(rows_);
     const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
     if (std::ranges::all_of(rows_, unreadable)) {
       const std::string first = rows_.front().json["error"];
       throw InputError(alone() ? first : "no sample can be used: " + first);
     }
-    if (!alone()) write_overview(rows_, options_.folder);
+    if (!alone()) write_overview(rows_, options_.folder, options_.against);
     return std::move(rows_);
   }
 
@@ -87,10 +96,10 @@ class Study {
   // Returns false if the run was interrupted.
   bool fill(Row& row, const std::string& name, const Step& step) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint({options_.settings, fit::constants_text(options_.sample.fit),
-                                             "\n", row.file, alone() ? "\nalone\n" : "\none of many\n",
-                                             options_.sample.pictures ? "" : "no pictures\n",
-                                             has_lobes() ? "" : "no lobes\n", content.bytes});
+    const std::string key = io::fingerprint(
+        {options_.settings, fit::constants_text(options_.sample.fit), "\n", row.file,
+         alone() ? "\nalone\n" : "\none of many\n", options_.sample.pictures ? "" : "no pictures\n",
+         tolerance_text(), kRowFormat, has_lobes() ? "" : "no lobes\n", content.bytes});
     std::optional<Json> earlier = kept(row.folder, key);
     if (earlier) {
       row.json = earlier->at("results").at(0);
@@ -109,6 +118,10 @@ class Study {
     return true;
   }
 
+  std::string tolerance_text() const {
+    return options_.sample.tolerance ? "tolerance " + io::to_text(*options_.sample.tolerance) + "\n" : "";
+  }
+
   void advance(int steps) {
     if (!options_.progress || steps == 0) return;
     const std::lock_guard lock(mutex_);
@@ -119,12 +132,19 @@ class Study {
   std::vector<std::string> names_;  // of the folders of the samples that are studied
   // alone_: there is only one sample. is_part_: only some of the samples are studied.
   bool alone_ = false, is_part_ = false;
+  const Earlier earlier_;  // read before its files are replaced
   std::vector<Row> rows_;
   std::mutex mutex_;
   int done_ = 0;
 };
 
 }  // namespace
+
+Json to_json(const Row& row) {
+  Json json = row.json;
+  if (row.fault == Fault::none) json["changes"] = row.compared ? to_json(row.changes) : Json(nullptr);
+  return json;
+}
 
 std::vector<Row> study(const std::vector<std::string>& samples, const StudyOptions& options) {
   return Study(samples, options).run();

@@ -7,6 +7,7 @@
 
 #include "io/files/json.h"
 #include "io/files/parallel.h"
+#include "study/changes.h"
 #include "study/sample.h"
 
 namespace brdf::study {
@@ -18,6 +19,9 @@ struct StudyOptions {
   // the same settings.
   std::string settings;
   unsigned jobs = 1;
+  // Folder of an older study that the rows are compared with; empty: the earlier results in `folder`, if
+  // there are any.
+  std::filesystem::path against;
   // Only samples `first` to `first + count - 1` are studied and have rows. If samples are left out, no
   // overview is written. Folder names are chosen from the whole list, so that partial runs agree.
   std::size_t first = 0, count = std::size_t(-1);
@@ -32,11 +36,24 @@ struct Row {
   io::Json json;                 // docs/study.schema.json
   Fault fault = Fault::none;     // the reason why the study failed; `error` of `json` describes it
   bool kept = false;             // taken from an earlier run
+  // The differences from the row of the same name in an older study (study/changes.h). Empty without an
+  // older row, and if nothing differs.
+  std::vector<Change> changes = {};
+  // An older study was named and has a row of this name, or something differs from the earlier results.
+  bool compared = false;
   // Assumptions of the reader that affect values or directions. Empty if the row is taken from an earlier
   // run.
   std::vector<std::string> assumptions = {};
   bool usable() const { return fault == Fault::none && json["usable"].get<bool>(); }
+  // Returns whether a tolerance was set and the sample misses it.
+  bool misses_tolerance() const {
+    return fault == Fault::none && json["within_tolerance"].is_boolean() &&
+           !json["within_tolerance"].get<bool>();
+  }
 };
+
+// Returns the row for study.json and --json, with its changes: null if it was not compared.
+io::Json to_json(const Row& row);
 
 // Studies the samples and returns one row for each. For one sample the page is FOLDER/index.html. For
 // several samples the pages are FOLDER/NAME/index.html, and FOLDER/index.html is the overview.

@@ -70,6 +70,11 @@ void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {
       ->check(CLI::Range(0, 100000));
 }
 
+void add_tolerance_option(CLI::App& verb, std::string& tolerance) {
+  verb.add_option("--tolerance", tolerance,
+                  "Largest median error (fitted) that is accepted: 5% or 0.05; above it the exit code is 1");
+}
+
 void add_pictures_option(CLI::App& verb, bool& no_pictures) {
   verb.add_flag("--no-pictures", no_pictures, "Leave out the spheres, which take most of the time");
 }

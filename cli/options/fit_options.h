@@ -16,6 +16,8 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice);
 
 // Adds --bootstrap.
 void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice);
+// Adds --tolerance; fit::tolerance_of() parses its text.
+void add_tolerance_option(CLI::App& verb, std::string& tolerance);
 // Adds --no-pictures.
 void add_pictures_option(CLI::App& verb, bool& no_pictures);
 

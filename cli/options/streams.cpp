@@ -59,7 +59,7 @@ void use_streams_in(CLI::App& app, const std::shared_ptr<std::string>& taken) {
   const std::string verb = app.get_name();
   for (CLI::Option* option : app.get_options()) {
     const std::string name = table_name(*option);
-    if (!is_file(value_of(*option)) && name != "--grid") continue;
+    if (!is_file(value_of(verb, *option)) && name != "--grid") continue;
     option->transform(CLI::Validator(
         [verb, name, taken](std::string& text) { return to_stream(verb, name, *taken, text); }, ""));
   }

@@ -8,6 +8,7 @@
 #include "cli/options/next_step.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "fit/report/first_screen.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
 #include "io/files/output.h"
@@ -17,10 +18,11 @@ namespace brdf::cli {
 namespace {
 
 void print(const fit::FitResult& result, const io::SampleTable& table, const fit::FitOptions& options,
-           TextStream stream) {
+           std::optional<double> tolerance, TextStream stream) {
   PlainText out(stream);
   const int descriptor = descriptor_of(stream);
   fit::print(out, result, table, options, {columns_of(descriptor), colours_on(descriptor)});
+  if (tolerance) out << fit::tolerance_sentence(result.ranking.front(), *tolerance) << '\n';
 }
 
 }  // namespace
@@ -40,15 +42,22 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
     Warning() << "brdf fit: no form could be fitted: " << output << " is not written";
   }
   if (!targets.report.empty())
-    io::write_file_atomically(targets.report, fit::html_report(result, table, options));
+    io::write_file_atomically(targets.report,
+                              fit::html_report(result, table, options, true, targets.tolerance));
   if (targets.json) {
-    std::cout << io::to_text(fit::to_json(result, table, options));
+    io::Json json = fit::to_json(result, table, options);
+    if (targets.tolerance) {
+      json["tolerance"] = *targets.tolerance;
+      json["within_tolerance"] = fit::is_within(best, *targets.tolerance);
+    }
+    std::cout << io::to_text(json);
   } else {
-    print(result, table, options, stream);
+    print(result, table, options, targets.tolerance, stream);
     print_next_step({is_written ? view_command(output, targets.samples) : "", open_page(targets.report)},
                     stream);
   }
-  return fit::usable(best.verdict) && !result.interrupted ? Exit::good : Exit::failed;
+  const bool is_accepted = !targets.tolerance || fit::is_within(best, *targets.tolerance);
+  return fit::usable(best.verdict) && is_accepted && !result.interrupted ? Exit::good : Exit::failed;
 }
 
 }  // namespace brdf::cli

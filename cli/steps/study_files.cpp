@@ -6,9 +6,11 @@
 
 #include "cli/options/next_step.h"
 #include "cli/options/terminal.h"
+#include "io/files/numbers.h"
 #include "io/files/provenance.h"
 #include "io/files/standard_input.h"
 #include "io/files/text.h"
+#include "io/page/marks.h"
 
 namespace brdf::cli {
 namespace {
@@ -16,6 +18,12 @@ namespace {
 // Returns true if the sample was not studied because the run was interrupted.
 bool was_left(const study::Row& row) {
   return row.fault == study::Fault::interrupted;
+}
+
+// Returns the word of the row's mark: "good", "warning".
+std::string_view word_of(const study::Row& row) {
+  const auto mark = find_named<io::Mark>(row.json["mark"].get<std::string>());
+  return io::look_of(mark.value_or(io::Mark::bad)).word;
 }
 
 void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
@@ -28,11 +36,16 @@ void print_text(const std::vector<study::Row>& rows, const std::filesystem::path
     if (was_left(row)) continue;
     out << std::left << std::setw(int(widest) + 2) << text(row.json["name"]);
     if (row.fault == study::Fault::none)
-      out << text(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
+      out << word_of(row) << ": " << text(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
     else
       out << "error\n";
     for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
       out << "  " << text(warning) << '\n';
+    if (row.misses_tolerance())
+      out << "  Outside the tolerance of " << io::percent(row.json["tolerance"].get<double>()) << ".\n";
+    for (const study::Change& c : row.changes)
+      out << "  Changed: " << io::printable(c.what) << " from " << c.before << " to " << c.after
+          << (c.is_beyond ? ", outside the older 95 % interval.\n" : ", within the older 95 % interval.\n");
   }
   out << io::printable((folder / study::kPage).string()) << '\n';
 }
@@ -62,7 +75,7 @@ void print_json(const std::vector<study::Row>& rows) {
   io::Json out = io::to_json(io::provenance());
   out["results"] = io::Json::array();
   for (const study::Row& row : rows) {
-    io::Json json = row.json;
+    io::Json json = study::to_json(row);
     json["kept"] = row.kept;
     out["results"].push_back(std::move(json));
   }
@@ -81,8 +94,10 @@ Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::pat
     return std::ranges::any_of(rows, [&](const study::Row& row) { return row.fault == fault; });
   };
   if (has(study::Fault::environment)) return Exit::environment;
-  return std::ranges::all_of(rows, [](const study::Row& row) { return row.usable(); }) ? Exit::good
-                                                                                       : Exit::failed;
+  return std::ranges::all_of(rows,
+                             [](const study::Row& row) { return row.usable() && !row.misses_tolerance(); })
+             ? Exit::good
+             : Exit::failed;
 }
 
 }  // namespace brdf::cli

@@ -9,7 +9,7 @@
 namespace brdf::cli {
 namespace {
 
-OptionSurface surface_of(const CLI::Option& option) {
+OptionSurface surface_of(const std::string& verb, const CLI::Option& option) {
   OptionSurface s;
   s.positional = option.get_positional();
   if (s.positional) {
@@ -26,7 +26,7 @@ OptionSurface surface_of(const CLI::Option& option) {
   if (!s.positional) s.group = option.get_group();
   s.words = offered(option);
   if (s.flag) return s;
-  s.takes = value_of(option);
+  s.takes = value_of(verb, option);
   const std::string type = option.get_type_name();
   s.value = type.substr(0, type.find_first_of(":{ "));
   if (s.value.empty() || s.takes >= Value::word)
@@ -47,7 +47,8 @@ std::vector<VerbSurface> surface_of(const CLI::App& app) {
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
     if (verb->get_group().empty() || verb->get_allow_extras()) continue;  // hidden, or left out of this build
     VerbSurface s{verb->get_name(), verb->get_description(), verb->get_footer(), {}};
-    for (const CLI::Option* option : verb->get_options()) s.options.push_back(surface_of(*option));
+    for (const CLI::Option* option : verb->get_options())
+      s.options.push_back(surface_of(verb->get_name(), *option));
     std::ranges::stable_sort(s.options, {}, &rank_of);
     verbs.push_back(std::move(s));
   }

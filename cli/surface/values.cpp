@@ -31,8 +31,8 @@ std::vector<std::string> offered(const CLI::Option& option) {
   return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
-Value value_of(const CLI::Option& option) {
-  const OptionRow* const row = find_row("", table_name(option));
+Value value_of(std::string_view verb, const CLI::Option& option) {
+  const OptionRow* const row = find_row(verb, table_name(option));
   const Value named = row ? row->value : Value::unnamed;
   if (is_file(named)) return named;
   if (!offered(option).empty()) return Value::word;

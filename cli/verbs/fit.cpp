@@ -14,6 +14,7 @@
 #include "cli/steps/fit_table.h"
 #include "cli/verb.h"
 #include "fit/fit.h"
+#include "fit/report/first_screen.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/standard_input.h"
@@ -34,6 +35,7 @@ constexpr OptionOf kFitOptions[] = {
     {"--shader", kOneTable},
     {"--param --entry --returns --define --include-folder --embed", kOneTable, "--shader"},
     {"--report", kOneTable | kOneStack},
+    {"--tolerance", kOneTable},
     {"--no-pictures", kManyFiles},
     {"--normals --share --memory-limit", kOneStack},
     {"--regions", kOneStack, "--share"},
@@ -41,7 +43,7 @@ constexpr OptionOf kFitOptions[] = {
 
 struct FitCall {
   std::vector<std::string> samples;
-  std::string output, report;
+  std::string output, report, tolerance;
   bool json = false, no_pictures = false;
   unsigned jobs = 1;
   fit::FitChoice choice;
@@ -72,6 +74,8 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
     throw InputError("--embed: needs -o: the material file holds the text");
   text_stream({{"-o", o.output}, {"--report", o.report}}, o.json);  // throws before any file is read
   io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
+  std::optional<double> tolerance;
+  if (!o.tolerance.empty()) tolerance = fit::tolerance_of(o.tolerance);
   const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
   const auto models = models_of(o);
   watch_for_interrupt();
@@ -79,7 +83,7 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   // The window reads samples without --quantity and --mirror-side.
   const bool is_readable = o.choice.options.supplied == io::Supplied();
   return write_fit(result, samples.table, options,
-                   {o.output, o.report, is_readable ? o.samples[0] : "", o.json});
+                   {o.output, o.report, is_readable ? o.samples[0] : "", o.json, tolerance});
 }
 
 // With --quiet, progress does not report the faults and assumptions of each file.
@@ -139,6 +143,7 @@ void add_fit(CLI::App& app) {
                    "Material file to write (- for standard output); for several sample files or a stack, the "
                    "folder of the results");
   verb->add_option("--report", o.report, "HTML report to write");
+  add_tolerance_option(*verb, o.tolerance);
   verb->add_option("--jobs", o.jobs, "Files, or parts of a stack, fitted at the same time")
       ->check(CLI::Range(1u, 256u));
   verb->add_flag("--no-pictures", o.no_pictures,
@@ -160,6 +165,7 @@ void add_fit(CLI::App& app) {
       "alpha=0.1\n"
       "          brdf fit metal.csv --form cook_torrance --start f0=Johnson.yml\n"
       "          brdf fit bands.csv --form cook_torrance --shape smooth:1\n"
+      "          brdf fit paint.csv --tolerance 5% --report paint.html\n"
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"
       "          brdf fit paint.csv --form ward --bootstrap 200 --seed 3\n"
       "          brdf fit brushed.csv --form ward --anisotropic --metric cube_root --fix kd=0.1 --report "

@@ -6,6 +6,7 @@
 #include "cli/options/progress.h"
 #include "cli/steps/study_files.h"
 #include "cli/verb.h"
+#include "fit/report/first_screen.h"
 #include "work/files.h"
 
 namespace brdf::cli {
@@ -13,7 +14,7 @@ namespace {
 
 struct StudyCall {
   std::vector<std::string> samples;
-  std::string output;
+  std::string output, tolerance, against;
   bool json = false, no_pictures = false;
   unsigned jobs = 1;
   fit::FitChoice choice;
@@ -23,7 +24,7 @@ constexpr OptionOf kStudyOptions[] = {{"SAMPLES --form --metric --anisotropic --
                                        "--free-scale --keep-fill --polarisation --repeats "
                                        "--quantity --mirror-side --max-theta --fix --start --bounds --tie "
                                        "--physical --robust --weights --starts --aperture "
-                                       "--output --jobs --no-pictures --json",
+                                       "--output --jobs --no-pictures --tolerance --against --json",
                                        1},
                                       {"--seed", 1, "--starts"}};
 
@@ -33,6 +34,8 @@ Exit run_study(const CLI::App& verb, const StudyCall& o) {
   study::StudyOptions options =
       work::study_options(o.choice, !o.no_pictures, o.output, o.jobs, this_program());
   options.progress = progress_line("brdf study");
+  if (!o.tolerance.empty()) options.sample.tolerance = fit::tolerance_of(o.tolerance);
+  options.against = o.against;
   return print_study(study::study(work::sample_files(o.samples), options), o.output, o.json,
                      o.choice.options.supplied == io::Supplied());
 }
@@ -53,11 +56,16 @@ void add_study(CLI::App& app) {
       ->required();
   verb->add_option("--jobs", o.jobs, "Samples studied at the same time")->check(CLI::Range(1u, 256u));
   add_pictures_option(*verb, o.no_pictures);
+  add_tolerance_option(*verb, o.tolerance);
+  verb->add_option("--against", o.against,
+                   "Folder of an older study: the overview shows each parameter that left its interval "
+                   "(default: the earlier results in the folder of -o)");
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer(
       "Samples whose results are in the folder, made from the same file by the same options, are kept.\n"
       "Examples: brdf study paint.csv -o paint\n"
       "          brdf study samples/*.csv --jobs 4 -o studied\n"
+      "          brdf study samples/*.csv --tolerance 5% --against last_month/ -o studied\n"
       "          brdf study plane.csv --quantity BRF --mirror-side negative -o plane\n"
       "          brdf study samples/*.csv --form cook_torrance --no-pictures --json -o numbers");
   require_every_option(*verb, kStudyOptions);

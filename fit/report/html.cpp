@@ -1,15 +1,16 @@
 #include "fit/report/html.h"
 
+#include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "io/page/html_report.h"
 
 namespace brdf::fit {
 
 std::string html_report(const FitResult& result, const io::SampleTable& table, const FitOptions& options,
-                        bool sphere) {
+                        bool sphere, std::optional<double> tolerance) {
   io::HtmlReport report("Fit of " + io::file_name(table.name()));
   const FormFit& best = result.ranking.front();
-  add_verdict(report, result);
+  add_first_screen(report, result, table, options, tolerance);
   if (best.solved()) {
     if (sphere) add_sphere(report, best, table);
     add_slices(report, best, table, options.aperture);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "brdf/aperture.h"
 #include "fit/assess/derived.h"
 #include "fit/report/page.h"
+#include "fit/report/page_values.h"
 #include "io/colour/channel_colours.h"
 #include "io/files/evenly.h"
 #include "io/files/numbers.h"
@@ -17,25 +19,8 @@
 namespace brdf::fit {
 namespace {
 
-constexpr std::size_t kSlices = 4, kLeastRows = 4, kMostChannels = 3;
+constexpr std::size_t kShown = 4, kOffered = 12, kLeastRows = 4, kMostChannels = 3;
 constexpr double kCurveStep = 0.5;  // degrees, of a curve
-
-// Computes fitted values, [channel][row].
-std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
-                                               double aperture) {
-  std::vector out(material.channels.size(), std::vector<double>(d.count));
-  const std::vector<ApertureNode> detector = aperture_nodes(degrees(aperture), kFitRings);
-  const std::vector<ApertureNode> source = aperture_nodes({});
-  std::vector<double> f(material.channels.size());
-  for (std::size_t k = 0; k < d.count; ++k) {
-    if (aperture > 0)
-      eval_aperture(material, d.wi(k), d.wo(k), source, detector, f);
-    else
-      eval(material, d.wi(k), d.wo(k), f);
-    for (std::size_t c = 0; c < f.size(); ++c) out[c][k] = f[c];
-  }
-  return out;
-}
 
 // The rows of one incidence in the plane of incidence, sorted by the angle of the detector.
 struct Slice {
@@ -43,9 +28,15 @@ struct Slice {
   std::vector<std::pair<double, std::size_t>> rows;
 };
 
-// Returns slices for up to four angles of incidence, from the steepest to the flattest. For each angle,
-// uses the azimuth with most rows.
-std::vector<Slice> slices_of(const io::SampleTable& table) {
+struct Slices {
+  std::vector<Slice> offered;  // up to kOffered
+  std::size_t all = 0;         // angles of incidence with enough rows in the plane
+  std::vector<bool> shown;     // up to kShown of those offered; readers can switch the others on
+};
+
+// Returns slices from the steepest to the flattest angle of incidence. For each angle, uses the azimuth with
+// most rows.
+Slices slices_of(const io::SampleTable& table) {
   std::map<double, std::map<double, Slice>> by_light;
   for (std::size_t k = 0; k < table.rows(); ++k)
     if (const double angle = io::in_plane_angle(table, k); std::isfinite(angle)) {
@@ -62,7 +53,14 @@ std::vector<Slice> slices_of(const io::SampleTable& table) {
     std::ranges::sort(most.rows);
     all.push_back(std::move(most));
   }
-  return io::evenly(std::move(all), kSlices);
+  Slices slices;
+  slices.all = all.size();
+  slices.offered = io::evenly(std::move(all), kOffered);
+  slices.shown.resize(slices.offered.size());
+  std::vector<std::size_t> numbers(slices.offered.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  for (const std::size_t k : io::evenly(std::move(numbers), kShown)) slices.shown[k] = true;
+  return slices;
 }
 
 // Returns every half degree between the outermost samples, and the angles of the samples.
@@ -144,16 +142,21 @@ std::vector<std::size_t> shown_channels(const std::vector<std::string>& channels
 }
 
 // Returns the plot of one channel, which is number `shown` of the curves.
-io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slices,
-                    const std::vector<Curve>& curves, std::size_t channel, std::size_t shown) {
+io::Plot slice_plot(const io::SampleTable& table, const Slices& chosen, const std::vector<Curve>& curves,
+                    std::size_t channel, std::size_t shown) {
+  const std::vector<Slice>& slices = chosen.offered;
   io::Plot plot;
+  plot.counted = "angles of incidence";
+  plot.all = chosen.all;
   plot.title = "Channel " + table.channels[channel] + ": measured (points) and fitted (lines)";
-  plot.x_label = "theta_o, degrees: viewing angle, positive on the mirror side";
-  plot.y_label = "f_r, 1/sr";
+  plot.x_label = "viewing angle theta_o, degrees, positive on the mirror side";
+  plot.y_label = "BRDF value f_r, 1/sr";
   plot.log_y = true;
   for (std::size_t s = 0; s < slices.size(); ++s) {
     io::Series points{"", {}, {}, io::Series::Style::points};
     points.colour = int(s);
+    points.role = "measured";
+    points.hidden = !chosen.shown[s];
     for (const auto& [angle, row] : slices[s].rows) {
       points.x.push_back(angle);
       points.y.push_back(table.values[channel][row]);
@@ -161,6 +164,8 @@ io::Plot slice_plot(const io::SampleTable& table, const std::vector<Slice>& slic
     io::Series line{"incidence at " + io::short_number(slices[s].theta_i) + " degrees", curves[s].angles,
                     curves[s].values[shown], io::Series::Style::line};
     line.colour = int(s);
+    line.role = "fitted";
+    line.hidden = !chosen.shown[s];
     if (!curves[s].bands.empty())
       for (const Extent& band : curves[s].bands[shown]) {
         // An open band extends beyond the plot.
@@ -193,13 +198,29 @@ std::vector<unsigned char> pixels_of(const std::vector<double>& cells, double la
 
 }  // namespace
 
+std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
+                                               double aperture) {
+  std::vector out(material.channels.size(), std::vector<double>(d.count));
+  const std::vector<ApertureNode> detector = aperture_nodes(degrees(aperture), kFitRings);
+  const std::vector<ApertureNode> source = aperture_nodes({});
+  std::vector<double> f(material.channels.size());
+  for (std::size_t k = 0; k < d.count; ++k) {
+    if (aperture > 0)
+      eval_aperture(material, d.wi(k), d.wo(k), source, detector, f);
+    else
+      eval(material, d.wi(k), d.wo(k), f);
+    for (std::size_t c = 0; c < f.size(); ++c) out[c][k] = f[c];
+  }
+  return out;
+}
+
 void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture) {
-  const std::vector<Slice> slices = slices_of(table);
-  if (slices.empty()) return;
+  const Slices slices = slices_of(table);
+  if (slices.offered.empty()) return;
   report.heading("Measured and fitted in the plane of incidence");
   std::vector<Curve> curves;
   const std::vector<std::size_t> channels = shown_channels(table.channels);
-  for (const Slice& slice : slices) curves.push_back(curve_of(fit, slice, channels, aperture));
+  for (const Slice& slice : slices.offered) curves.push_back(curve_of(fit, slice, channels, aperture));
   for (std::size_t k = 0; k < channels.size(); ++k)
     report.plot(slice_plot(table, slices, curves, channels[k], k));
   std::string about;
@@ -225,16 +246,17 @@ void add_deviation(io::HtmlReport& report, const FormFit& fit, const io::SampleT
   if (largest < kExact) return report.paragraph("The fit reproduces every measurement to rounding.");
   constexpr std::size_t kPixels = 10, kWidth = kMapCells * kPixels;
   const std::vector<std::string> angles{"0", "30", "60", "90"};
-  report.map({.png = io::png_of_pixels(kWidth, kWidth, pixels_of(cells, largest, kPixels)),
-              .x_label = "theta_h, degrees: angle between the half vector and the normal",
-              .y_label = "theta_d, degrees: angle between the incident direction and the half vector",
-              .x_ticks = angles,
-              .y_ticks = angles,
-              .low = io::percent(-std::expm1(-largest)) + " too dark",
-              .high = io::percent(std::expm1(largest)) + " too bright",
-              .caption = "Fitted minus measured, mean over cells of two degrees. Hatched: no measurements.",
-              .command = {},
-              .colours = io::Colours::diverging});
+  report.map(
+      {.png = io::png_of_pixels(kWidth, kWidth, pixels_of(cells, largest, kPixels)),
+       .x_label = "half angle theta_h, degrees, between the half vector and the normal",
+       .y_label = "difference angle theta_d, degrees, between the incident direction and the half vector",
+       .x_ticks = angles,
+       .y_ticks = angles,
+       .low = io::percent(-std::expm1(-largest)) + " too dark",
+       .high = io::percent(std::expm1(largest)) + " too bright",
+       .caption = "Fitted minus measured, mean over cells of two degrees. Hatched: no measurements.",
+       .command = {},
+       .colours = io::Colours::diverging});
 }
 
 }  // namespace brdf::fit

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/assess/reported.h"
+#include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
@@ -131,6 +132,7 @@ void add_verdict(io::HtmlReport& report, const FitResult& result) {
   std::vector<io::Remark> remarks;
   for (const std::string& fault : faults) remarks.push_back({Mark::warn, "The measurements: " + fault + "."});
   for (io::Remark& remark : remarks_on(best)) remarks.push_back(std::move(remark));
+  for (io::Remark& remark : energy_remarks(result)) remarks.push_back(std::move(remark));
   report.remarks(remarks);
   if (std::string text = recommendation(result); !text.empty()) {
     text[0] = 'R';
@@ -174,19 +176,25 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
 
 void add_ranking(io::HtmlReport& report, const FitResult& result) {
   if (result.ranking.size() > 1) report.heading("All forms, best first");
+  const bool held_out =
+      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
   std::vector<io::Row> rows, more;
   for (const FormFit& f : result.ranking) {
-    const RelativeErrors& errors = f.left_out ? f.left_out->errors : f.errors;
+    // A column never mixes fitted and held-out errors.
+    const RelativeErrors errors = !held_out ? f.errors : f.left_out ? f.left_out->errors : RelativeErrors{};
     const auto& over = f.lack_of_fit.residual_over_scatter;
-    const auto share = [&](double x) { return Cell{f.solved() ? io::percent(x) : "-"}; };
+    const auto share = [&](double x) {
+      return Cell{f.solved() && std::isfinite(x) ? io::percent(x) : std::string("-")};
+    };
     rows.push_back({{f.form, Mark::none, true},
                     {std::string(name_of(f.verdict)), mark_in_ranking(f, result.ranking.front())},
                     {f.left_out ? io::short_number(f.left_out->value, 3) : "-"},
-                    share(errors.median),
+                    share(f.median_relative_error),
                     share(errors.ninth_decile),
                     share(errors.off_by_two),
                     {over ? times_text(*over) : "-"},
                     {std::to_string(f.parameters)}});
+    if (held_out) rows.back().insert(rows.back().begin() + 4, share(errors.median));
     more.push_back({{f.form, Mark::none, true},
                     {f.lack_of_fit.worst ? to_text(f.lack_of_fit.worst->range) : "-"},
                     {f.lack_of_fit.worst ? io::short_number(f.lack_of_fit.worst->ratio, 3) : "-"},
@@ -197,11 +205,11 @@ void add_ranking(io::HtmlReport& report, const FitResult& result) {
                     {io::short_number(f.metrics.log_relative, 3)}});
   }
   if (result.ranking.size() == 1) report.heading("Errors");
-  const bool held_out =
-      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
-  report.table({"form", "verdict", "held out", held_out ? "median (held out)" : "median (fitted)", "90 %",
-                "off by 2", "x scatter", "parameters"},
-               rows, rows.size() > 1);
+  const std::string of = held_out ? " (held out)" : " (fitted)";
+  std::vector<std::string> header{"form",      "verdict",       "held out",  "median error (fitted)",
+                                  "90 %" + of, "off by 2" + of, "x scatter", "parameters"};
+  if (held_out) header.insert(header.begin() + 4, "median error (held out)");
+  report.table(header, rows, rows.size() > 1);
   report.begin_fold("Worst region of each form, BIC and the four metrics");
   report.table({"form", "worst at", "ratio there", "BIC", "log", "cosine L2", "cube root", "log-relative"},
                more, more.size() > 1);

@@ -45,11 +45,7 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
 // Returns the text in the colour of its mark.
 std::string shown(const std::string& text, io::Mark mark, const TextStyle& style) {
   if (!style.colours) return text;
-  const char* colour = mark == io::Mark::good      ? "\x1b[32m"
-                       : mark == io::Mark::warn    ? "\x1b[33m"
-                       : mark == io::Mark::unknown ? "\x1b[90m"
-                                                   : "\x1b[31m";
-  return colour + text + "\x1b[0m";
+  return std::string(io::look_of(mark).terminal) + text + "\x1b[0m";
 }
 
 // A column of the ranking: its heading, then its cells.
@@ -67,6 +63,8 @@ struct Column {
 
 // Prints the ranked forms. If the terminal is too narrow for all columns, some are omitted, with a note.
 void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& style) {
+  const bool held_out =
+      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
   // The widths are minima. `dropped` gives the order of removal if the terminal is too narrow; the least
   // important column goes first.
   std::vector<Column> table{{0, "form", {}},       {0, "verdict", {}},      {10, "held out", {}, 3},
@@ -74,7 +72,8 @@ void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& 
                             {11, "x scatter", {}}, {0, "parameters", {}, 4}};
   if (style.columns == 0) table[0].width = 28, table[1].width = 17;  // enough for most names; sums are longer
   for (const FormFit& fit : result.ranking) {
-    const RelativeErrors& e = fit.left_out ? fit.left_out->errors : fit.errors;
+    // A column never mixes fitted and held-out errors.
+    const RelativeErrors e = !held_out ? fit.errors : fit.left_out ? fit.left_out->errors : RelativeErrors{};
     const double value = fit.left_out ? fit.left_out->value : kUnknown,
                  over = fit.lack_of_fit.residual_over_scatter.value_or(kUnknown);
     const std::string cells[] = {fit.form,
@@ -113,8 +112,6 @@ void print_ranking(std::ostream& out, const FitResult& result, const TextStyle& 
   if (missing > 0)
     out << "  a terminal of " << all << " columns, or --json, shows " << io::plural(missing, "more column")
         << '\n';
-  const bool held_out =
-      std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); });
   out << "  median, 90 % and off by 2: errors of the rows " << (held_out ? "held out" : "fitted") << '\n';
 }
 
@@ -236,8 +233,10 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
   print_ranking(out, result, style);
   if (result.ranking.empty()) return;
   const FormFit& best = result.ranking.front();
-  out << best.form << ", " << shown(std::string(name_of(best.verdict)), mark_of(best), style) << '\n';
-  out << "  " << shown(verdict_sentence(best), mark_of(best), style) << '\n';
+  const io::Mark mark = mark_of(best);
+  out << best.form << ", " << shown(std::string(name_of(best.verdict)), mark, style) << ": "
+      << shown(std::string(io::look_of(mark).word), mark, style) << '\n';
+  out << "  " << shown(verdict_sentence(best), mark, style) << '\n';
   for (const std::string& finding : best.findings) out << "  " << finding << '\n';
   for (const Condition condition : conditions_of(best))
     if (const std::string text = sentence_of(condition, best); !text.empty()) out << "  " << text << '\n';

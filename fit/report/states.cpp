@@ -130,7 +130,7 @@ io::Mark mark_in_ranking(const FormFit& f, const FormFit& first) {
 
 std::string verdict_sentence(const FormFit& f) {
   const std::string error = share_of(f.median_relative_error);
-  const std::string typical = ": median error " + error;
+  const std::string typical = ": median error (fitted) " + error;
   std::string how;
   switch (headline_of(f)) {
     case Condition::interrupted:
@@ -147,19 +147,20 @@ std::string verdict_sentence(const FormFit& f) {
     case Condition::not_identifiable:
       return f.form + " is not identifiable from these measurements.";
     case Condition::exact:
-      how = f.form + " fits the measurements to rounding: median error at most " + error;
+      how = f.form + " fits the measurements to rounding: median error (fitted) at most " + error;
       break;
     case Condition::roughly:
       how = f.form + " fits the measurements only roughly" + typical + "; the residuals are " +
             beyond_in_words(f);
       break;
     case Condition::scatter_unknown:
-      how = f.form + " has a median error of " + error +
+      how = f.form + " has a median error (fitted) of " + error +
             "; lack of fit cannot be judged, because the measurement noise is not known";
       break;
     case Condition::interpolated:
-      how = f.form + " has a median error of " + error + "; lack of fit cannot be judged, because the noise" +
-            scatter_in_words(f) + " was estimated on an interpolated grid";
+      how = f.form + " has a median error (fitted) of " + error +
+            "; lack of fit cannot be judged, because the noise" + scatter_in_words(f) +
+            " was estimated on an interpolated grid";
       break;
     default:
       how = f.form + " fits the measurements" + typical + ", consistent with the measurement noise" +

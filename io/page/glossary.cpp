@@ -32,8 +32,16 @@ const std::vector<GlossaryTerm>& quantities() {
        "Cross-validation error: the residual at measurements that were held out of the fit, fold by fold. "
        "Smaller is better; forms are ranked by this error."},
       {"median", "Median of the relative errors."},
-      {"90 %", "90th percentile of the relative errors."},
-      {"off by 2", "Share of the reflected light in values with an error of more than a factor of two."},
+      {"median error (fitted)",
+       "Median of the relative errors |fitted - measured|/measured at the measurements that were fitted."},
+      {"median error (held out)",
+       "Median of the relative errors at measurements that were held out of the fit, fold by fold."},
+      {"90 % (fitted)", "90th percentile of the relative errors at the measurements that were fitted."},
+      {"90 % (held out)", "90th percentile of the relative errors at held-out measurements."},
+      {"off by 2 (fitted)",
+       "Share of the reflected light in fitted values with an error of more than a factor of two."},
+      {"off by 2 (held out)",
+       "Share of the reflected light in held-out values with an error of more than a factor of two."},
       {"x scatter",
        "Typical residual of the fit divided by the measurement noise. Near 1 the residuals are consistent "
        "with the noise; well above 1 the form has a lack of fit."},

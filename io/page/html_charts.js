@@ -2,7 +2,7 @@
 // and shape, so that plots do not depend on colour alone.
 const kDashes = [[], [11, 3], [7, 3, 2, 3], [2, 3], [14, 4, 3, 4], [5, 5], [1, 4], [9, 3, 2, 3, 2, 3]];
 const kShapes = ["circle", "triangle", "rect", "rectRot", "crossRot", "star", "cross", "dash"];
-const kMostInLegend = 8;
+const kMostInLegend = 16;
 Chart.defaults.font.family = 'system-ui, "DejaVu Sans", sans-serif';
 Chart.defaults.animation = false;
 // Letters, points and lines follow the size of the page's text, which is smaller on paper.
@@ -67,60 +67,176 @@ const datasetsOf = (plot) => plot.series.flatMap((s, k) => {
   const faint = s.style.startsWith("faint"), points = s.style.endsWith("points"), index = (s.colour ?? k) % 8;
   const drawn = colour(faint ? "faint" : "c" + index);
   const line = {
-    label: s.label, data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, faint, borderColor: drawn,
+    label: s.label, role: s.role, entry: plot.entries[k], data: s.x.map((x, j) => ({ x, y: s.y[j] })), names: s.names, faint, borderColor: drawn,
     backgroundColor: faint && points ? "transparent" : drawn, borderWidth: sized(faint ? 1 : 2), showLine: !points,
     borderDash: s.style === "dashed" ? [6, 4] : faint ? [] : kDashes[index].map(sized), clip: 6, spanGaps: false,
     pointStyle: faint ? "circle" : kShapes[index], pointRadius: !points ? 0 : sized(index < 4 ? 3.5 : 5), pointBorderWidth: sized(1.5),
   };
-  const edge = (values, fill) => ({ label: "", data: s.x.map((x, j) => ({ x, y: values[j] })), showLine: true,
-    borderWidth: 0, pointRadius: 0, fill, backgroundColor: drawn + "38" });
+  const edge = (values, fill) => ({ label: "", entry: plot.entries[k], isEdge: true, data: s.x.map((x, j) => ({ x, y: values[j] })), showLine: true,
+    borderWidth: 0, pointRadius: 0, fill, drawn, backgroundColor: drawn + "38" });
   return s.low ? [edge(s.low, false), edge(s.high, "-1"), line] : [line];
 });
 
+// A curve belongs to the entry of the legend with its label, or with its colour if it has no label.
+const entriesOf = (plot) => {
+  const labels = [];
+  plot.entries = plot.series.map((s, k) => s.label || plot.series.find((o) => o.label && o.colour !== undefined && o.colour === s.colour)?.label || "");
+  plot.series.forEach((s, k) => {
+    if (s.label && !labels.some((l) => l.text === s.label)) labels.push({ text: s.label, on: !s.hidden, series: k });
+  });
+  return labels;
+};
+
 // The sign in the legend: the line with its dash and the shape of its points.
-const signOf = (drawn, fill, dash, shape, width) => {
-  const sign = Object.assign(document.createElement("canvas"), { width: 34, height: 11 });
+const signOf = (line, points) => {
+  const sign = Object.assign(document.createElement("canvas"), { width: 34, height: 12 });
   const ctx = sign.getContext("2d");
-  Object.assign(ctx, { strokeStyle: drawn, fillStyle: fill, lineWidth: width });
-  if (dash) {
-    ctx.setLineDash(dash);
+  sign.ariaHidden = "true";
+  Object.assign(ctx, { strokeStyle: line.borderColor, fillStyle: points?.backgroundColor ?? line.backgroundColor, lineWidth: line.borderWidth });
+  if (line.showLine) {
+    ctx.setLineDash(line.borderDash);
     ctx.beginPath();
-    ctx.moveTo(0, 5.5);
-    ctx.lineTo(34, 5.5);
+    ctx.moveTo(0, 6);
+    ctx.lineTo(34, 6);
     ctx.stroke();
     ctx.setLineDash([]);
   }
-  if (shape) Chart.helpers.drawPoint(ctx, { pointStyle: shape, radius: 4, borderWidth: 1.5, rotation: 0 }, 17, 5.5);
+  if (points) Chart.helpers.drawPoint(ctx, { pointStyle: points.pointStyle, radius: 4, borderWidth: 1.5, rotation: 0 }, 17, 6);
   return sign;
 };
 
-// Returns the series with a label. A series takes the shape of unlabelled points with the same colour.
-const legendOf = (chart) => chart.data.datasets.flatMap((set, k) => {
-  if (set.label === "") return [];
-  const points = set.showLine
-    ? chart.data.datasets.find((d) => !d.showLine && d.label === "" && d.borderColor === set.borderColor) : set;
-  return [{ text: set.label, datasetIndex: k, hidden: !chart.isDatasetVisible(k), fontColor: colour("text"),
-    pointStyle: signOf(set.borderColor, points?.backgroundColor, set.showLine && set.borderDash, points?.pointStyle, set.borderWidth) }];
-});
+// Shows and hides the curves by their entries, and states how many are shown.
+const switchCurves = (chart, plot) => {
+  chart.data.datasets.forEach((set, k) => {
+    const entry = plot.labels.find((l) => l.text === set.entry);
+    chart.setDatasetVisibility(k, entry ? entry.on : true);
+  });
+  chart.update();
+  const shown = plot.labels.filter((l) => l.on).length, all = plot.counted ? plot.all : plot.labels.length;
+  if (!plot.note) return;
+  plot.note.textContent = shown === all ? "" : shown + " of " + all + " " + (plot.counted ?? "curves") + " shown"
+    + (shown < plot.labels.length ? ". The legend switches the others on." : ".");
+};
+
+// The legend: a button for each entry, which switches its curve.
+const legendOf = (chart, plot) => {
+  const figure = chart.canvas.closest("figure"), box = figure.querySelector(".legend");
+  box.replaceChildren(...(plot.labels.length < 2 || plot.labels.length > kMostInLegend ? [] : plot.labels.map((entry) => {
+    const sets = chart.data.datasets.filter((set) => set.entry === entry.text && !set.isEdge);
+    const line = sets.find((set) => set.showLine) ?? sets[0], points = sets.find((set) => !set.showLine);
+    const button = document.createElement("button");
+    button.type = "button";
+    button.ariaPressed = String(entry.on);
+    button.append(signOf(line, points), entry.text);
+    button.addEventListener("click", () => {
+      entry.on = !entry.on;
+      button.ariaPressed = String(entry.on);
+      switchCurves(chart, plot);
+    });
+    return button;
+  })));
+};
+
+const digits = (value) => String(Number(value.toPrecision(4)));
+
+// The values under the pointer in words: "fitted, incidence at 20 degrees: 0.123 at 35".
+const tipOf = (item) => {
+  const set = item.dataset, name = set.names?.[item.dataIndex] || [set.role, set.entry].filter(Boolean).join(", ");
+  return (name ? name + ": " : "") + digits(item.parsed.y) + " at " + digits(item.parsed.x);
+};
 
 const chartOf = (plot, index) => {
-  const labelled = plot.series.filter((s) => s.label !== "").length;
-  return new Chart(document.getElementById("plot" + index), {
+  plot.labels ??= entriesOf(plot);
+  const chart = new Chart(document.getElementById("plot" + index), {
     type: "scatter", data: { datasets: datasetsOf(plot) }, plugins: [pointNames],
     options: {
-      maintainAspectRatio: false, responsive: true,
+      maintainAspectRatio: false, responsive: true, interaction: { mode: "nearest", intersect: false },
       plugins: {
-        legend: { display: labelled > 1 && labelled <= kMostInLegend,
-          onClick: null,
-          labels: { usePointStyle: true, pointStyleWidth: 34, boxHeight: sized(9), padding: sized(10), generateLabels: legendOf } },
-        tooltip: { filter: (item) => item.dataset.label !== "" || item.dataset.names, callbacks: {
-          label: (item) => (item.dataset.names?.[item.dataIndex] || item.dataset.label) + ": "
-            + Number(item.parsed.x.toPrecision(4)) + ", " + Number(item.parsed.y.toPrecision(4)) } },
+        legend: { display: false },
+        tooltip: { filter: (item) => !item.dataset.isEdge, callbacks: { label: tipOf } },
       },
       scales: { x: axisOf(plot.log_x, plot.range_x, null, plot.series.every((s) => s.x.every(Number.isInteger))), y: axisOf(plot.log_y, plot.range_y, plot.bottom_edge) },
     },
   });
+  legendOf(chart, plot);
+  switchCurves(chart, plot);
+  return chart;
 };
+
+// The numbers of the plot, one row per point, with the curves that are switched off.
+const csvOf = (plot) => {
+  const quoted = (text) => /[",\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+  const rows = [["curve", plot.x_label, plot.y_label, "low", "high"]];
+  plot.series.forEach((s, k) => s.x.forEach((x, j) => rows.push(
+    [[s.role, plot.entries[k], s.names?.[j]].filter(Boolean).join(", "), x ?? "", s.y[j] ?? "", s.low?.[j] ?? "", s.high?.[j] ?? ""])));
+  return rows.map((row) => row.map((cell) => quoted(String(cell))).join(",")).join("\n") + "\n";
+};
+
+// The chart as it is drawn, as lines and text.
+const svgOf = (chart, plot) => {
+  const { chartArea: area, scales: { x: sx, y: sy } } = chart, font = Chart.defaults.font.family.replaceAll('"', "'");
+  const safe = (text) => String(text).replaceAll("&", "&amp;").replaceAll("<", "&lt;"), at = (v) => v.toFixed(1);
+  const text = (x, y, words, anchor, more = "") =>
+    `<text x="${at(x)}" y="${at(y)}" text-anchor="${anchor}"${more}>${safe(words)}</text>`;
+  const top = 46, width = chart.width, height = chart.height + top + 24, parts = [];
+  const line = (x1, y1, x2, y2) => `<line x1="${at(x1)}" y1="${at(y1)}" x2="${at(x2)}" y2="${at(y2)}" stroke="${colour("line")}"/>`;
+  for (const [k, tick] of sx.ticks.entries()) {
+    const x = sx.getPixelForTick(k);
+    parts.push(line(x, area.top, x, area.bottom), text(x, area.bottom + 16, tick.label ?? "", "middle"));
+  }
+  for (const [k, tick] of sy.ticks.entries()) {
+    const y = sy.getPixelForTick(k);
+    parts.push(line(area.left, y, area.right, y), text(area.left - 6, y + 4, tick.label ?? "", "end"));
+  }
+  const placesOf = (k) => chart.getDatasetMeta(k).data.filter((p) => !p.skip && Number.isFinite(p.x) && Number.isFinite(p.y));
+  const path = (places) => places.map((p) => at(p.x) + "," + at(p.y)).join(" ");
+  const marks = { circle: "M-4 0a4 4 0 1 0 8 0a4 4 0 1 0 -8 0", triangle: "M0-4.5L4.2 3.2H-4.2Z", rect: "M-3.4-3.4H3.4V3.4H-3.4Z", rectRot: "M0-4.6L4.6 0L0 4.6L-4.6 0Z" };
+  const other = "M-4-4L4 4M-4 4L4-4";
+  chart.data.datasets.forEach((set, k) => {
+    if (!chart.isDatasetVisible(k)) return;
+    const places = placesOf(k);
+    if (set.isEdge && set.fill) parts.push(`<polygon points="${path(placesOf(k - 1))} ${path(places.slice().reverse())}" fill="${set.drawn}" fill-opacity=".22"/>`);
+    else if (set.isEdge) return;
+    else if (set.showLine) parts.push(`<polyline points="${path(places)}" fill="none" stroke="${set.borderColor}" stroke-width="2" stroke-dasharray="${set.borderDash.join(" ")}"/>`);
+    else for (const p of places) parts.push(`<path d="${marks[set.pointStyle] ?? other}" transform="translate(${at(p.x)} ${at(p.y)})" fill="${set.backgroundColor === "transparent" ? "none" : set.backgroundColor}" stroke="${set.borderColor}"/>`);
+  });
+  let left = area.left;
+  const names = plot.labels.filter((l) => l.on).map((l) => {
+    const set = chart.data.datasets.find((d) => d.entry === l.text && !d.isEdge), x = left;
+    left += 46 + 7 * l.text.length;
+    return `<line x1="${x}" y1="34" x2="${x + 28}" y2="34" stroke="${set.borderColor}" stroke-width="2" stroke-dasharray="${set.borderDash.join(" ")}"/>` + text(x + 34, 38, l.text, "start");
+  });
+  const space = "http:" + "//www.w3.org/2000/svg";  // the name of the format; nothing is loaded
+  return `<svg xmlns="${space}" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" font-family="${font}" font-size="12" fill="${colour("text")}">`
+    + `<rect width="100%" height="100%" fill="${colour("back")}"/>` + text(8, 18, plot.title, "start", ' font-weight="600"') + (plot.labels.length > 1 ? names.join("") : "")
+    + `<g transform="translate(0 ${top})"><clipPath id="a"><rect x="${area.left - 6}" y="${area.top - 6}" width="${area.width + 12}" height="${area.height + 12}"/></clipPath>${parts.join("")}`
+    + text(area.left, area.top - 4, plot.y_label, "start") + text((area.left + area.right) / 2, chart.height + 14, plot.x_label, "middle") + "</g></svg>";
+};
+
+const save = (name, type, content) => {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+};
+
+// The legend above the chart, and below it the number of curves and the buttons that save.
+plots.forEach((plot, index) => {
+  const box = document.getElementById("plot" + index).closest(".chart");
+  const add = (tag, name, after) => after(Object.assign(document.createElement(tag), { className: name }));
+  add("div", "legend", (e) => box.closest("figure").querySelector(".title").after(e));
+  add("p", "save", (e) => box.nextElementSibling.after(e));
+  const row = box.closest("figure").querySelector(".save");
+  plot.note = Object.assign(document.createElement("span"), { className: "shown" });
+  row.append(plot.note);
+  const name = plot.title.replace(/[^A-Za-z0-9]+/g, "_").replace(/^_|_$/g, "").toLowerCase();
+  for (const [kind, type, make] of [["SVG", "image/svg+xml", () => svgOf(charts[index], plot)], ["CSV", "text/csv", () => csvOf(plot)]]) {
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: kind, ariaLabel: "save " + plot.title + " as " + kind });
+    button.addEventListener("click", () => save(name + "." + kind.toLowerCase(), type, make()));
+    row.append(button);
+  }
+});
 
 let charts = [];
 const drawAll = () => {

@@ -1,4 +1,4 @@
-// Small fragments of HTML for io/html_*.cpp.
+// Small fragments of HTML for blocks that a page adds itself.
 #pragma once
 
 #include <string>

@@ -16,11 +16,19 @@ const char* style_name(Series::Style style) {
   return names[std::size_t(style)];
 }
 
+// Rounds to seven significant digits, more than a screen shows: all digits would double the weight of a page.
+double rounded(double v) {
+  if (v == 0 || !std::isfinite(v)) return v;
+  const double unit = std::pow(10.0, 6 - std::floor(std::log10(std::abs(v))));
+  const double out = std::round(v * unit) / unit;
+  return std::isfinite(out) ? out : v;
+}
+
 Json values(const std::vector<double>& data, bool log) {
   Json array = Json::array();
   for (const double v : data) {
     if (std::isfinite(v) && (!log || v > 0))
-      array.push_back(v);
+      array.push_back(rounded(v));
     else
       array.push_back(nullptr);
   }
@@ -61,6 +69,8 @@ Json to_json(const Plot& plot) {
                                                    {"x", values(s.x, plot.log_x)},
                                                    {"y", values(y, plot.log_y)}});
     if (s.colour >= 0) entry["colour"] = s.colour;
+    if (!s.role.empty()) entry["role"] = s.role;
+    if (s.hidden) entry["hidden"] = true;
     if (!s.names.empty()) entry["names"] = s.names;
     if (!s.low.empty()) {
       entry["low"] = values(s.low, plot.log_y);
@@ -69,8 +79,13 @@ Json to_json(const Plot& plot) {
     for (const double x : s.x) x_max = std::fmax(x_max, std::abs(x));
     for (const double v : s.y) y_max = std::fmax(y_max, std::abs(v));
   }
+  if (!plot.counted.empty()) {
+    json["counted"] = plot.counted;
+    json["all"] = plot.all;
+  }
+  if (plot.range_y && !plot.log_y) json["range_y"] = {plot.range_y->first, plot.range_y->second};
   if (plot.equal_axes) {  // a half plane seen from the side
-    const double size = 1.05 * std::fmax(x_max, y_max);
+    const double size = 1.05 * std::fmax(std::fmax(x_max, y_max), plot.reach);
     json["range_x"] = {-size, size};
     json["range_y"] = {0, size};
   }
@@ -99,10 +114,11 @@ std::vector<int> channel_palette(const std::vector<std::string>& channels) {
 
 void HtmlReport::plot(const Plot& plot) {
   const std::string id = "plot" + std::to_string(count_++);
-  body_ += "<figure><p class=\"title\">" + html_escaped(plot.title) + "</p><p class=\"axis y\">" +
-           running_text(plot.y_label) + "</p><div class=\"chart" + (plot.equal_axes ? " square" : "") +
-           "\"><canvas id=\"" + id + "\" role=\"img\" aria-label=\"" + html_escaped(plot.title) +
-           "\"></canvas></div><p class=\"axis x\">" + running_text(plot.x_label) + "</p>";
+  body_ += "<figure class=\"plot\"><p class=\"title\">" + html_escaped(plot.title) +
+           "</p><p class=\"axis y\">" + running_text(plot.y_label) + "</p><div class=\"chart" +
+           (plot.equal_axes ? " square" : "") + "\"><canvas id=\"" + id + "\" role=\"img\" aria-label=\"" +
+           html_escaped(plot.title) + "\"></canvas></div><p class=\"axis x\">" + running_text(plot.x_label) +
+           "</p>";
   if (!plot.caption.empty()) body_ += "<figcaption>" + running_text(plot.caption) + "</figcaption>";
   command(plot.command);
   body_ += "</figure>\n";

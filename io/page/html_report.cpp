@@ -52,6 +52,16 @@ void HtmlReport::paragraph(std::string_view text) {
   body_ += "<p>" + running_text(text) + "</p>\n";
 }
 
+void HtmlReport::facts(const std::vector<Fact>& facts) {
+  body_ += "<ul class=\"facts\">\n";
+  for (const Fact& fact : facts) {
+    const std::string value = fact.value.empty() ? "<i>not stated</i>" : html_escaped(fact.value);
+    body_ += "<li>" + (fact.name.empty() ? "" : html_escaped(fact.name) + ": ") +
+             (fact.value.empty() ? value : "<b>" + value + "</b>") + "</li>\n";
+  }
+  body_ += "</ul>\n";
+}
+
 void HtmlReport::verdict(Mark mark, std::string_view text) {
   body_ += "<p class=\"verdict" + after_space(css_class(mark)) + "\">" + running_text(text) + "</p>\n";
 }
@@ -122,12 +132,15 @@ std::string HtmlReport::document(const Provenance& made) const {
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      html_escaped(title_) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + kPageStyle + style_ +
-      "</style></head>\n<body>\n<h1>" + html_escaped(title_) + "</h1>\n" + body_;
+      html_escaped(title_) + "</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>" + kPageStyle +
+      mark_style() + style_ + "</style></head>\n<body>\n<main>\n<h1>" + html_escaped(title_) + "</h1>\n" +
+      body_;
   append_terms(html);
-  html += "<footer><p>" + footer_;
+  html += "</main>\n<footer>" + mark_legend() + "<p>" + footer_;
   for (const auto& [key, value] : provenance_fields(made))
-    html += html_escaped(key) + ": <code>" + html_escaped(value) + "</code><br>";
+    html += html_escaped(key) + ": <code>" + html_escaped(value) + "</code>" +
+            // A page has the same bytes wherever it is written (io/files/provenance.h).
+            (key == "command" ? " (without the place of the output and the number of jobs)" : "") + "<br>";
   html += "</p></footer>\n<script>\n" + std::string(kPageScript) + "</script>\n";
   if (!plots_.empty())
     html += "<script>" + chart_library() + "</script>\n<script>\nconst plots = [\n" + within_script(plots_) +

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "brdf/names.h"
 #include "io/files/provenance.h"
+#include "io/page/marks.h"
 
 namespace brdf::io {
 
@@ -29,6 +29,8 @@ struct Series {
   std::vector<double> low = {}, high = {};  // edges of a band about the line; empty: no band
   int colour = -1;                          // of the palette; -1: the next one. Equal numbers belong together
   std::vector<std::string> names = {};      // of the points: in tooltips, and as labels unless faint
+  std::string role = {};                    // in tooltips and files, before the label: "measured", "fitted"
+  bool hidden = false;                      // not drawn until the reader switches it on in the legend
 };
 
 // The bottom edge of a logarithmic axis. It holds exact values, that is, 0 or rounding errors. They are
@@ -38,44 +40,35 @@ struct BottomEdge {
   double below = 1e-15;  // values up to this
 };
 
-// A plot, drawn by Chart.js, which is embedded in the file. The legend has at most 8 entries. If there are
-// more, no legend is drawn, and names of points or a table must identify the series.
+// A plot, drawn by Chart.js, which is embedded in the file. The entries of the legend are buttons that switch
+// their curves. The legend has at most 16 entries. If there are more, no legend is drawn, and names of points
+// or a table must identify the series. Readers can save a plot as SVG and its numbers as CSV.
 struct Plot {
   std::string title, x_label, y_label;
   std::vector<Series> series;
   bool log_x = false, log_y = false;
   bool equal_axes = false;  // the same scale on both axes: polar lobes
+  double reach = 0;         // with equal_axes: the least extent of the axes, for one scale of several plots
+  std::optional<std::pair<double, double>> range_y{};  // of a linear y axis; std::nullopt: from the values
+  // The kind of the labelled curves and how many there are altogether, if not all of them are drawn: the plot
+  // then states "4 of 5 angles of incidence shown". `counted` is a plural.
+  std::string counted{};
+  std::size_t all = 0;
   std::string caption;
   std::string command;                      // prints the same numbers; folded
   std::optional<BottomEdge> bottom_edge{};  // of a logarithmic y axis
 };
 
-// The assessment of a value. Marks are ordered by precedence: the largest of several marks outweighs the
-// others. unknown: it is not known whether the value is good; absent: does not apply. Every mark except
-// none has a sign in addition to its colour.
-enum class Mark { none, good, unknown, warn, bad, absent };
-
-}  // namespace brdf::io
-
-namespace brdf {
-
-template <>
-inline constexpr std::array<std::string_view, 6> kNames<io::Mark>{"none", "good", "unknown",
-                                                                  "warn", "bad",  "absent"};
-
-}  // namespace brdf
-
-namespace brdf::io {
-
 struct Cell {
   std::string text;
   Mark mark = Mark::none;
   bool code = false;
-  std::string command = {};  // folded, below the text
-  std::string note = {};     // small, below the text; in a matrix folded unless the mark is warn or bad
-  std::string link = {};     // the page that the text leads to, relative to this page
-  std::string png = {};      // a small picture above the text: the bytes of the file
-  std::string alt = {};      // alternative text of the picture; empty: the text serves
+  std::string command = {};       // folded, below the text
+  std::string note = {};          // small, below the text; in a matrix folded unless the mark is warn or bad
+  std::string link = {};          // the page that the text leads to, relative to this page
+  std::string png = {};           // a small picture above the text: the bytes of the file
+  std::string alt = {};           // alternative text of the picture; empty: the text serves
+  std::string picture_file = {};  // in place of png: the address of the picture, relative to this page
   std::optional<double> sorted_by =
       {};  // in a sortable table; std::nullopt: the number or word that begins the text
 };
@@ -93,6 +86,12 @@ struct Matrix {
   };
   std::vector<Property> rows;
   bool fold_notes = true;  // with more than two columns, unless the mark is warn or bad
+};
+
+// A fact about the subject of a page.
+struct Fact {
+  std::string name;   // "instrument"; empty if the value needs no name
+  std::string value;  // empty: not stated
 };
 
 // A sentence with its mark.
@@ -136,12 +135,14 @@ class HtmlReport {
   void heading(std::string_view text);
   void subheading(std::string_view text);
   void paragraph(std::string_view text);
+  // Adds one line with facts about the subject; "not stated" in grey for a fact without a value.
+  void facts(const std::vector<Fact>& facts);
   // Adds one line with the overall assessment, in colour and with a sign.
   void verdict(Mark mark, std::string_view text);
   // Adds further facts that readers must know at once, one line each; nothing if the list is empty.
   void remarks(const std::vector<Remark>& remarks);
   // Adds a table, without a header row if `header` is empty. Sortable: a control in the header of each
-  // column sorts by it.
+  // column sorts by it, and a box above a table of more than five rows filters by the text of the rows.
   void table(const std::vector<std::string>& header, const std::vector<Row>& rows, bool sortable = false);
   void matrix(const Matrix& matrix);
   void plot(const Plot& plot);

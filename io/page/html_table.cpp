@@ -88,6 +88,10 @@ std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
     text = cell.link.empty() ? running_text(cell.text) : linked(cell.link, html_escaped(cell.text));
   if (!cell.png.empty())
     text = linked(cell.link, image(cell.png, cell.alt.empty() ? cell.text : cell.alt)) + text;
+  if (!cell.picture_file.empty())
+    text = linked(cell.link, "<img loading=\"lazy\" alt=\"" + html_escaped(cell.alt) + "\" src=\"" +
+                                 html_escaped(cell.picture_file) + "\">") +
+           text;
   const bool fold = fold_note && !cell.note.empty() && cell.mark != Mark::warn && cell.mark != Mark::bad;
   const std::string said = fold ? html_escaped(cell.note) : running_text(cell.note);
   const std::string note = said.empty() ? "" : "<span class=\"note\">" + said + "</span>";
@@ -108,7 +112,8 @@ std::string HtmlReport::cell_of(const Cell& cell, bool fold_note) {
 void HtmlReport::table(const std::vector<std::string>& header, const std::vector<Row>& rows, bool sortable) {
   body_ += std::string("<div class=\"scroll\"><table") + (sortable ? " class=\"sortable\"" : "") + ">";
   if (!header.empty()) body_ += "<thead><tr>";
-  for (const std::string& h : header) body_ += "<th>" + term(h) + "</th>";
+  // An empty heading would be read aloud as a heading.
+  for (const std::string& h : header) body_ += h.empty() ? "<td></td>" : "<th>" + term(h) + "</th>";
   body_ += std::string(header.empty() ? "" : "</tr></thead>") + "<tbody>\n";
   for (const Row& row : rows) {
     body_ += "<tr>";
@@ -120,7 +125,8 @@ void HtmlReport::table(const std::vector<std::string>& header, const std::vector
 
 void HtmlReport::append_matrix(const std::string& corner, const std::vector<std::string>& columns,
                                const std::vector<Matrix::Property>& rows, bool fold_notes) {
-  body_ += "<div class=\"scroll\"><table class=\"matrix\"><thead><tr><th>" + term(corner) + "</th>";
+  body_ += "<div class=\"scroll\"><table class=\"matrix\"><thead><tr>" +
+           (corner.empty() ? "<td></td>" : "<th>" + term(corner) + "</th>");
   for (const std::string& column : columns) body_ += "<th>" + term(column) + "</th>";
   body_ += "</tr></thead><tbody>\n";
   for (const Matrix::Property& row : rows) {

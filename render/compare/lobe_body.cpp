@@ -147,12 +147,19 @@ struct Body {
   }
 };
 
-Body body_of(const Lobe& lobe, float& largest) {
-  Body body;
+std::vector<glm::vec3> values_of(const Lobe& lobe) {
+  std::vector<glm::vec3> values;
   for (int ring = 0; ring < kRings; ++ring)
     for (int sector = 0; sector < kSectors; ++sector)
-      body.values.push_back(lobe.at(ring, sector * 360.0 / kSectors));
+      values.push_back(lobe.at(ring, sector * 360.0 / kSectors));
+  return values;
+}
+
+Body body_of(const Lobe& lobe, float& largest, float outer) {
+  Body body;
+  body.values = values_of(lobe);
   for (const glm::vec3& f : body.values) largest = std::max(largest, largest_of(f));
+  largest = std::max(largest, outer);
   for (int ring = 0; ring < kRings; ++ring)
     for (int sector = 0; sector < kSectors; ++sector) {
       const glm::vec3& f = body.values[body.points.size()];
@@ -183,36 +190,51 @@ void draw_body(Canvas& canvas, const Body& body, const Eye& eye) {
   }
 }
 
-}  // namespace
+constexpr float kLeast = 1e-6f;  // 1/sr: the scale of a material that reflects nothing
 
-BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
-                              const io::SampleTable* measured, int width) {
-  const Lobe lobe(material, theta_i_degrees);
-  float largest = 1e-6f;
-  struct Dot {
-    double theta, phi;
-    float value;
-  };
-  std::vector<Dot> dots;
-  for (const LobePoint& p :
-       measured ? points_of_light(*measured, theta_i_degrees) : std::vector<LobePoint>{}) {
+struct MeasuredDot {
+  double theta, phi;
+  float value;
+};
+
+std::vector<MeasuredDot> dots_of(const io::SampleTable* measured, double theta_i) {
+  std::vector<MeasuredDot> dots;
+  for (const LobePoint& p : measured ? points_of_light(*measured, theta_i) : std::vector<LobePoint>{}) {
     float value = 0;
     for (const std::vector<double>& channel : measured->values)
       value = std::max(value, float(channel[p.row]));
     dots.push_back({p.theta, p.phi, value});
-    largest = std::max(largest, value);
   }
+  return dots;
+}
+
+}  // namespace
+
+double largest_of_lobe(const Material& material, double theta_i_degrees, const io::SampleTable* measured) {
+  float largest = kLeast;
+  for (const MeasuredDot& dot : dots_of(measured, theta_i_degrees)) largest = std::max(largest, dot.value);
+  for (const glm::vec3& f : values_of(Lobe(material, theta_i_degrees)))
+    largest = std::max(largest, largest_of(f));
+  return double(largest);
+}
+
+BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
+                              const io::SampleTable* measured, int width, double outer, bool has_words) {
+  const Lobe lobe(material, theta_i_degrees);
+  float largest = kLeast;
+  std::vector<MeasuredDot> dots = dots_of(measured, theta_i_degrees);
+  for (const MeasuredDot& dot : dots) largest = std::max(largest, dot.value);
   // An isotropic lobe is its own mirror image. The dots are mirrored if most of them lie on the side that
   // faces away from the eye.
   double side = 0;
-  for (const Dot& dot : dots) side += std::sin(degrees(dot.phi).radians());
+  for (const MeasuredDot& dot : dots) side += std::sin(degrees(dot.phi).radians());
   if (side > 0 && !is_anisotropic(material))
-    for (Dot& dot : dots) dot.phi = -dot.phi;
-  const Body body = body_of(lobe, largest);
+    for (MeasuredDot& dot : dots) dot.phi = -dot.phi;
+  const Body body = body_of(lobe, largest, float(outer));
   const int pixels = std::clamp(width / 45, 9, 40);
   const Eye eye(25_deg, 28_deg);
   const float scale = 0.45f * float(width);
-  Canvas canvas(width, int(0.72f * float(width)) + 6 * pixels, eye,
+  Canvas canvas(width, int(0.72f * float(width)) + (has_words ? 6 : 0) * pixels, eye,
                 {float(width) / 2, 0.48f * float(width) + float(pixels)}, scale);
   fill(canvas.picture, {0, 0}, {width, canvas.picture.height}, kBackground);
   draw_ground(canvas);
@@ -220,8 +242,9 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
   canvas.path({{0, 0, 0}, towards(theta_i_degrees, 0)}, 1, kLobeWords);
   draw_body(canvas, body, eye);
   const float size = std::max(3.0f, float(pixels) / 3);
-  for (const Dot& dot : dots)
+  for (const MeasuredDot& dot : dots)
     canvas.dot(std::cbrt(dot.value / largest) * towards(dot.theta, dot.phi), size, kDots);
+  if (!has_words) return std::move(canvas.picture);
   float line = float(canvas.picture.height) - (dots.empty() ? 1.0f : 2.5f) * float(pixels);
   const auto text = [&](float left, const std::string& words, ByteColor color) {
     const float room = float(width) - left - float(pixels);

@@ -18,7 +18,13 @@ namespace brdf::render {
 // were measured with this light (lobe_points.h) are drawn as dots, faint if the body hides them. For an
 // isotropic material the dots are mirrored to the side that faces the eye if most of them lie on the other
 // side.
+// `outer`: the f_r (1/sr) of the outer circle, for several pictures on one scale; 0: the largest value.
+// `has_words`: the picture holds its own legend.
 BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
-                              const io::SampleTable* measured, int width);
+                              const io::SampleTable* measured, int width, double outer = 0,
+                              bool has_words = true);
+
+// Returns the largest f_r (1/sr) that such a picture shows, of the material and of the measured rows.
+double largest_of_lobe(const Material& material, double theta_i_degrees, const io::SampleTable* measured);
 
 }  // namespace brdf::render

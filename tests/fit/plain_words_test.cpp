@@ -46,7 +46,8 @@ TEST(PlainWords, AWellDeterminedFitIsGood) {
   EXPECT_TRUE(weakly_determined(f).empty());
   EXPECT_EQ(mark_of(f), io::Mark::good);
   EXPECT_EQ(verdict_sentence(f),
-            "cook_torrance fits the measurements: median error 2 %, consistent with the measurement noise.");
+            "cook_torrance fits the measurements: median error (fitted) 2 %, consistent with the measurement "
+            "noise.");
 }
 
 TEST(PlainWords, WeakParametersAreNamedWithTheirChannelsAndTurnTheMark) {
@@ -64,9 +65,10 @@ TEST(PlainWords, LackOfFitWidensTheIntervalThatCounts) {
   EXPECT_TRUE(weakly_determined(f).empty());
   f.lack_of_fit.beyond_scatter = true;
   EXPECT_EQ(weakly_determined(f), std::vector<std::string>{"ks (r)"});
-  EXPECT_EQ(verdict_sentence(f),
-            "cook_torrance fits the measurements only roughly: median error 2 %; the residuals are larger "
-            "than the measurement noise in some directions.");
+  EXPECT_EQ(
+      verdict_sentence(f),
+      "cook_torrance fits the measurements only roughly: median error (fitted) 2 %; the residuals are larger "
+      "than the measurement noise in some directions.");
 }
 
 TEST(PlainWords, EnergyTurnsTheMarkAndAnUnusableFitIsBad) {

@@ -40,23 +40,26 @@ std::vector<Row> rows() {
   const auto verdict = [](Verdict v) { return [v](FormFit& f) { f.verdict = v; }; };
   return {
       {"describes", [](FormFit&) {}, Mark::good, true,
-       "lambert fits the measurements: median error 2 %, consistent with the measurement noise (3.2 %)."},
+       "lambert fits the measurements: median error (fitted) 2 %, consistent with the measurement noise (3.2 "
+       "%)."},
       {"exact", [](FormFit& f) { f.lack_of_fit.exact = true, f.median_relative_error = 1e-13; }, Mark::good,
-       true, "fits the measurements to rounding: median error at most 1e-9 %"},
+       true, "fits the measurements to rounding: median error (fitted) at most 1e-9 %"},
       {"roughly",
        [](FormFit& f) { f.lack_of_fit.beyond_scatter = true, f.lack_of_fit.residual_over_scatter = 4.3; },
        Mark::warn, true,
-       "lambert fits the measurements only roughly: median error 2 %; the residuals are 4.3 times the "
+       "lambert fits the measurements only roughly: median error (fitted) 2 %; the residuals are 4.3 times "
+       "the "
        "measurement noise."},
       {"scatter_unknown", [](FormFit& f) { f.lack_of_fit.residual_over_scatter.reset(); }, Mark::unknown,
        true,
-       "lambert has a median error of 2 %; lack of fit cannot be judged, because the measurement noise is "
+       "lambert has a median error (fitted) of 2 %; lack of fit cannot be judged, because the measurement "
+       "noise is "
        "not known."},
       {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
        "was estimated on an interpolated grid"},
       {"misfit, scatter unknown",
        [](FormFit& f) { f.verdict = Verdict::misfit, f.lack_of_fit.residual_over_scatter.reset(); },
-       Mark::bad, false, "lambert does not fit the measurements: median error 2 %."},
+       Mark::bad, false, "lambert does not fit the measurements: median error (fitted) 2 %."},
       {"interpolates", [](FormFit& f) { f.about.held_out = HeldOut::interpolation; }, Mark::warn, true,
        "describes interpolation only, not the prediction of other incidences"},
       {"few_lights", [](FormFit& f) { f.about.held_out = HeldOut::few, f.about.lights = 3; }, Mark::warn,

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "io/files/json.h"
 #include "io/files/png.h"
 #include "io/page/glossary.h"
@@ -105,6 +107,33 @@ TEST(HtmlReport, PicturesStandInARowWithTheirLine) {
   EXPECT_EQ(count_of(html, "<figure>"), 2);
   EXPECT_NE(html.find("<figcaption class=\"good\">median error 3 %</figcaption>"), std::string::npos);
   EXPECT_EQ(count_of(html, "<a href=\"copper/index.html\">"), 2);  // the picture and its name
+}
+
+TEST(HtmlReport, AFactThatIsNotStatedSaysSo) {
+  HtmlReport report("t");
+  report.facts({{"date", ""}, {"operator", "A & B"}, {"", "3 channels"}});
+  const std::string html = body_of(report);
+  EXPECT_NE(html.find("<li>date: <i>not stated</i></li>"), std::string::npos);
+  EXPECT_NE(html.find("<li>operator: <b>A &amp; B</b></li>"), std::string::npos);
+  EXPECT_NE(html.find("<li><b>3 channels</b></li>"), std::string::npos);
+}
+
+// Readers without colour vision need a sign, a shape and a word that differ.
+TEST(HtmlReport, MarksDifferInMoreThanTheirColour) {
+  std::set<std::string_view> words, signs, shapes, colours;
+  for (const Mark mark : {Mark::good, Mark::unknown, Mark::warn, Mark::bad}) {
+    const MarkLook& look = look_of(mark);
+    EXPECT_EQ(look.mark, mark);
+    EXPECT_FALSE(look.word.empty());
+    words.insert(look.word);
+    signs.insert(look.sign);
+    shapes.insert(look.shape);
+    colours.insert(look.terminal);
+    EXPECT_NE(mark_style().find("." + std::string(kNames<Mark>[std::size_t(mark)]) + "::before"),
+              std::string::npos);
+    EXPECT_NE(body_of(HtmlReport("t")).find(">" + std::string(look.word) + "</span>"), std::string::npos);
+  }
+  for (const auto& kinds : {words, signs, shapes, colours}) EXPECT_EQ(kinds.size(), 4u);
 }
 
 TEST(HtmlReport, AMatrixFoldsWhatAppliesToNoSubject) {

@@ -5,11 +5,26 @@ of threads and any memory limit, and the messages of refused calls."""
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
 brdf = pathlib.Path(sys.argv[1]).resolve()
+
+
+def check_page(page, summary):
+    """Verdicts by name with counts, a colour bar for each map, no map twice, and a headline that counts the converged."""
+    converged = summary["verdicts"]["converged"]
+    headline = f'{converged} of {summary["fitted"]} texels converged; {summary["usable"]} '
+    assert re.search(rf'class="verdict[^>]*>{headline}', page), (headline, re.findall('class="verdict.*', page))
+    for name, count in summary["verdicts"].items():
+        assert (f"</i>{name.replace('_', ' ')}: {count}</li>" in page) == (count > 0), (name, count)
+    titles = re.findall(r'<p class="title">(.*?)</p>', page)
+    assert len(titles) == len(set(titles)) and {"verdict", "residual", "alpha_x = alpha_y"} <= set(titles), titles
+    known = [p for p in summary["parameters"] if p["identified"] > 0 and p["name"] != "alpha_y"]
+    assert page.count('class="bar"') == len(known) + 1, titles  # and the residual
+
 
 with tempfile.TemporaryDirectory() as name:
     folder = pathlib.Path(name)
@@ -44,6 +59,7 @@ with tempfile.TemporaryDirectory() as name:
     assert digest("one") == digest("two")
     page = (folder / "maps.html").read_text()
     assert "kd.r" in page and "Worst texels" in page
+    check_page(page, json.loads((folder / "one/maps.json").read_text()))
     summary = json.loads((folder / "one/maps.json").read_text())
     assert summary["usable"] <= summary["fitted"] == 660 and sum(summary["verdicts"].values()) == 660
     assert {p["name"] for p in summary["parameters"]} >= {"alpha_x", "kd.g", "f0.b"}

@@ -13,6 +13,8 @@
 #include "io/files/temporary.h"
 #include "io/formats/read.h"
 #include "io/material/material_file.h"
+#include "study/folder.h"
+#include "study/overview.h"
 #include "study/spheres.h"
 #include "synth/instrument.h"
 
@@ -233,6 +235,122 @@ TEST_F(StudyOfFiles, WhatWasInterruptedIsNotWritten) {
   interrupted = false;
   options_.progress = {};
   EXPECT_EQ(kept_of(run()), 1u);
+}
+
+// Returns the places of the samples' links in the overview, in the order of the samples.
+std::vector<std::size_t> places(const std::string& page, std::size_t count) {
+  std::vector<std::size_t> at;
+  for (std::size_t k = 0; k < count; ++k) at.push_back(page.find(">s" + std::to_string(k) + "<"));
+  return at;
+}
+
+TEST_F(StudyOfFiles, TheOverviewBeginsWithTheWorst) {
+  std::ofstream(files_[1]) << "theta_i,phi_i,theta_o,phi_o,f\n10,0,20,x,0.1\n";
+  run();
+  const std::string page = text("index.html");
+  EXPECT_THAT(page, HasSubstr("Worst: s1 (error)"));
+  const std::string table = page.substr(page.find("<tbody>"));
+  EXPECT_LT(table.find("s1"), table.find(">s0<"));
+  EXPECT_LT(table.find("s1"), table.find(">s2<"));
+}
+
+TEST_F(StudyOfFiles, AToleranceMovesTheSamplesThatMissItToTheTop) {
+  std::vector<Row> rows = run();
+  std::vector<double> errors;
+  for (const Row& row : rows) {
+    EXPECT_TRUE(row.json["within_tolerance"].is_null());
+    errors.push_back(row.json["median_relative_error"]);
+  }
+  EXPECT_THAT(text("index.html"), Not(HasSubstr("outside the tolerance")));
+  const std::size_t worst = std::size_t(std::ranges::max_element(errors) - errors.begin());
+  std::vector<double> sorted = errors;
+  std::ranges::sort(sorted);
+  options_.sample.tolerance = 0.5 * (sorted[1] + sorted[2]);
+  rows = run();
+  EXPECT_EQ(kept_of(rows), 0u);  // the pages state the tolerance
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(rows[k].misses_tolerance(), k == worst);
+  const std::string page = text("index.html");
+  EXPECT_THAT(page, HasSubstr("; 1 outside the tolerance."));
+  const std::vector<std::size_t> at = places(page.substr(page.find("<tbody>")), 3);
+  EXPECT_EQ(std::size_t(std::ranges::min_element(at) - at.begin()), worst);
+  EXPECT_THAT(text("s" + std::to_string(worst) + "/index.html"),
+              HasSubstr("<output class=\"bad\">Outside the tolerance: "));
+}
+
+// The results in the folder are compared with the new ones before they are replaced.
+TEST_F(StudyOfFiles, AnotherRunShowsTheParametersThatMoved) {
+  run();
+  EXPECT_THAT(text("index.html"), Not(HasSubstr("Compared with")));
+  write_sample("s1.csv", 0.3);
+  const std::vector<Row> rows = run();
+  EXPECT_TRUE(rows[0].changes.empty());
+  ASSERT_FALSE(rows[1].changes.empty());
+  const auto width = std::ranges::find(rows[1].changes, "alpha", &Change::what);
+  ASSERT_NE(width, rows[1].changes.end());
+  EXPECT_TRUE(width->is_beyond);
+  EXPECT_THAT(text("index.html"), HasSubstr("parameters of 1 sample left the older 95 % intervals"));
+  EXPECT_THAT(text("index.html"), HasSubstr("alpha from " + width->before + " to " + width->after));
+  EXPECT_TRUE(io::read_json(options_.folder / "study.json")["results"][1]["changes"].is_array());
+  run();
+  EXPECT_THAT(text("index.html"), Not(HasSubstr("Compared with")));
+}
+
+TEST_F(StudyOfFiles, AnOlderFolderCanBeNamed) {
+  run();
+  const fs::path older = options_.folder;
+  options_.folder = folder_ / "newer";
+  options_.against = older;
+  const std::vector<Row> rows = run();
+  for (const Row& row : rows) {
+    EXPECT_TRUE(row.compared);
+    EXPECT_TRUE(row.changes.empty());
+  }
+  EXPECT_THAT(text("index.html"), HasSubstr("no parameter left the older 95 % intervals"));
+  options_.against = folder_ / "in";
+  EXPECT_THROW(run(), InputError);
+}
+
+TEST(Changes, CountFormsParametersAndIntervals) {
+  const auto row = [](const std::string& form, const io::Json& estimates) {
+    return io::Json{{"name", "s"}, {"form", form}, {"estimates", estimates}};
+  };
+  const auto estimate = [](const char* name, double value, double low, double high) {
+    return io::Json{{"name", name}, {"channel", ""}, {"value", value}, {"low", low}, {"high", high}};
+  };
+  const io::Json older =
+      row("ward", io::Json::array({estimate("alpha", 0.2, 0.19, 0.21), estimate("kd", 0.5, 0.4, 0.6)}));
+  EXPECT_TRUE(changes_between(older, older).empty());
+  const io::Json newer =
+      row("ward", io::Json::array({estimate("alpha", 0.25, 0.2, 0.3), estimate("kd", 0.55, 0.4, 0.6)}));
+  const std::vector<Change> moved = changes_between(older, newer);
+  ASSERT_EQ(moved.size(), 2u);
+  EXPECT_TRUE(moved[0].is_beyond);
+  EXPECT_FALSE(moved[1].is_beyond);
+  EXPECT_EQ(moved[0].before, "0.2");
+  EXPECT_EQ(moved[0].after, "0.25");
+  const std::vector<Change> form = changes_between(older, row("phong", io::Json::array()));
+  ASSERT_EQ(form.size(), 1u);
+  EXPECT_EQ(form[0].what, "form");
+  EXPECT_TRUE(form[0].is_beyond);
+  const std::vector<Change> lost =
+      changes_between(older, row("ward", io::Json::array({estimate("kd", 0.5, 0.4, 0.6)})));
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_EQ(lost[0].after, "not identifiable");
+}
+
+// 200 samples whose thumbnails weigh as much as those of a real study.
+TEST_F(StudyOfFiles, AnOverviewOfManySamplesIsLight) {
+  files_.resize(1);
+  options_.sample.pictures = true;
+  Row row = run()[0];
+  row.folder = options_.folder;
+  for (const std::size_t count : {40u, 200u}) {
+    write_overview(std::vector<Row>(count, row), folder_ / "many");
+    const std::string page = io::read_content(folder_ / "many" / kPage).bytes;
+    EXPECT_LT(page.size(), 3'000'000u) << count;
+    EXPECT_EQ(page.find("src=\"s0/measured_small.png\"") == page.npos, count == 40);
+    EXPECT_EQ(page.find("data:image/png") == page.npos, count == 200);
+  }
 }
 
 TEST_F(StudyOfFiles, CountsItsStepsToTheEnd) {

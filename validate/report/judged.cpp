@@ -17,7 +17,7 @@ namespace {
 std::string fit_text(const io::Json& fit) {
   const char* const key = "median_relative_error";
   if (!fit.is_object() || !fit.contains(key) || !fit[key].is_number()) return "";
-  return "median error " + io::percent(fit[key].get<double>(), 2);
+  return "median error (fitted) " + io::percent(fit[key].get<double>(), 2);
 }
 
 }  // namespace

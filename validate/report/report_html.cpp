@@ -154,13 +154,14 @@ std::string to_html(const ReportContent& content) {
     sheet::add_to_report(report, measured.table, measured.sheet);
     report.footnote("samples", measured.table.source);
   }
+  const double reach = lobe_reach(content.subjects);
   constexpr std::size_t kOpen = 2;  // with more subjects the plots are folded
   for (const Subject& subject : content.subjects) {
     if (content.subjects.size() > kOpen)
       report.begin_fold("Plots of " + io::file_name(subject.name()));
     else
       report.heading(io::file_name(subject.name()));
-    add_subject_plots(report, subject, content.findings, content.max_theta);
+    add_subject_plots(report, subject, content.findings, content.max_theta, reach);
     if (content.subjects.size() > kOpen) report.end_fold();
   }
   return report.document(io::provenance());

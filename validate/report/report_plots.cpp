@@ -1,7 +1,9 @@
 #include "validate/report/report_plots.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "brdf/integrals.h"
 #include "io/files/numbers.h"
@@ -38,7 +40,7 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   std::vector<double> angles;
   for (double theta = 0; theta < max_theta; theta += theta < 85 ? 2.5 : 0.25) angles.push_back(theta);
   angles.push_back(max_theta);
-  double widest = 0, lowest = HUGE_VAL, highest = 0;
+  double widest = 0, highest = 1;
   const std::vector<int> palette = io::channel_palette(m.channels);
   for (std::size_t c = 0; c < m.channels.size(); ++c) {
     plot.series.push_back({m.channels[c], angles, {}, io::Series::Style::line});
@@ -55,11 +57,10 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
       s.low.push_back(r.value - r.error_bound);
       s.high.push_back(r.value + r.error_bound);
       widest = std::max(widest, r.error_bound);
-      lowest = std::min(lowest, r.value);
       highest = std::max(highest, r.value);
     }
   }
-  plot.log_y = lowest > 0 && highest > 30 * lowest;
+  plot.range_y = {0, 1.05 * highest};
   plot.series.push_back({"1: energy limit", {0, max_theta}, {1, 1}, io::Series::Style::faint});
   plot.caption =
       "The fraction of light from this angle that is reflected into all directions. Above 1 the material "
@@ -71,27 +72,36 @@ io::Plot albedo_plot(const Subject& subject, const Material& m, double max_theta
   return plot;
 }
 
-io::Plot polar_plot(const Subject& subject, const Material& m) {
+constexpr std::array kLobeAngles{0.0, 30.0, 60.0};  // of incidence, degrees
+
+// Calls visit(theta_o in degrees, f cos of the brightest channel) along the plane of incidence.
+void for_each_of_lobe(const Material& m, double theta_i, const std::function<void(double, double)>& visit) {
+  std::vector<double> f(m.channels.size());
+  for (double theta = -89; theta <= 89; theta += 0.5) {
+    const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
+    eval(m, wi, wo, f);
+    visit(theta, *std::ranges::max_element(f) * wo.z);
+  }
+}
+
+io::Plot polar_plot(const Subject& subject, const Material& m, double reach) {
   io::Plot plot;
   plot.title = "Reflected lobes in the plane of incidence: " + io::file_name(subject.name());
-  plot.x_label = "f cos, along the surface";
-  plot.y_label = "f cos, along the normal";
+  plot.x_label = "reflected radiance f_r cos theta_o along the surface, 1/sr";
+  plot.y_label = "reflected radiance f_r cos theta_o along the normal, 1/sr";
   plot.equal_axes = true;
-  std::vector<double> f(m.channels.size());
-  for (const double theta_i : {0.0, 30.0, 60.0}) {
+  plot.reach = reach;
+  for (const double theta_i : kLobeAngles) {
     io::Series lobe{"incidence at " + io::to_text(theta_i) + " degrees", {}, {}, io::Series::Style::line};
-    for (double theta = -89; theta <= 89; theta += 0.5) {
-      const Vec3<double> wi = direction(degrees(theta_i), radians(kPi)), wo = direction(degrees(theta), {});
-      eval(m, wi, wo, f);
-      const double r = *std::ranges::max_element(f) * wo.z;
+    for_each_of_lobe(m, theta_i, [&](double theta, double r) {
       lobe.x.push_back(r * std::sin(degrees(theta).radians()));
       lobe.y.push_back(r * std::cos(degrees(theta).radians()));
-    }
+    });
     plot.series.push_back(std::move(lobe));
   }
   plot.caption =
       "Reflected radiance f cos_o over the viewing direction, with light from the left; the brightest "
-      "channel.";
+      "channel. All lobes of a page have one scale.";
   plot.command = with_table(
       "(echo theta_i,phi_i,theta_o,phi_o; for i in 0 30 60; do for o in $(seq -89 0.5 89); do echo "
       "$i,180,$o,0; done; done) > lobes.csv",
@@ -179,6 +189,7 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
   Material full = m;
   Term& term = full.terms.front();
   std::ranges::fill(term.weights, lobe_alone(f));
+  double highest = 1;
   for (const double theta : {0.0, 60.0, 80.0}) {
     io::Series s{"incidence at " + io::to_text(theta) + " degrees", values, {}, io::Series::Style::line};
     for (const double value : values) {
@@ -186,9 +197,11 @@ void add_furnace(io::HtmlReport& report, const Subject& subject, const Material&
       AlbedoOptions options;
       options.tolerance = 1e-4;
       s.y.push_back(directional_albedo(full, degrees(theta), {}, options).front().value);
+      highest = std::max(highest, s.y.back());
     }
     plot.series.push_back(std::move(s));
   }
+  plot.range_y = {0, 1.05 * highest};
   plot.series.push_back({"1: no loss", {values.front(), values.back()}, {1, 1}, io::Series::Style::faint});
   plot.caption =
       "Under uniform illumination a lossless surface has albedo 1 and is invisible. The difference from 1 is "
@@ -250,12 +263,24 @@ void add_reciprocity_map(io::HtmlReport& report, const Subject& subject, const M
 
 }  // namespace
 
+double lobe_reach(const std::vector<Subject>& subjects) {
+  double reach = 0;
+  for (const Subject& subject : subjects) {
+    const Material m = shown(subject);
+    for (const double theta_i : kLobeAngles)
+      for_each_of_lobe(m, theta_i, [&](double, double r) {
+        if (std::isfinite(r)) reach = std::max(reach, std::abs(r));
+      });
+  }
+  return reach;
+}
+
 void add_subject_plots(io::HtmlReport& report, const Subject& subject, const std::vector<Finding>& findings,
-                       double max_theta) {
+                       double max_theta, double reach) {
   const Material m = shown(subject);
   report.plot(albedo_plot(subject, m, max_theta));
   add_worst_albedo(report, subject, findings, max_theta);
-  report.plot(polar_plot(subject, m));
+  report.plot(polar_plot(subject, m, reach));
   add_furnace(report, subject, m);
   add_reciprocity_map(report, subject, m);
 }

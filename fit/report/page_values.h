@@ -1,0 +1,16 @@
+// Fitted values for the pages of a fit.
+#pragma once
+
+#include <vector>
+
+#include "brdf/directions.h"
+#include "brdf/material.h"
+
+namespace brdf::fit {
+
+// Returns the fitted values, [channel][row], averaged over the detector's field. `aperture`: its full width in
+// degrees; 0: none.
+std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
+                                               double aperture);
+
+}  // namespace brdf::fit
