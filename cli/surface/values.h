@@ -47,7 +47,8 @@ CLI::Option* offer_names(CLI::Option* option) {
 // Returns the words that were declared, or the list of a CLI11 check.
 std::vector<std::string> offered(const CLI::Option& option);
 
-// Returns the kind of the value of a verb's option: from its row in option_table.cpp, or from its words or type.
+// Returns the kind of the value of a verb's option: from its row in option_table.cpp, or from its words or
+// type.
 Value value_of(std::string_view verb, const CLI::Option& option);
 
 // Returns the names offered for a form or for a parameter ("alpha="). Empty for other kinds.

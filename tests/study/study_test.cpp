@@ -348,7 +348,7 @@ TEST_F(StudyOfFiles, AnOverviewOfManySamplesIsLight) {
     write_overview(std::vector<Row>(count, row), folder_ / "many");
     const std::string page = io::read_content(folder_ / "many" / kPage).bytes;
     EXPECT_LT(page.size(), 3'000'000u) << count;
-    EXPECT_EQ(page.find("src=\"s0/measured_small.png\"") == page.npos, count == 40);
+    EXPECT_EQ(page.find("src=\"s0/studio_small.png\"") == page.npos, count == 40);
     EXPECT_EQ(page.find("data:image/png") == page.npos, count == 200);
   }
 }
