@@ -59,6 +59,12 @@ bool is_json_array(const Content& content) {
   throw InputError(text.name + ": " + (foreign.empty() ? "is JSON, not a table of samples" : foreign));
 }
 
+// Removes the byte order mark of UTF-8, so that every format is recognised behind it.
+void drop_mark(Content& content) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (content.bytes.starts_with(kMark)) content.bytes.erase(0, kMark.size());
+}
+
 struct Format {
   bool (*recognises)(const Content&);
   SampleTable (*read)(const Content&, const Supplied&);
@@ -75,9 +81,9 @@ const Format* format_of(std::span<const Format> formats, const Content& content)
 }
 
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
-  if (is_json(text) || is_json_array(text)) refuse_json(text);
   const std::string transcoded = make_utf8(text);
   const Format* const format = need_values ? format_of(kOfText, text) : nullptr;
+  if (!format && (is_json(text) || is_json_array(text))) refuse_json(text);
   SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
@@ -86,6 +92,7 @@ SampleTable read_text(Content text, bool need_values, const Supplied& supplied) 
 }  // namespace
 
 SampleTable read_samples(Content content, const Supplied& supplied) {
+  drop_mark(content);
   refuse_other_formats(content);
   const Format* const format = format_of(kOfBytes, content);
   SampleTable table =
@@ -96,6 +103,7 @@ SampleTable read_samples(Content content, const Supplied& supplied) {
 }
 
 SampleTable read_directions(Content content) {
+  drop_mark(content);
   refuse_other_formats(content);
   SampleTable table = read_text(std::move(content), false, {});
   check_table(table);

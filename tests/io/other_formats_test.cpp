@@ -49,18 +49,27 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
 // Some verbs read JSON as a material and others as a table. Both messages recognise the file as a table.
 TEST(OtherFormats, InJsonAreToldByTheirKeys) {
   const std::pair<const char*, const char*> cases[] = {
-      {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",
-       "is JSON, but not a material: the content looks like a look-up table of ASAM OpenMATERIAL"},
-      {R"({"data": {"theta_i": {"values": [1]}, "theta_r": {"values": [2]}, "BRDF": {"values": [3]}}})",
-       "the content looks like a universal BRDF file (BiRD), which is not read: export columns"},
-      {R"({"head": {}, "data": {"theta_i": [1], "phi_i": [0], "theta_v": [2], "phi_v": [0], "data": [[1]]}})",
-       "the content looks like a BRDF file of BiRD before version 1.0"},
+      {R"({"metadata": {}, "reflectionCoefficient": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0, 0.05, 1]]}})",
+       "ratios of amplitudes (*_reflCoeff.xompt), which lacks the solid angles"},
+      {R"({"metadata": {"openMaterial3dVersion": "1.0.0"}, "emp": {"lookupTable": [[1, 2]]}})",
+       "a file of ASAM OpenMATERIAL without a BRDF look-up table"},
       {R"({"rows": [{"theta_in": 1, "theta_out": 2, "value": 3}]})",
        "the content looks like a table of samples of another program"}};
   for (const auto& [text, expected] : cases) {
     EXPECT_THAT(message(text), HasSubstr(expected)) << text;
     EXPECT_THAT(message_of([&] { read_material(Content{"file", text}); }), HasSubstr(expected)) << text;
   }
+  // These are read as samples.
+  const std::pair<const char*, const char*> tables[] = {
+      {R"({"metadata": {}, "brdf": {"lookupTable": []}})", "a look-up table of ASAM OpenMATERIAL"},
+      {R"({"data": {"theta_i": 1, "theta_r": 2, "BRDF": 3}})", "a universal BRDF file (BiRD)"},
+      {R"({"data": {"theta_i": [1], "theta_v": [2], "phi_v": [0]}})",
+       "a BRDF file of BiRD before version 1.0"}};
+  for (const auto& [text, expected] : tables)
+    EXPECT_THAT(message_of([&] {
+                  read_material(Content{"file", text});
+                }),
+                AllOf(HasSubstr(expected), HasSubstr("which holds samples: `brdf fit` finds a material")));
   EXPECT_THAT(message(R"({"a": 1})"), HasSubstr("is JSON, not a table of samples"));
   EXPECT_THAT(message_of([] {
                 read_material(Content{"file", R"({"a": 1})"});
