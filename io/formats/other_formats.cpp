@@ -77,12 +77,6 @@ std::string text_format(std::string_view text) {
   const std::string lower = lower_case(text.substr(0, 200));
   if (text.starts_with('<')) return xml(text);
   if (lower.starts_with("optis")) return optis(text);
-  if (lower.starts_with("type bsdf_data"))
-    return "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the "
-           "mirror direction (theta_spec phi_spec), so the incident direction is theta_i = theta_spec, phi_i "
-           "= phi_spec + 180. Write "
-           "columns "
-           "theta_i, phi_i, theta_o, phi_o and the value times 'scale' as CSV";
   if (lower.starts_with("version") && holds(lower, "data_type") && holds(lower, "color_model"))
     return std::string("is SSDD text of libbsdf, which is not read: ") + std::string(kExportAsCsv);
   if (lower.starts_with(";;") && holds(lower, "data"))

@@ -26,8 +26,6 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
        "with a tensor tree, which is not read"},
       {"<?xml version=\"1.0\"?>\n<!-- x -->\n<plist/>", "is a web page or XML (root element 'plist')"},
       {"<!DOCTYPE html>\n<html>", "is a web page or XML, not a table"},
-      {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n",
-       "the incident direction is theta_i = theta_spec, phi_i = phi_spec + 180"},
       {"3 450 550 650\n.1 0 .2 3.1 .3 .4 .5\n.1 0 .4 3.1 .3 .4 .5\n",
        "the numbers look like spectral text of the Cornell laboratory (3 wavelengths"},
       {"# a comment\n1\n650 # nm\n.1 0 .2\n3.1 .3\n",
