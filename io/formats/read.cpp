@@ -17,7 +17,8 @@
 // UTF-8.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
 #define BRDF_FORMATS_OF_TEXT(FORMAT) \
-  FORMAT(zemax) FORMAT(astm) FORMAT(alta) FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial)
+  FORMAT(zemax)                      \
+  FORMAT(astm) FORMAT(alta) FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird)
 
 #define BRDF_FUNCTIONS(name)                                          \
   namespace brdf::io::name {                                          \
