@@ -35,17 +35,21 @@ void refuse_by_magic(const Content& content) {
     if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
 }
 
-// The first line is "OPTIS - brdf surface file v8.0", then 0 for text or 1 for binary.
+// Returns an empty string for the text formats of Speos that are read. The first line is "OPTIS - brdf
+// surface file v8.0", then 0 for text or 1 for binary.
 std::string optis(std::string_view text) {
   const std::size_t end = text.find('\n');
   const std::string_view first = trimmed(text.substr(0, end));
   const std::string_view second = end == text.npos ? "" : trimmed(text.substr(end + 1, 8));
-  const bool is_binary = second.starts_with('1');
-  const bool is_anisotropic = holds(lower_case(first), "anisotropic");
-  return "is a Speos " + std::string(is_anisotropic ? "anisotropic BSDF" : "BRDF") + " file (" +
-         shown(trimmed(first)) + ")" + (is_binary ? ", the binary variant" : "") +
-         ", which is not read: " + (is_binary ? "save it as text in Speos' editor of surfaces and " : "") +
-         std::string(kExportAsCsv);
+  const std::string lower = lower_case(first.substr(0, 100));
+  const bool is_anisotropic = holds(lower, "anisotropic bsdf surface file");
+  const std::string name = shown(first.substr(0, first.find('\r')));
+  if (!is_anisotropic && !holds(lower, "brdf surface file"))
+    return "is a file of Speos (" + name +
+           ") other than a BRDF or anisotropic BSDF, which is not read: " + std::string(kExportAsCsv);
+  if (!second.starts_with('1')) return "";
+  return "is a binary " + std::string(is_anisotropic ? "anisotropic BSDF" : "BRDF") + " file of Speos (" +
+         name + "), which is not read: save it as text in Speos' editor of surfaces";
 }
 
 // Returns the name of the first element.

@@ -18,7 +18,8 @@
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
 #define BRDF_FORMATS_OF_TEXT(FORMAT) \
   FORMAT(zemax)                      \
-  FORMAT(astm) FORMAT(alta) FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird)
+  FORMAT(astm)                       \
+  FORMAT(alta) FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird) FORMAT(speos)
 
 #define BRDF_FUNCTIONS(name)                                          \
   namespace brdf::io::name {                                          \

@@ -15,11 +15,11 @@ using testing::HasSubstr;
 TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
   using namespace std::string_literals;
   const std::pair<std::string, const char*> cases[] = {
-      {"OPTIS - brdf surface file v8.0\n0\ncomment\n",
-       "is a Speos BRDF file ('OPTIS - brdf surface file v8.0'), which is not read"},
-      {"OPTIS - Anisotropic BSDF surface file v8.0\r\n0\r\n", "is a Speos anisotropic BSDF file"},
       {"OPTIS - brdf surface file v9.0\n1\n\0\1\2"s,
-       "the binary variant, which is not read: save it as text"},
+       "is a binary BRDF file of Speos ('OPTIS - brdf surface file v9.0'), which is not read: save it as "
+       "text"},
+      {"OPTIS - Simple scattering surface file v1.0\n0\n",
+       "is a file of Speos ('OPTIS - Simple scattering surface file v1.0') other than"},
       {"<?xml version=\"1.0\"?>\n<WindowElement><x>LBNL/Klems Full</x></WindowElement>\n",
        "is a BSDF of Radiance or LBNL Window as XML, a matrix of patches (Klems basis), which is not read"},
       {"<WindowElement><IncidentDataStructure>TensorTree4</IncidentDataStructure></WindowElement>",
