@@ -7,6 +7,7 @@
 #include "io/columns/foreign_json.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
+#include "io/files/xml.h"
 
 namespace brdf::io {
 namespace {
@@ -52,29 +53,16 @@ std::string optis(std::string_view text) {
          name + "), which is not read: save it as text in Speos' editor of surfaces";
 }
 
-// Returns the name of the first element.
-std::string_view root_of(std::string_view xml) {
-  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
-    const char next = at + 1 < xml.size() ? xml[at + 1] : '?';
-    if (next == '?' || next == '!') continue;
-    const std::size_t end = xml.find_first_of(" \t\r\n/>", at + 1);
-    return xml.substr(at + 1, std::min(end, xml.size()) - at - 1);
-  }
-  return "";
-}
-
 std::string xml(std::string_view text) {
-  const std::string_view root = root_of(text);
-  const std::string lower = lower_case(root);
-  if (lower == "html" || lower_case(text.substr(0, 20)).find("<!doctype html") != std::string::npos)
+  const std::string_view root = xml_root(text);
+  if (lower_case(root) == "html" ||
+      lower_case(text.substr(0, 20)).find("<!doctype html") != std::string::npos)
     return "is a web page or XML, not a table of samples";
-  if (holds(text, "WindowElement")) {
-    const bool is_tree = holds(text, "TensorTree");
-    return std::string("is a BSDF of Radiance or LBNL Window as XML, ") +
-           (is_tree ? "with a tensor tree" : "a matrix of patches (Klems basis)") +
-           ", which is not read: " + std::string(kExportAsCsv);
-  }
-  return "is a web page or XML (root element " + shown(root) + "), not a table of samples";
+  if (root != "WindowElement") return "is XML (root element " + shown(root) + "), not a table of samples";
+  if (!holds(text, "TensorTree")) return "";
+  return "is a BSDF of Radiance as a tensor tree, which is not read: export a matrix in a Klems basis "
+         "(genBSDF without -t), or evaluate directions with bsdfquery and " +
+         std::string(kExportAsCsv);
 }
 
 std::string text_format(std::string_view text) {
