@@ -21,7 +21,7 @@
   FORMAT(astm)                                                                                    \
   FORMAT(alta)                                                                                    \
   FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird) FORMAT(speos) \
-      FORMAT(klems)
+      FORMAT(klems) FORMAT(aspecular)
 
 #define BRDF_FUNCTIONS(name)                                          \
   namespace brdf::io::name {                                          \
