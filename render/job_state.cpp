@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/columns/foreign_json.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
@@ -147,7 +148,7 @@ Job with_samples_told(Job job) {
   std::vector<std::filesystem::path> materials;
   for (const std::filesystem::path& file : std::exchange(job.materials, {})) {
     // A pipe can be read only once and is assumed to contain a material.
-    if (!std::filesystem::is_regular_file(file) || io::is_json(io::read_content(file))) {
+    if (!std::filesystem::is_regular_file(file) || io::may_be_material(io::read_content(file))) {
       materials.push_back(file);
     } else if (job.measured.empty()) {
       job.measured = file;

@@ -6,6 +6,7 @@
 
 #include "brdf/aperture.h"
 #include "brdf/math.h"
+#include "io/columns/foreign_json.h"
 #include "io/columns/supplied.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
@@ -166,7 +167,7 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
 
 io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied) {
   io::Content content = io::read_content(path);
-  if (!io::is_json(content)) return io::read_samples(std::move(content), supplied);
+  if (!io::may_be_material(content)) return io::read_samples(std::move(content), supplied);
   if (supplied != io::Supplied())
     throw InputError(path.string() + ": --quantity and --mirror-side apply to samples, not to a material");
   Instrument instrument;

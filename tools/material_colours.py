@@ -71,7 +71,7 @@ METALS = {  # file: name, table, its source, form, widths, source of the widths
 # metric: kd, ks, m, eta. Their Cook-Torrance is ks F D G/(pi cos_i cos_o) with D = exp(-tan^2/m^2)/(m^2 cos^4), V-cavities
 # and the exact Fresnel reflectance: 4 ks times the lobe of the form, because the D of the form includes pi.
 # MERL's whites are dark (white-diffuse-bball: kd 0.32), so names of materials that are known to be white or of a certain
-# brightness say that the level is the database's.
+# brightness state that the level is that of the database.
 LEVEL = " (level as in MERL)"
 LOW = "Löw et al. 2012 (ACM Transactions on Graphics 31, 1), Cook-Torrance fitted to {} of the MERL database"
 FITTED_BY_LOW = {

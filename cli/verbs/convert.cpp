@@ -7,6 +7,7 @@
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "interop/rgl.h"
+#include "io/columns/foreign_json.h"
 #include "io/columns/supplied.h"
 #include "io/csv/csv.h"
 #include "io/files/content.h"
@@ -41,7 +42,7 @@ void arrange(const ConvertCall& o, io::SampleTable& table) {
 Material between_samples(const ConvertCall& o) {
   const std::string& in = o.in;
   io::Content content = io::read_content(in);
-  if (io::is_json(content)) return io::read_material(content);
+  if (io::may_be_material(content)) return io::read_material(content);
   io::SampleTable table = io::read_samples(std::move(content), o.supplied);
   arrange(o, table);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));

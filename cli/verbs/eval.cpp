@@ -7,6 +7,7 @@
 #include "cli/options/shader_options.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
+#include "io/columns/foreign_json.h"
 #include "io/csv/csv.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
@@ -29,7 +30,7 @@ struct EvalCall {
 
 // A pipe can be read only once and is not looked into.
 bool is_json_file(const std::string& file) {
-  return std::filesystem::is_regular_file(file) && io::is_json(io::read_content(file));
+  return std::filesystem::is_regular_file(file) && io::may_be_material(io::read_content(file));
 }
 
 // Sorts the positional arguments: MATERIAL and DIRECTIONS, or DIRECTIONS alone.

@@ -13,6 +13,7 @@
 #include "interop/read_back.h"
 #include "interop/rgl.h"
 #include "interop/told.h"
+#include "io/columns/foreign_json.h"
 #include "io/columns/supplied.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
@@ -263,7 +264,7 @@ void check_use(const ExportCall& o, const interop::Program* program) {
 void take_samples(ExportCall& o) {
   const std::string& file = o.material.material;
   if (!o.is_positional || !o.measured.empty() || !std::filesystem::is_regular_file(file) ||
-      io::is_json(io::read_content(file)))
+      io::may_be_material(io::read_content(file)))
     return;
   o.measured = file;
   o.material.material.clear();

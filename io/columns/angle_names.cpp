@@ -94,6 +94,20 @@ std::optional<AngleName> angle_named(std::string_view name) {
   return found->second;
 }
 
+bool is_phase_name(std::string_view name) {
+  const std::string key = plain_spelling(name);
+  return key == "phase" || key == "phaseangle";
+}
+
+bool is_tangent_name(std::string_view name) {
+  const std::string key = plain_spelling(name);
+  return key == "tangamma" || key == "tan(gamma)" || key == "tggamma" || key == "tanγ";
+}
+
+bool is_road_azimuth_name(std::string_view name) {
+  return plain_spelling(name) == "beta";
+}
+
 std::optional<RefusedAngle> refused_angle(std::string_view name) {
   std::string key = plain_spelling(name);
   std::erase(key, '|');
@@ -108,23 +122,18 @@ std::optional<RefusedAngle> refused_angle(std::string_view name) {
                             key.find_first_not_of("0123456789r:asz()nm, ") == key.npos;
   if (has_geometry || key == "geometry")
     return RefusedAngle{
-        "is an aspecular geometry (ASTM E2194), which is not read: write columns theta_i and theta_o, for "
-        "45as15 45 "
-        "and 30"};
+        "is an aspecular geometry (ASTM E2194), which is not read next to these columns: write columns "
+        "theta_i "
+        "and theta_o, for 45as15 45 and 30"};
   if (holds_any(key, {"aspec", "offspec", "fromspec", "thetaspec", "thetasspec"}) || key == "delta" ||
       key == "deltatheta" || key == "dtheta")
     return RefusedAngle{
         "is an angle from the mirror direction, which is not read: write columns theta_i and theta_o"};
-  if (holds_any(key, {"tangamma", "tan(gamma)"}))
+  if (is_tangent_name(name))
     return RefusedAngle{
-        "is the tangent of an r-table's angle of incidence; r-tables of road lighting are not read: write "
-        "columns "
-        "theta_i, phi_i, theta_o and phi_o, with theta_o = 89 and phi_o - phi_i = 180 - beta"};
-  if (key == "phase" || key == "phaseangle")
-    return RefusedAngle{
-        "is the phase angle between the incident and the viewing direction: write the relative azimuth psi "
-        "instead, with cos psi = (cos g - cos i cos e)/(sin i sin e)",
-        true};
+        "is the tangent of an r-table's angle of incidence: such a table is a matrix with 'tan gamma' down "
+        "and "
+        "beta along, or 'tan gamma \\ beta' in its first cell"};
   return std::nullopt;
 }
 

@@ -31,10 +31,16 @@ std::string plain_spelling(std::string_view name);
 // The list of names is in docs/formats.md.
 std::optional<AngleName> angle_named(std::string_view name);
 
-// An angle that is recognised but not read: an angle from the mirror direction, a sine, a phase angle.
+// Returns whether the name is that of the phase angle, between the directions of the light and the viewer.
+bool is_phase_name(std::string_view name);
+// Returns whether the name is that of the tangent of the angle of incidence (tan gamma), or of the azimuth
+// (beta), of an r-table of road lighting.
+bool is_tangent_name(std::string_view name);
+bool is_road_azimuth_name(std::string_view name);
+
+// An angle that is recognised but not read: an angle from the mirror direction, a sine.
 struct RefusedAngle {
-  std::string reason;            // the end of a sentence about the column
-  bool is_for_azimuths = false;  // replaces the azimuths, otherwise a polar angle
+  std::string reason;  // the end of a sentence about the column
 };
 // Returns the reason against reading a column of this name, or std::nullopt if the name is not such an
 // angle's.

@@ -138,11 +138,29 @@ class HeaderReading {
     const bool of_light = out_.has_angle(1), of_viewer = out_.has_angle(3);
     if (of_light != of_viewer) out_.only_azimuth = of_light ? 1 : 3;
     out_.in_plane = !of_light && !of_viewer;
+    if (out_.in_plane) place_phase();
     if (alone_ && of_light && of_viewer)
       refuse("column " + shown(names_[*alone_]) +
              " does not name the direction of its azimuth, and another column gives " +
              std::string(kAngleNames[1]));
     refuse_other_angles();
+  }
+
+  // Accepts a phase angle in place of the azimuths.
+  void place_phase() {
+    for (Column& column : out_.columns) {
+      if (column.kind != Column::Kind::value || !out_.in_plane) continue;
+      for (const auto& [bare, unit] : ways_to_part(column.name)) {
+        if (!is_phase_name(bare) || !(unit.empty() || is_angle_unit(unit))) continue;
+        column.kind = Column::Kind::phase;
+        if (!unit.empty()) column.unit = unit_named(unit);
+        out_.in_plane = false;
+        out_.assume("column " + shown(column.name) +
+                    " is read as the angle between the incident and the viewing direction, which gives the "
+                    "azimuth between them without its sign");
+        break;
+      }
+    }
   }
 
   // Accepts a word of several meanings as a polar angle if the table lacks that angle, states the other
@@ -181,8 +199,7 @@ class HeaderReading {
     for (const Column& column : out_.columns)
       for (const auto& [bare, unit] : ways_to_part(column.name)) {
         const auto refused = refused_angle(bare);
-        if (refused && (lacks_polar || (refused->is_for_azimuths && out_.in_plane)))
-          refuse("column " + shown(column.name) + " " + refused->reason);
+        if (refused && lacks_polar) refuse("column " + shown(column.name) + " " + refused->reason);
       }
   }
 
@@ -240,7 +257,8 @@ double in_degrees(double value, const std::optional<Unit>& unit) {
 }  // namespace
 
 double Column::converted(double value) const {
-  if (kind == Kind::angle || kind == Kind::rotation)
+  if (is_tangent) return radians(std::atan(value)).degrees();
+  if (kind == Kind::angle || kind == Kind::rotation || kind == Kind::phase)
     return is_elevation ? 90 - in_degrees(value, unit) : in_degrees(value, unit);
   if (kind == Kind::wavelength && unit) {
     const bool is_nm = unit->factor == 1e-9 && unit->kind() == Unit::Kind::length;

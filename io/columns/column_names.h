@@ -15,13 +15,23 @@ namespace brdf::io {
 
 struct Column {
   // `aside`: a column without values; its cells are not read. `rotation`: the angle by which the sample was
-  // rotated.
-  enum class Kind { angle, value, sigma, wavelength, polarisation, rotation, aside } kind = Kind::value;
+  // rotated. `phase`: the angle between the two directions, which replaces the azimuths.
+  enum class Kind {
+    angle,
+    value,
+    sigma,
+    wavelength,
+    polarisation,
+    rotation,
+    phase,
+    aside
+  } kind = Kind::value;
   std::size_t index = 0;  // the index of the angle (kAngleNames) or of the channel
   std::string name;       // as in the file
   // The unit in the name of an angle or of wavelengths.
   std::optional<Unit> unit;
   bool is_elevation = false;
+  bool is_tangent = false;  // the tangent of the angle
 
   // Converts a number of the file to the table's unit: degrees from the normal, or nm. Wavelengths without
   // a unit stay unchanged. Radians become the shortest number of degrees that equals the angle.

@@ -26,22 +26,47 @@ std::vector<std::string_view> keys_of(std::string_view json) {
 
 }  // namespace
 
-std::string foreign_json(const Content& content) {
+JsonTable json_table(const Content& content) {
   const std::vector<std::string_view> keys = keys_of(content.bytes);
   const auto has = [&](std::string_view key) { return std::ranges::find(keys, key) != keys.end(); };
-  const std::string end = std::string(", which is not read: ") + std::string(kExportAsCsv);
+  if (has("reflectionCoefficient") || has("reflectionCoefficients")) return JsonTable::openmaterial_ratios;
+  if (has("lookupTable") && has("brdf")) return JsonTable::openmaterial;
+  if (has("openMaterial3dVersion")) return JsonTable::openmaterial_material;
+  if (has("BRDF") && has("theta_i") && has("theta_r")) return JsonTable::bird;
+  if (has("theta_i") && has("theta_v") && has("phi_v")) return JsonTable::early_bird;
+  return names_angles({keys.begin(), keys.end()}) ? JsonTable::unknown : JsonTable::absent;
+}
+
+bool may_be_material(const Content& content) {
+  if (!is_json(content)) return false;
+  // Materials of this project have the key "format" and may hold any keys in their statistics.
+  return content.bytes.find("\"brdf-") != content.bytes.npos || json_table(content) == JsonTable::absent;
+}
+
+std::string foreign_json(const Content& content) {
+  const std::string unread = std::string(", which is not read: ") + std::string(kExportAsCsv);
+  const std::string samples = ", which holds samples: `brdf fit` finds a material for them";
   const std::string json = "is JSON, but not a material: the content looks like ";
-  if (has("lookupTable"))
-    return json +
-           "a look-up table of ASAM OpenMATERIAL (wavelength in m, theta_i, theta_o, phi_o in radians, "
-           "value)" +
-           end;
-  if (has("reflectionCoefficients") || (has("lookupTable") && has("polarization")))
-    return json + "amplitude ratios" + end;
-  if (has("BRDF") && has("theta_i") && has("theta_r")) return json + "a universal BRDF file (BiRD)" + end;
-  if (has("theta_i") && has("theta_v") && has("phi_v"))
-    return json + "a BRDF file of BiRD before version 1.0" + end;
-  if (names_angles({keys.begin(), keys.end()})) return json + "a table of samples of another program" + end;
+  switch (json_table(content)) {
+    case JsonTable::openmaterial:
+      return json + "a look-up table of ASAM OpenMATERIAL" + samples;
+    case JsonTable::openmaterial_ratios:
+      return json +
+             "a table of ASAM OpenMATERIAL with ratios of amplitudes (*_reflCoeff.xompt), which lacks the "
+             "solid angles that f_r needs: use the file *_brdf.xompt of the material";
+    case JsonTable::openmaterial_material:
+      return json +
+             "a file of ASAM OpenMATERIAL without a BRDF look-up table: use the file *_brdf.xompt of the "
+             "material";
+    case JsonTable::bird:
+      return json + "a universal BRDF file (BiRD)" + samples;
+    case JsonTable::early_bird:
+      return json + "a BRDF file of BiRD before version 1.0" + samples;
+    case JsonTable::unknown:
+      return json + "a table of samples of another program" + unread;
+    case JsonTable::absent:
+      break;
+  }
   return "";
 }
 

@@ -10,6 +10,7 @@
 #include "io/csv/long_format.h"
 #include "io/files/error.h"
 #include "io/samples/mirror_side.h"
+#include "io/samples/phase_angle.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io {
@@ -57,6 +58,7 @@ class CsvReader {
     table_.sigma.resize(channels);
     row_values_.resize(channels);
     row_sigma_.resize(channels);
+    has_phase_ = header_.columns().has(Column::Kind::phase);
     for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
     if (is_row) read_line(line);
   }
@@ -174,7 +176,10 @@ class CsvReader {
     const MatrixHeader& matrix = *header_.matrix();
     check_width(line, matrix.angles.size() + 1);
     static const Column value;
-    angles_[1] = angles_[3] = 0;
+    constexpr double kRoadViewer = 89;  // degrees
+    angles_[1] = 0;
+    angles_[2] = matrix.is_road ? kRoadViewer : 0;
+    angles_[3] = matrix.is_road ? 180 : 0;
     for (std::size_t k = 1; k < fields_.size(); ++k) {
       if (!advice_on(fields_[k]).empty() && fields_[k].find_first_of("0123456789") == fields_[k].npos) {
         ++empty_;
@@ -212,6 +217,9 @@ class CsvReader {
         break;
       case Column::Kind::rotation:
         turn_ = number;
+        break;
+      case Column::Kind::phase:
+        phase_ = number;
         break;
       case Column::Kind::polarisation:
       case Column::Kind::aside:
@@ -259,6 +267,7 @@ class CsvReader {
   void store_row() {
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
     double theta_i = angles_[0], phi_i = angles_[1] - turn_, theta_o = angles_[2], phi_o = angles_[3] - turn_;
+    if (has_phase_) phi_o = phi_i + azimuth_between(theta_i, theta_o);
     if (!header_.columns().in_plane) {
       // Instruments that swing through the normal write the far side as negative theta.
       unfold(theta_i, phi_i);
@@ -272,6 +281,16 @@ class CsvReader {
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
     if (header_.is_long()) bands_.push_back(band_);
+  }
+
+  double azimuth_between(double theta_i, double theta_o) const {
+    if (theta_i < 0 || theta_o < 0) fail("polar angles must not be negative in a table with phase angles");
+    const double azimuth = azimuth_of_phase(theta_i, theta_o, phase_);
+    if (std::isnan(azimuth))
+      fail("the phase angle " + to_text(phase_) + " is not possible: directions at " + to_text(theta_i) +
+           " and " + to_text(theta_o) + " degrees enclose " + to_text(std::abs(theta_i - theta_o)) + " to " +
+           to_text(theta_i + theta_o) + " degrees");
+    return azimuth;
   }
 
   static void unfold(double& theta, double& phi) {
@@ -288,10 +307,11 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; largest magnitudes in the file so far
   double turn_ = 0;                          // rotation of the sample
+  double phase_ = 0;                         // angle between the directions of this row
   RawMagnitudes raw_[4];
   std::vector<double> row_values_, row_sigma_;
   std::size_t empty_ = 0;  // empty cells of a matrix
-  bool has_sigma_ = false;
+  bool has_sigma_ = false, has_phase_ = false;
   Band band_;  // of this row
   std::vector<Band> bands_;
 };

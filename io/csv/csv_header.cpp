@@ -182,7 +182,11 @@ bool CsvHeader::read_matrix(const Fields& names) {
   if (!matrix_) return false;
   columns_.columns = {matrix_->rows, matrix_->columns};
   columns_.channels = table_.channels = {"fr"};
-  columns_.in_plane = true;
+  columns_.in_plane = !matrix_->is_road;
+  if (matrix_->is_road) {
+    describe_road_table();
+    return true;
+  }
   const auto& stated = stated_.result();
   columns_.quantities = {stated ? stated->quantity : Quantity{&quantity_kinds()[0]}};
   const bool is_light_down = matrix_->rows.index == 0;
@@ -197,6 +201,18 @@ bool CsvHeader::read_matrix(const Fields& names) {
     columns_.assume("the values of the matrix are " + stated->quantity.meaning() + ": " +
                     stated->quantity.operation());
   return true;
+}
+
+// An r-table of road lighting holds reduced luminance coefficients, unless a comment states otherwise.
+void CsvHeader::describe_road_table() {
+  const auto& stated = stated_.result();
+  const Quantity quantity = stated ? stated->quantity : *quantity_named("r");
+  columns_.quantities = {quantity};
+  columns_.assume(
+      "an r-table of road lighting: the tangent of the angle of incidence and the azimuth beta (0: "
+      "mirror side), for a viewer 1 degree above the road (theta_o = 89); the values are " +
+      quantity.meaning() + ": " + quantity.operation());
+  columns_.notes.push_back("fit and study need --max-theta 90 for this table");
 }
 
 // Looks ahead to find units in a row of their own, which is skipped, and columns of text.

@@ -51,6 +51,7 @@ class CsvHeader {
   void add_title(std::string_view title);
   void read_names(std::string_view line);
   [[noreturn]] void refuse_numbers(const std::vector<std::string_view>& fields, std::size_t k) const;
+  void describe_road_table();
   bool read_matrix(const std::vector<std::string_view>& names);
   void look_ahead(std::vector<std::string>& names, HeaderFacts& facts);
   void check_columns() const;

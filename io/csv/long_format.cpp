@@ -9,6 +9,7 @@
 #include "io/files/limits.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "io/samples/to_f_r.h"
 
 namespace brdf::io {
 namespace {
@@ -64,7 +65,7 @@ std::string words_of(const Band& band) {
 
 std::string channel_of(const Band& band, const std::string& values) {
   const std::string nm = band.nm > 0 ? to_text(band.nm) + "nm" : "";
-  if (!band.polarisation) return nm;
+  if (!band.polarisation) return nm.empty() ? values : nm;
   const std::string polarisation(name_of(*band.polarisation));
   return nm.empty() ? values + "_" + polarisation : polarisation + "_" + nm;
 }
@@ -88,6 +89,15 @@ std::size_t times_measured(const SampleTable& table, const std::vector<Band>& of
     throw InputError(table.where(first_row(pair)) + ": these directions have no value at " +
                      words_of(bands[times.size()]) + ", but other directions have one");
   return times.front();
+}
+
+// Returns whether a pair has every band, each equally often.
+bool has_all_bands(const std::vector<Band>& of_rows, const std::vector<Band>& bands, Pair pair) {
+  if (pair.size() % bands.size() != 0) return false;
+  const std::size_t times = pair.size() / bands.size();
+  for (std::size_t k = 0; k < pair.size(); ++k)
+    if (of_rows[pair[k]] != bands[k / times]) return false;
+  return true;
 }
 
 // Returns the warnings of `narrow` and a sentence on the long format.
@@ -121,12 +131,32 @@ void add_rows(const SampleTable& narrow, const std::vector<Measured>& all, Sampl
     const std::size_t row = first_row(measured.pair);
     for (std::size_t t = 0; t < measured.times; ++t) {
       wide.add_directions(narrow.theta_i[row], narrow.phi_i[row], narrow.theta_o[row], narrow.phi_o[row]);
-      wide.lines.push_back(t == 0 ? narrow.lines[row] : narrow.lines[measured.row(0, t)]);
+      if (!narrow.lines.empty())
+        wide.lines.push_back(t == 0 ? narrow.lines[row] : narrow.lines[measured.row(0, t)]);
     }
   }
 }
 
 }  // namespace
+
+std::size_t leave_out_incomplete(SampleTable& narrow, std::vector<Band>& of_rows) {
+  const std::vector<Band> bands = each_once(of_rows);
+  const Rows sorted = sorted_rows(narrow, of_rows);
+  Rows kept;
+  std::size_t incomplete = 0;
+  for (const Pair pair : pairs_of(narrow, sorted)) {
+    if (has_all_bands(of_rows, bands, pair))
+      kept.insert(kept.end(), pair.begin(), pair.end());
+    else
+      ++incomplete;
+  }
+  if (incomplete == 0) return 0;
+  std::sort(kept.begin(), kept.end());
+  for (std::size_t k = 0; k < kept.size(); ++k) of_rows[k] = of_rows[kept[k]];
+  of_rows.resize(kept.size());
+  keep_rows(narrow, kept);
+  return incomplete;
+}
 
 SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows) {
   const std::vector<Band> bands = each_once(of_rows);
@@ -142,6 +172,7 @@ SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows)
   SampleTable wide;
   wide.metadata = narrow.metadata;
   wide.source = narrow.source;
+  wide.format = narrow.format;
   wide.warnings = has_values ? warnings_of(narrow, bands) : narrow.warnings;
   wide.skipped = narrow.skipped;
   wide.raw_angles = narrow.raw_angles;

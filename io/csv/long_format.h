@@ -25,4 +25,8 @@ struct Band {
 // names the row, if a pair lacks a band or has one band more often than another.
 SampleTable widened(const SampleTable& narrow, const std::vector<Band>& bands);
 
+// Removes the rows of all pairs of directions that lack a band of another pair, or have one band more often
+// than another. Returns the number of these pairs.
+std::size_t leave_out_incomplete(SampleTable& narrow, std::vector<Band>& bands);
+
 }  // namespace brdf::io

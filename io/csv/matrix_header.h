@@ -14,6 +14,9 @@ namespace brdf::io {
 struct MatrixHeader {
   Column rows, columns;        // the polar angles down and along; `index` identifies the angle
   std::vector<double> angles;  // angles of the columns, as written
+  // An r-table of road lighting: the tangent of the angle of incidence down, the azimuth beta along (or the
+  // reverse), for a viewer 1 degree above the road.
+  bool is_road = false;
 };
 
 // Reads a header row in which the first cell names one angle or two ("theta_s \ theta_i": down and along)

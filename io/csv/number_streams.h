@@ -11,7 +11,7 @@ namespace brdf::io {
 
 // Returns the header row to write above the numbers of a file, as the end of a sentence. `first_row`: the
 // fields of the first row. The header row is guessed from the number of columns and the sizes of the
-// numbers. If the numbers are in a known format that is not read, the text names the format.
+// numbers.
 std::string header_for_numbers(const Content& content, const std::vector<std::string_view>& first_row);
 
 }  // namespace brdf::io

@@ -6,6 +6,7 @@
 #include "io/columns/foreign_json.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
+#include "io/files/xml.h"
 
 namespace brdf::io {
 namespace {
@@ -34,54 +35,39 @@ void refuse_by_magic(const Content& content) {
     if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
 }
 
-// The first line is "OPTIS - brdf surface file v8.0", then 0 for text or 1 for binary.
+// Returns an empty string for the text formats of Speos that are read. The first line is "OPTIS - brdf
+// surface file v8.0", then 0 for text or 1 for binary.
 std::string optis(std::string_view text) {
   const std::size_t end = text.find('\n');
   const std::string_view first = trimmed(text.substr(0, end));
   const std::string_view second = end == text.npos ? "" : trimmed(text.substr(end + 1, 8));
-  const bool is_binary = second.starts_with('1');
-  const bool is_anisotropic = holds(lower_case(first), "anisotropic");
-  return "is a Speos " + std::string(is_anisotropic ? "anisotropic BSDF" : "BRDF") + " file (" +
-         shown(trimmed(first)) + ")" + (is_binary ? ", the binary variant" : "") +
-         ", which is not read: " + (is_binary ? "save it as text in Speos' editor of surfaces and " : "") +
-         std::string(kExportAsCsv);
-}
-
-// Returns the name of the first element.
-std::string_view root_of(std::string_view xml) {
-  for (std::size_t at = xml.find('<'); at != xml.npos; at = xml.find('<', at + 1)) {
-    const char next = at + 1 < xml.size() ? xml[at + 1] : '?';
-    if (next == '?' || next == '!') continue;
-    const std::size_t end = xml.find_first_of(" \t\r\n/>", at + 1);
-    return xml.substr(at + 1, std::min(end, xml.size()) - at - 1);
-  }
-  return "";
+  const std::string lower = lower_case(first.substr(0, 100));
+  const bool is_anisotropic = holds(lower, "anisotropic bsdf surface file");
+  const std::string name = shown(first.substr(0, first.find('\r')));
+  if (!is_anisotropic && !holds(lower, "brdf surface file"))
+    return "is a file of Speos (" + name +
+           ") other than a BRDF or anisotropic BSDF, which is not read: " + std::string(kExportAsCsv);
+  if (!second.starts_with('1')) return "";
+  return "is a binary " + std::string(is_anisotropic ? "anisotropic BSDF" : "BRDF") + " file of Speos (" +
+         name + "), which is not read: save it as text in Speos' editor of surfaces";
 }
 
 std::string xml(std::string_view text) {
-  const std::string_view root = root_of(text);
-  const std::string lower = lower_case(root);
-  if (lower == "html" || lower_case(text.substr(0, 20)).find("<!doctype html") != std::string::npos)
+  const std::string_view root = xml_root(text);
+  if (lower_case(root) == "html" ||
+      lower_case(text.substr(0, 20)).find("<!doctype html") != std::string::npos)
     return "is a web page or XML, not a table of samples";
-  if (holds(text, "WindowElement")) {
-    const bool is_tree = holds(text, "TensorTree");
-    return std::string("is a BSDF of Radiance or LBNL Window as XML, ") +
-           (is_tree ? "with a tensor tree" : "a matrix of patches (Klems basis)") +
-           ", which is not read: " + std::string(kExportAsCsv);
-  }
-  return "is a web page or XML (root element " + shown(root) + "), not a table of samples";
+  if (root != "WindowElement") return "is XML (root element " + shown(root) + "), not a table of samples";
+  if (!holds(text, "TensorTree")) return "";
+  return "is a BSDF of Radiance as a tensor tree, which is not read: export a matrix in a Klems basis "
+         "(genBSDF without -t), or evaluate directions with bsdfquery and " +
+         std::string(kExportAsCsv);
 }
 
 std::string text_format(std::string_view text) {
   const std::string lower = lower_case(text.substr(0, 200));
   if (text.starts_with('<')) return xml(text);
   if (lower.starts_with("optis")) return optis(text);
-  if (lower.starts_with("type bsdf_data"))
-    return "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the "
-           "mirror direction (theta_spec phi_spec), so the incident direction is theta_i = theta_spec, phi_i "
-           "= phi_spec + 180. Write "
-           "columns "
-           "theta_i, phi_i, theta_o, phi_o and the value times 'scale' as CSV";
   if (lower.starts_with("version") && holds(lower, "data_type") && holds(lower, "color_model"))
     return std::string("is SSDD text of libbsdf, which is not read: ") + std::string(kExportAsCsv);
   if (lower.starts_with(";;") && holds(lower, "data"))

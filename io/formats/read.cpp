@@ -15,7 +15,18 @@
 // in a namespace of the format's name, and add this name to one of the two lists. Readers of text receive
 // UTF-8.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
-#define BRDF_FORMATS_OF_TEXT(FORMAT) FORMAT(zemax) FORMAT(astm) FORMAT(alta)
+#define BRDF_FORMATS_OF_TEXT(FORMAT) \
+  FORMAT(zemax)                      \
+  FORMAT(astm)                       \
+  FORMAT(alta)                       \
+  FORMAT(fred)                       \
+  FORMAT(cornell)                    \
+  FORMAT(openmaterial)               \
+  FORMAT(bird)                       \
+  FORMAT(early_bird)                 \
+  FORMAT(speos)                      \
+  FORMAT(klems)                      \
+  FORMAT(aspecular)
 
 #define BRDF_FUNCTIONS(name)                                          \
   namespace brdf::io::name {                                          \
@@ -58,6 +69,12 @@ bool is_json_array(const Content& content) {
   throw InputError(text.name + ": " + (foreign.empty() ? "is JSON, not a table of samples" : foreign));
 }
 
+// Removes the byte order mark of UTF-8, so that every format is recognised behind it.
+void drop_mark(Content& content) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (content.bytes.starts_with(kMark)) content.bytes.erase(0, kMark.size());
+}
+
 struct Format {
   bool (*recognises)(const Content&);
   SampleTable (*read)(const Content&, const Supplied&);
@@ -74,9 +91,9 @@ const Format* format_of(std::span<const Format> formats, const Content& content)
 }
 
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
-  if (is_json(text) || is_json_array(text)) refuse_json(text);
   const std::string transcoded = make_utf8(text);
   const Format* const format = need_values ? format_of(kOfText, text) : nullptr;
+  if (!format && (is_json(text) || is_json_array(text))) refuse_json(text);
   SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
@@ -85,6 +102,7 @@ SampleTable read_text(Content text, bool need_values, const Supplied& supplied) 
 }  // namespace
 
 SampleTable read_samples(Content content, const Supplied& supplied) {
+  drop_mark(content);
   refuse_other_formats(content);
   const Format* const format = format_of(kOfBytes, content);
   SampleTable table =
@@ -95,6 +113,7 @@ SampleTable read_samples(Content content, const Supplied& supplied) {
 }
 
 SampleTable read_directions(Content content) {
+  drop_mark(content);
   refuse_other_formats(content);
   SampleTable table = read_text(std::move(content), false, {});
   check_table(table);

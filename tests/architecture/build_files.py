@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-MOST, OWN_FLAGS, COLUMNS = 798, 6, 110
+MOST, OWN_FLAGS, COLUMNS = 799, 6, 110
 NAMES = re.compile(r"(CMakeLists\.txt|\.cmake|CMakePresets\.json|\.cmake\.in)$")
 
 root = pathlib.Path(sys.argv[1])

@@ -22,7 +22,9 @@ void read_table(std::string_view input) {
 }
 
 const Registered csv("csv", read_table), astm("astm", read_table), lens("lens", read_table),
-    alta("alta", read_table), tensor("tensor", read_table);
+    alta("alta", read_table), tensor("tensor", read_table), fred("fred", read_table),
+    cornell("cornell", read_table), openmaterial("openmaterial", read_table), bird("bird", read_table),
+    speos("speos", read_table), klems("klems", read_table), aspecular("aspecular", read_table);
 
 // The conversions of a table that a user can request.
 const Registered arranged("arranged", [](std::string_view input) {

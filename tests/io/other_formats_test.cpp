@@ -15,23 +15,15 @@ using testing::HasSubstr;
 TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
   using namespace std::string_literals;
   const std::pair<std::string, const char*> cases[] = {
-      {"OPTIS - brdf surface file v8.0\n0\ncomment\n",
-       "is a Speos BRDF file ('OPTIS - brdf surface file v8.0'), which is not read"},
-      {"OPTIS - Anisotropic BSDF surface file v8.0\r\n0\r\n", "is a Speos anisotropic BSDF file"},
       {"OPTIS - brdf surface file v9.0\n1\n\0\1\2"s,
-       "the binary variant, which is not read: save it as text"},
-      {"<?xml version=\"1.0\"?>\n<WindowElement><x>LBNL/Klems Full</x></WindowElement>\n",
-       "is a BSDF of Radiance or LBNL Window as XML, a matrix of patches (Klems basis), which is not read"},
+       "is a binary BRDF file of Speos ('OPTIS - brdf surface file v9.0'), which is not read: save it as "
+       "text"},
+      {"OPTIS - Simple scattering surface file v1.0\n0\n",
+       "is a file of Speos ('OPTIS - Simple scattering surface file v1.0') other than"},
       {"<WindowElement><IncidentDataStructure>TensorTree4</IncidentDataStructure></WindowElement>",
-       "with a tensor tree, which is not read"},
-      {"<?xml version=\"1.0\"?>\n<!-- x -->\n<plist/>", "is a web page or XML (root element 'plist')"},
+       "is a BSDF of Radiance as a tensor tree, which is not read: export a matrix in a Klems basis"},
+      {"<?xml version=\"1.0\"?>\n<!-- x -->\n<plist/>", "is XML (root element 'plist'), not a table"},
       {"<!DOCTYPE html>\n<html>", "is a web page or XML, not a table"},
-      {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n",
-       "the incident direction is theta_i = theta_spec, phi_i = phi_spec + 180"},
-      {"3 450 550 650\n.1 0 .2 3.1 .3 .4 .5\n.1 0 .4 3.1 .3 .4 .5\n",
-       "the numbers look like spectral text of the Cornell laboratory (3 wavelengths"},
-      {"# a comment\n1\n650 # nm\n.1 0 .2\n3.1 .3\n",
-       "spectral text of the Cornell laboratory (1 wavelengths"},
       {"0.3 3.1 0.2 0.1 0.5\n0.3 3.1 1.2 0.1 0.5\n",
        "write one above the numbers: theta_i (rad) phi_i (rad) theta_o (rad) phi_o (rad) fr (guessed"},
       {"30,180,40,0,550,0.5\n30,180,40,0,650,0.5\n",
@@ -49,18 +41,27 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
 // Some verbs read JSON as a material and others as a table. Both messages recognise the file as a table.
 TEST(OtherFormats, InJsonAreToldByTheirKeys) {
   const std::pair<const char*, const char*> cases[] = {
-      {R"({"metadata": {}, "brdf": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0.05]]}})",
-       "is JSON, but not a material: the content looks like a look-up table of ASAM OpenMATERIAL"},
-      {R"({"data": {"theta_i": {"values": [1]}, "theta_r": {"values": [2]}, "BRDF": {"values": [3]}}})",
-       "the content looks like a universal BRDF file (BiRD), which is not read: export columns"},
-      {R"({"head": {}, "data": {"theta_i": [1], "phi_i": [0], "theta_v": [2], "phi_v": [0], "data": [[1]]}})",
-       "the content looks like a BRDF file of BiRD before version 1.0"},
+      {R"({"metadata": {}, "reflectionCoefficient": {"lookupTable": [[5e-7, 0.1, 0.2, 3.1, 0, 0.05, 1]]}})",
+       "ratios of amplitudes (*_reflCoeff.xompt), which lacks the solid angles"},
+      {R"({"metadata": {"openMaterial3dVersion": "1.0.0"}, "emp": {"lookupTable": [[1, 2]]}})",
+       "a file of ASAM OpenMATERIAL without a BRDF look-up table"},
       {R"({"rows": [{"theta_in": 1, "theta_out": 2, "value": 3}]})",
        "the content looks like a table of samples of another program"}};
   for (const auto& [text, expected] : cases) {
     EXPECT_THAT(message(text), HasSubstr(expected)) << text;
     EXPECT_THAT(message_of([&] { read_material(Content{"file", text}); }), HasSubstr(expected)) << text;
   }
+  // These are read as samples.
+  const std::pair<const char*, const char*> tables[] = {
+      {R"({"metadata": {}, "brdf": {"lookupTable": []}})", "a look-up table of ASAM OpenMATERIAL"},
+      {R"({"data": {"theta_i": 1, "theta_r": 2, "BRDF": 3}})", "a universal BRDF file (BiRD)"},
+      {R"({"data": {"theta_i": [1], "theta_v": [2], "phi_v": [0]}})",
+       "a BRDF file of BiRD before version 1.0"}};
+  for (const auto& [text, expected] : tables)
+    EXPECT_THAT(message_of([&] {
+                  read_material(Content{"file", text});
+                }),
+                AllOf(HasSubstr(expected), HasSubstr("which holds samples: `brdf fit` finds a material")));
   EXPECT_THAT(message(R"({"a": 1})"), HasSubstr("is JSON, not a table of samples"));
   EXPECT_THAT(message_of([] {
                 read_material(Content{"file", R"({"a": 1})"});

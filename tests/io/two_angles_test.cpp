@@ -168,11 +168,6 @@ TEST(OtherAngles, AreRefusedByName) {
       {"theta_i,theta_s - theta_spec,BRDF\n10,5,1\n", "is an angle from the mirror direction"},
       {"AOI,delta (deg),BRDF\n10,5,1\n", "is an angle from the mirror direction"},
       {"incidence,aspecular angle,BRF\n10,5,1\n", "is an angle from the mirror direction"},
-      {"geometry,500nm\n45as15,.4\n", "is an aspecular geometry (ASTM E2194)"},
-      {"wavelength,45as15,45as-15\n500,.4,.5\n", "column '45as15' is an aspecular geometry"},
-      {"incidence,emission,phase,I/F\n30,30,60,.1\n",
-       "column 'phase' is the phase angle between the incident and the viewing direction"},
-      {"tan gamma \\ beta,0,30\n0,600,600\n", "r-tables of road lighting are not read"},
       {"src_z RF\n30 0.9\n", "column 'theta_o' is missing"},
       {"src_z RF\n30 0.9\n", "no column has the viewing angle"},
       {"theta_i,fr\n30,.9\n", "no column has the viewing angle"}};

@@ -52,9 +52,9 @@ def check_overview(browser, study):
 
 
 TOLERANCE = """(value => {
-  const box = document.querySelector(".tolerance"), input = box.querySelector("input"), said = box.querySelector("output");
+  const box = document.querySelector(".tolerance"), input = box.querySelector("input"), verdict = box.querySelector("output");
   if (value !== null) { input.value = value; input.dispatchEvent(new Event("input")); }
-  return [said.className, said.textContent, box.querySelector(".share").textContent];
+  return [verdict.className, verdict.textContent, box.querySelector(".share").textContent];
 })"""
 
 

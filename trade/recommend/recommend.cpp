@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/columns/foreign_json.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
@@ -20,7 +21,7 @@ constexpr std::size_t kFitRows = 2500;
 
 RgbFunction read_reference(const std::filesystem::path& path) {
   io::Content content = io::read_content(path);
-  if (io::is_json(content)) return rgb_function(io::read_material(content));
+  if (io::may_be_material(content)) return rgb_function(io::read_material(content));
   return rgb_function(io::read_samples(std::move(content)));
 }
 

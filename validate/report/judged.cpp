@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/columns/foreign_json.h"
 #include "io/columns/supplied.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
@@ -35,7 +36,7 @@ void add_table(ReportContent& content, io::SampleTable table) {
 void add_file(ReportContent& content, const std::string& path, const io::Supplied& supplied) {
   io::Content bytes = io::read_content(path);
   const std::string name = bytes.name;
-  if (io::is_json(bytes)) return add_material(content, name, io::read_material_file(bytes));
+  if (io::may_be_material(bytes)) return add_material(content, name, io::read_material_file(bytes));
   try {
     add_table(content, io::read_samples(std::move(bytes), supplied));
   } catch (const ExchangedColumns& e) {
