@@ -16,7 +16,7 @@ void add_environment_options(CLI::App& verb, render::Job& job, int& samples) {
       "Light from all around: a latitude-longitude picture (.hdr, .exr), or " +
           known_names<render::Formula>() + ". Materials without a scene are lit by nothing else"));
   verb.add_flag("--hard-light", job.hard_light,
-                "A material without a scene is lit by one directional light (a picture of it: by the studio)")
+                "A material without a scene is lit by one directional light instead of the studio")
       ->excludes("--environment");
   verb.add_option("--rotate", job.rotation,
                   "Degrees by which the environment is turned about the vertical axis")

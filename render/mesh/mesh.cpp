@@ -190,12 +190,17 @@ Mesh flat_shaded(const Mesh& mesh) {
   return flat;
 }
 
-glm::vec4 bounding_sphere(const Mesh& mesh) {
+std::pair<glm::vec3, glm::vec3> bounding_box(const Mesh& mesh) {
   glm::vec3 low(INFINITY), high(-INFINITY);
   for (const Vertex& v : mesh.vertices) {
     low = glm::min(low, v.position);
     high = glm::max(high, v.position);
   }
+  return {low, high};
+}
+
+glm::vec4 bounding_sphere(const Mesh& mesh) {
+  const auto [low, high] = bounding_box(mesh);
   const glm::vec3 center = (low + high) / 2.0f;
   float radius = 0;
   for (const Vertex& v : mesh.vertices) radius = std::max(radius, glm::distance(center, v.position));

@@ -226,6 +226,21 @@ const Command& command(std::string_view name) {
   return *found;
 }
 
+std::string readable_keys(const Command& command) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNamesOfKeys{
+      {{"equal", "="},
+       {"minus", "-"},
+       {"question", "?"},
+       {"Escape", "Esc"},
+       {"left", "left arrow"},
+       {"right", "right arrow"},
+       {"up", "up arrow"},
+       {"down", "down arrow"}}};
+  for (const auto& [name, readable] : kNamesOfKeys)
+    if (command.keys == name) return std::string(readable);
+  return std::string(command.keys);
+}
+
 std::string command_help(std::size_t width) {
   std::string out, group, line;
   const auto end_line = [&] {
@@ -233,7 +248,7 @@ std::string command_help(std::size_t width) {
     line.clear();
   };
   for (const Command& c : kEdits) {
-    const std::string entry = std::string(c.keys) + ": " + std::string(c.name);
+    const std::string entry = readable_keys(c) + ": " + std::string(c.name);
     if (group != c.group) {
       end_line();
       group = c.group;

@@ -35,7 +35,7 @@ struct Whereabouts {
 
 struct Command {
   std::string_view name, group;
-  std::string_view keys;  // as text: "ctrl+s", "drag"
+  std::string_view keys;  // "ctrl+s", "drag"; X11's names of keys, which programs send to the window
   std::string_view does;
   int key = 0, mods = 0;  // values of GLFW; 0: no key
   int second = 0;         // another key for the same command
@@ -49,6 +49,9 @@ std::span<const Command> commands();
 const Command* command_of(int key, int mods);
 // Returns the command with this name, which must exist.
 const Command& command(std::string_view name);
+
+// Returns the keys of a command as they are printed on a keyboard: "=" for "equal".
+std::string readable_keys(const Command& command);
 
 // command_help() returns the list for --help, folded at `width` letters; command_json() returns the list as
 // JSON for programs.
