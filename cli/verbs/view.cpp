@@ -113,7 +113,7 @@ void add_view(CLI::App& app) {
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(
-      "Keys and mouse:\n" + render::command_help(100) +
+      "Keys and mouse:\n" + render::command_help(78) +
       "Examples: brdf view fitted.json --measured samples.csv\n"
       "          brdf view fitted.json --hard-light\n"
       "          brdf view --shader ggx.glsl --param roughness=0.05:1 --set roughness=0.3\n"

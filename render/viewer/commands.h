@@ -53,8 +53,8 @@ const Command& command(std::string_view name);
 // Returns the keys of a command as they are printed on a keyboard: "=" for "equal".
 std::string readable_keys(const Command& command);
 
-// command_help() returns the list for --help, folded at `width` letters; command_json() returns the list as
-// JSON for programs.
+// command_help() returns the list for --help, in as many columns as fit into `width` letters;
+// command_json() returns the list as JSON for programs.
 std::string command_help(std::size_t width);
 std::string command_json();
 

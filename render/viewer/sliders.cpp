@@ -54,8 +54,10 @@ std::string format_beside_knob(const char* format, double value, float share, fl
   std::snprintf(text, sizeof text, format, value);
   const float knob_width = ImGui::GetStyle().GrabMinSize;
   const float knob = 2 + knob_width / 2 + share * (width - 4 - knob_width);
-  const int spaces =
-      spaces_beside_knob(width, knob, knob_width, ImGui::CalcTextSize(text).x, ImGui::CalcTextSize(" ").x);
+  // The width of several spaces, because Dear ImGui rounds widths up to whole pixels.
+  constexpr int kSpaces = 16;
+  const float space = (ImGui::CalcTextSize(std::string(kSpaces, ' ').c_str()).x - 1) / kSpaces;
+  const int spaces = spaces_beside_knob(width, knob, knob_width, ImGui::CalcTextSize(text).x, space);
   const std::string room(std::size_t(std::abs(spaces)), ' ');
   return spaces > 0 ? format + room : room + format;
 }
