@@ -45,6 +45,7 @@ struct Job {
   std::optional<double> noise;
   int most_samples = kMostNoiseSamples;  // the limit if the noise does not fall to `noise`
   bool hard_light = false;               // materials are not lit by the studio
+  bool in_window = false;                // the state is for a window, which has no output
   bool per_vertex = false, as_coded = false;
   int gbuffer_bits = 16;
   std::uint64_t memory_limit = 0;  // bytes, 0: no limit

@@ -95,7 +95,7 @@ void apply_overrides(const Job& job, Scene& scene) {
 // measured, compared or taken apart.
 bool stands_in_the_studio(const Job& job) {
   const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
-  const bool is_looked_at = is_png(job.output) || job.turntable;
+  const bool is_looked_at = is_png(job.output) || job.turntable || job.in_window;
   return alone && is_looked_at && !job.hard_light && !compared(job) && !job.show && !job.shading &&
          !job.forward && !job.gbuffer && !job.probe;
 }

@@ -108,7 +108,7 @@ def show_window(film, brdf, folder, material, samples):
         desk.press("s", "l")
         desk.frame = 0.5
         desk.pause(5)
-        agreeing = window.agreeing()
+        fitted = window.plots()
         keep(1000)
         # The sliders of the weights come first.
         knob = window.knobs()[sum(len(values) for values in solved["weights"].values())]
@@ -125,16 +125,16 @@ def show_window(film, brdf, folder, material, samples):
         away = (window.panel + 20, HEIGHT - 60)
         desk.move(*away)
         desk.pause(5)
-        window.until(lambda: window.agreeing() < 0.7 * agreeing)
+        window.until(lambda: window.differing(fitted) > 0.03)
         keep(1300)
         desk.press("ctrl+f")
         for _ in range(3):
             keep(200)
-        window.until(lambda: window.agreeing() >= 0.9 * agreeing)
+        window.until(lambda: window.differing(fitted) < 0.01)
         desk.pause(5)
         keep(2400)
-        fitted = desk.saved_state()["scene"]["objects"][0]["material"]
-        assert agrees(fitted, solved), "the fit has not found the material again"
+        found = desk.saved_state()["scene"]["objects"][0]["material"]
+        assert agrees(found, solved), "the fit has not found the material again"
         desk.press("q")
         desk.pause(5)
     finally:

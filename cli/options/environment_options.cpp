@@ -15,9 +15,8 @@ void add_environment_options(CLI::App& verb, render::Job& job, int& samples) {
       "--environment", job.environment,
       "Light from all around: a latitude-longitude picture (.hdr, .exr), or " +
           known_names<render::Formula>() + ". Materials without a scene are lit by nothing else"));
-  verb.add_flag(
-          "--hard-light", job.hard_light,
-          "Light a material without a scene by one directional light (default for pictures: by the studio)")
+  verb.add_flag("--hard-light", job.hard_light,
+                "Light a material without a scene by one directional light instead of the studio")
       ->excludes("--environment");
   verb.add_option("--rotate", job.rotation,
                   "Degrees by which the environment is turned about the vertical axis")

@@ -16,9 +16,15 @@
 namespace brdf::cli {
 namespace {
 
+// Returns a bound of a range; multiples of pi/2 in radians are named.
+std::string bound(double value, std::string_view unit) {
+  if (unit == "rad" && value == kPi / 2) return "pi/2";
+  if (unit == "rad" && value == kPi) return "pi";
+  return io::to_text(value);
+}
 std::string range(const ParameterInfo& p) {
   const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
-  return std::string(p.name) + " " + io::to_text(p.min) + ".." + io::to_text(p.max) + unit;
+  return bound(p.min, p.unit) + " to " + bound(p.max, p.unit) + unit;
 }
 
 // Prints one form of the list: a line of parameters with range and unit, then a line of known violations.
@@ -27,7 +33,7 @@ void print_line(std::ostream& out, const ReflectanceInfo& form) {
   const char* separator = "";
   for (const auto table : {form.weights, form.shape})
     for (const ParameterInfo& p : table) {
-      out << separator << range(p);
+      out << separator << p.name << ' ' << range(p);
       separator = ", ";
     }
   out << "\n      violates: ";
@@ -60,9 +66,7 @@ void print_form(const ReflectanceInfo& form) {
     for (const ParameterInfo& p : table) longest = std::max(longest, p.name.size());
   const auto print = [&](const ParameterInfo& p, const char* kind) {
     out << "  " << std::left << std::setw(int(longest) + 1) << p.name << std::setw(7) << kind << std::setw(25)
-        << (io::to_text(p.min) + " .. " + io::to_text(p.max)) << " default " << std::setw(8)
-        << (io::to_text(p.initial) + (p.unit.empty() ? "" : " " + std::string(p.unit))) << ' ' << p.doc
-        << '\n';
+        << range(p) << " default " << std::setw(8) << io::to_text(p.initial) << ' ' << p.doc << '\n';
   };
   for (const ParameterInfo& p : form.weights) print(p, "weight");
   for (const ParameterInfo& p : form.shape) print(p, "shape");

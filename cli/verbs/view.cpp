@@ -12,7 +12,9 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/output.h"
+#include "io/formats/read.h"
 #include "render/job.h"
+#include "render/light/formula.h"
 #include "render/viewer/commands.h"
 #include "render/viewer/viewer.h"
 
@@ -22,6 +24,7 @@ namespace {
 // Returns the state from a saved state, a scene, or materials. Two materials become A and B.
 render::ViewState initial_state(const render::Job& given, int width, int height) {
   render::Job job = render::with_samples_told(given);
+  job.in_window = true;
   if (job.state.empty()) {  // the position of the split depends on them
     job.width = width;
     job.height = height;
@@ -35,13 +38,18 @@ render::ViewState initial_state(const render::Job& given, int width, int height)
   if (job.scene.empty() && job.materials.empty() && job.row.empty() && job.state.empty()) {
     render::ViewState state;
     state.scene = render::material_scene({render::any_material()});
+    if (!job.environment && !job.hard_light && job.measured.empty())
+      job.environment = name_of(render::Formula::studio);
     render::apply_environment(job, state.scene);
     state.scene.camera.width = width;
     state.scene.camera.height = height;
     if (!job.measured.empty()) render::open_file(state, job.measured);
     return state;
   }
-  return render::state_of(job);
+  render::ViewState state = render::state_of(job);
+  if (!job.measured.empty())
+    state.plot_theta = render::measured_theta(io::read_samples(job.measured), state.plot_theta);
+  return state;
 }
 
 // Returns the file that the window's title names.
@@ -109,7 +117,7 @@ void add_view(CLI::App& app) {
   verb->add_flag("--validation", viewer.validation,
                  "Run under Vulkan's validation and synchronisation layers");
   verb->footer(
-      "Keys and mouse:\n" + render::command_help(100) +
+      "Keys and mouse:\n" + render::command_help(78) +
       "Examples: brdf view fitted.json --measured samples.csv\n"
       "          brdf view fitted.json --hard-light\n"
       "          brdf view --shader ggx.glsl --param roughness=0.05:1 --set roughness=0.3\n"

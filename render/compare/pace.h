@@ -1,37 +1,92 @@
-// Chooses the number of samples of an environment's light for each picture of a window, to keep the window
-// responsive.
+// Divides the drawing of a window's pictures into frames of limited time, to keep the window responsive.
 #pragma once
 
 #include <algorithm>
-
-#include "render/light/points.h"
+#include <chrono>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace brdf::render {
 
-class Pace {
+// Times in milliseconds that the parts of a picture took when they were last drawn.
+class PartTimes {
  public:
-  // `adapts`: false always draws whole runs of kRun samples.
-  explicit Pace(bool adapts) : adapts_(adapts), run_(adapts ? kFirst : kRun) {}
-
-  int run() const { return run_; }
-  // Starts a new picture, with as many samples as the last measured time permits.
-  void begin() {
-    if (of_one_ > 0) run_ = std::clamp(int(kPatience / of_one_), 1, kRun);
+  double of(int part) const {
+    return std::size_t(part) < times_.size() && times_[std::size_t(part)] >= 0 ? times_[std::size_t(part)]
+                                                                               : kGuess;
   }
-  // Records the time of the last picture's samples, in milliseconds.
-  void took(double ms) {
-    if (adapts_ && ms > 0) of_one_ = ms / run_;
+  void set(int part, double ms) {
+    if (std::size_t(part) >= times_.size()) times_.resize(std::size_t(part) + 1, -1);
+    times_[std::size_t(part)] = ms;
   }
-  // Returns whether starting anew with a shorter run is better than continuing the present picture.
-  bool too_slow() const { return run_ > 1 && of_one_ * run_ > kTooMuch * kPatience; }
 
  private:
-  static constexpr int kFirst = 4;
-  static constexpr double kPatience = 40, kTooMuch = 4;  // kPatience in milliseconds; kTooMuch is a factor
+  static constexpr double kGuess = 6;  // for a part that was never drawn
+  std::vector<double> times_;          // negative: not known
+};
 
-  bool adapts_;
-  int run_;
-  double of_one_ = 0;  // milliseconds per sample; 0: not yet measured
+class Pace {
+ public:
+  using Clock = std::function<double()>;  // returns milliseconds
+  static double steady_clock() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration<double, std::milli>(now).count();
+  }
+  // A frame takes about 15 ms for panels and presentation on two cores, which leaves this part of 40 ms.
+  static constexpr double kPatience = 25;
+
+  explicit Pace(Clock clock = steady_clock) : clock_(std::move(clock)) {}
+
+  void begin_frame() {
+    begun_ = clock_();
+    has_drawn_ = false;
+  }
+  // Returns how many of the parts from `first` to `parts` fit into the rest of the frame's time; 0 if none
+  // fits. The first call of a frame returns at least 1, so that every frame makes progress.
+  int next(const PartTimes& times, int first, int parts) {
+    started_ = clock_();
+    const double left = kPatience - (started_ - begun_);
+    double sum = 0;
+    int count = 0;
+    while (first + count < parts) {
+      sum += times.of(first + count);
+      if (sum > left && (has_drawn_ || count > 0)) break;
+      ++count;
+    }
+    has_drawn_ |= count > 0;
+    return count;
+  }
+  // Records that the parts of the last next() are drawn.
+  void took(PartTimes& times, int first, int count) const {
+    const double each = (clock_() - started_) / std::max(count, 1);
+    for (int part = first; part < first + count; ++part) times.set(part, each);
+  }
+
+ private:
+  Clock clock_;
+  double begun_ = 0, started_ = 0;
+  bool has_drawn_ = false;
+};
+
+// Chooses how many pixels of the window lie across one drawn pixel during movements.
+class Coarseness {
+ public:
+  int across() const { return across_; }
+  // Records the time of a picture in milliseconds. If a frame has no time for it, the next pictures are
+  // coarser. They do not become finer again, because each change costs a new renderer.
+  void took(double ms) {
+    if (across_ == kMost || ++pictures_ <= kSettling || ms <= Pace::kPatience) return;
+    across_ = std::min(kMost, across_ + (ms > kFar * Pace::kPatience ? 2 : 1));
+    pictures_ = 0;
+  }
+
+ private:
+  // kSettling: the first pictures include the compilation of shaders.
+  static constexpr int kMost = 4, kSettling = 3;
+  static constexpr double kFar = 2.5;
+
+  int across_ = 2, pictures_ = 0;
 };
 
 }  // namespace brdf::render

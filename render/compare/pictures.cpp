@@ -11,6 +11,7 @@
 #include "render/compare/picture_spread.h"
 #include "render/compare/supersample.h"
 #include "render/reference/reference.h"
+#include "render/reference/surface_hit.h"
 
 namespace brdf::render {
 namespace {
@@ -68,8 +69,8 @@ int Pictures::samples_of_a_place() const {
 }
 
 int Pictures::samples_drawn() const {
-  if (!a_ || a_->samples() == 0) return 0;
-  if (stands()) return pace_.run() * standing_->pictures();
+  if (!a_ || !prepared_.environment) return 0;
+  if (standing_) return standing_->plan().run * standing_->pictures();
   return fine_a_ ? fine_samples_ : a_->samples();
 }
 
@@ -92,19 +93,28 @@ Picture Pictures::fine(Renderer& renderer) {
     renderer.draw_samples(samples_of_a_place(), nullptr, std::exchange(first, first + samples_of_a_place()));
     return read(renderer);
   });
-  // Restores the picture that the window shows.
-  renderer.update(scene);
-  renderer.draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
+  show_again(renderer, scene);
   return picture;
 }
 
+// Restores the picture that the window shows.
+void Pictures::show_again(Renderer& renderer, const PreparedScene& scene) {
+  renderer.update(scene);
+  if (standing_) standing_->interrupt();
+  if (standing_b_) standing_b_->interrupt();
+  if (effort_ == Effort::whole)
+    renderer.draw_samples(samples_of_a_place());
+  else
+    renderer.draw_smooth();
+}
+
 Picture Pictures::fine_of_a() {
-  const bool lit = a_->samples() > 0;
+  const bool lit = prepared_.environment != nullptr;
   PreparedScene scene = a_->scene();
   scene.scene.camera.offset = {};
   const int places = finish_.supersample * finish_.supersample;
   // The fixed number of samples is divided into rounds, whose spread gives the noise.
-  const int planned = lit && !refining_ ? std::max(wanted_ / kRound, 1) : 1;
+  const int planned = lit ? std::max(wanted_ / kRound, 1) : 1;
   const int count = std::max((wanted_ + planned * places - 1) / (planned * places), 1);
   PictureSpread of_places(scene.scene.camera.width, scene.scene.camera.height), of_rounds = of_places;
   Picture sum;
@@ -124,17 +134,20 @@ Picture Pictures::fine_of_a() {
     ++rounds;
     if (!lit) break;
     of_rounds.add(round);
-    noise_ = rounds > 1 ? of_rounds.noise() : of_places.noise();
+    const double noise = rounds > 1 ? of_rounds.noise() : of_places.noise();
+    if (effort_ == Effort::whole) noise_ = noise;  // otherwise it is the noise of the shown picture
     if (finish_.noise > 0)
-      expected = std::clamp(rounds * square(noise_ / finish_.noise), rounds + 1,
+      expected = std::clamp(rounds * square(noise / finish_.noise), rounds + 1,
                             std::max(double(finish_.most_samples) / (places * count), rounds + 1));
   } while (int(rounds) < planned || (finish_.noise > 0 && noise_ > finish_.noise &&
                                      fine_samples_ + places * count <= finish_.most_samples));
   if (!lit) fine_samples_ = 0;
-  // Restores the picture that the window shows.
-  a_->update(scene);
-  a_->draw_samples(refining_ ? 0 : samples_of_a_place(), nullptr, 0, pace_.run());
+  show_again(*a_, scene);
   return sum;
+}
+
+void Pictures::measure_noise() {
+  if (a_->samples() >= 2 * kRun) noise_ = noise_of(a_->read_standard_error(), a_picture());
 }
 
 // Draws further runs through the centres of the pixels until the noise of `finish` is reached.
@@ -149,29 +162,36 @@ void Pictures::reduce_noise() {
 
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
   a_->color().transition(commands, Use::sampled);
-  if (stands()) standing_->shown().transition(commands, Use::sampled);
   if (b_) b_->color().transition(commands, Use::sampled);
+  for (std::optional<Standing>* standing : {&standing_, &standing_b_})
+    if (*standing) (*standing)->shown().transition(commands, Use::sampled);
   for (int k = 0; has_targets() && k < kTargetCount; ++k)
     a_->target(Target(k)).transition(commands, Use::sampled);
 }
 
-// Returns whether A is antialiased: if A alone is shown in a window. Comparisons use the pixels' centres.
-bool Pictures::antialiased(const ViewState& state) const {
+// Returns the plan by which A is refined, if A is refined. A alone is antialiased; comparisons use the
+// pixels' centres. The targets are shown while they are drawn, and are therefore drawn at once.
+std::optional<StandingPlan> Pictures::plan(const ViewState& state) const {
+  if (effort_ != Effort::refining || state.display == Display::gbuffer) return std::nullopt;
+  const int across = needs_b(state) ? 1 : finish_.supersample;
+  if (across <= 1 && !prepared_.environment) return std::nullopt;
   const Camera& camera = prepared_.scene.camera;
   const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
   constexpr std::uint64_t kRounding = 1 << 20;  // memory that allocations take in addition to their images
-  return refining_ && finish_.supersample > 1 && state.display == Display::picture &&
-         (standing_ || device_->has_memory(sums_bytes(pixels) + kRounding));
+  if (!standing_ && !device_->has_memory(standing_bytes(pixels) + kRounding)) return std::nullopt;
+  return standing_plan(across, prepared_.environment ? wanted_ : 0);
+}
+
+bool Pictures::ready() const {
+  return drawn_a_ && (!standing_ || standing_->ready()) && (!standing_b_ || standing_b_->ready());
 }
 
 bool Pictures::unfinished() const {
-  if (!drawn_a_) return false;
-  const int samples = prepared_.environment ? wanted_ : 0;
-  if (standing_) return standing_->pictures() < Standing::wanted(finish_.supersample, samples, pace_.run());
-  return a_->samples() < samples;
+  return drawn_a_ && ((standing_ && !standing_->finished()) || (standing_b_ && !standing_b_->finished()));
 }
 
 void Pictures::update(const ViewState& state, VkExtent2D size) {
+  pace_.begin_frame();
   update_a(state, size);
   if (needs_b(state)) update_b(state);
 }
@@ -186,9 +206,9 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     scene.environment.reset();
   }
   const bool same = drawn_a_ == scene;
-  if (same && antialiased(state) == standing_.has_value() && !pace_.too_slow()) {
-    if (unfinished()) standing_ ? refine_standing() : refine(state);
-    return;
+  if (same) {
+    const std::optional<StandingPlan> wanted = plan(state);
+    if (wanted ? standing_ && standing_->plan() == *wanted : !standing_) return refine(state);
   }
   drawn_a_.reset();
   if (a_ && same_resources(scene, prepared_.scene)) {
@@ -198,6 +218,7 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   } else {
     PreparedScene fresh = prepare(scene);
     standing_.reset();
+    standing_b_.reset();
     a_.reset();
     b_.reset();
     upload_ = {};
@@ -205,176 +226,203 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
     a_.emplace(*device_, prepared_, options_);
   }
   images_changed_ = true;
-  if (!antialiased(state))
-    standing_.reset();
-  else if (standing_)
-    standing_->reset();
-  else
-    standing_.emplace(*device_, *a_);
-  // If only a picture with several places per pixel is needed, the places share the samples.
-  const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
-  pace_.begin();
-  a_->draw_samples(refining_ ? 0 : is_looked_at ? wanted_ : samples_of_a_place(), &times_, 0, pace_.run());
+  draw_a(state, plan(state));
   a_picture_.reset();
   fine_a_.reset();
   noise_ = -1;
-  if (!refining_) measure_noise();
-  read_times();
+  if (effort_ == Effort::whole) measure_noise();
   if (finish_.noise > 0 && finish_.supersample <= 1 && prepared_.environment && !needs_b(state))
     reduce_noise();
   drawn_a_ = std::move(scene);
   if (!same) drawn_b_.reset();
+  if (standing_) refine(state);
 }
 
-void Pictures::read_times() {
+void Pictures::draw_a(const ViewState& state, const std::optional<StandingPlan>& plan) {
+  if (plan) {
+    if (standing_ && standing_->plan() == *plan) return standing_->reset();
+    standing_.reset();
+    standing_.emplace(*device_, *a_, *plan);
+    return;
+  }
+  standing_.reset();
+  if (effort_ != Effort::whole) {
+    a_->draw_smooth(&times_);
+  } else {
+    // If only a picture with several places per pixel is needed, the places share the samples.
+    const bool is_looked_at = finish_.supersample <= 1 || finish_.probed || needs_b(state);
+    a_->draw_samples(is_looked_at ? wanted_ : samples_of_a_place(), &times_);
+  }
   pass_times_ = times_.read();
-  double samples = 0;
-  for (const auto& [name, ms] : pass_times_)
-    if (name == "environment") samples += ms;
-  pace_.took(samples);
 }
 
-// Draws one more run of A, and of B if B is drawn in the same way. Work that needs reading back is done
-// only at powers of two.
+// Draws the next parts of the pictures that are refined; of two pictures, of the one that lags behind.
 void Pictures::refine(const ViewState& state) {
-  a_->draw(&times_);
-  read_times();
+  bool completed = false;
+  const auto done = [](const Standing& one) { return one.ready() ? 1 + one.pictures() : 0; };
+  const bool second = standing_b_ && !standing_b_->finished() &&
+                      (!standing_ || standing_->finished() || done(*standing_b_) < done(*standing_));
+  if (second) {
+    completed = standing_b_->go_on(other_, pace_, nullptr);
+  } else if (standing_ && !standing_->finished()) {
+    completed = standing_->go_on(prepared_, pace_, &times_);
+    pass_times_ = times_.read();
+  }
+  if (!completed) return;
+  images_changed_ = true;
   a_picture_.reset();
   fine_a_.reset();
-  if (b_ && b_->samples() > 0 && needs_b(state)) b_->draw();
-  const int runs = a_->samples() / pace_.run();
-  if ((runs & (runs - 1)) != 0 && unfinished()) return;
-  measure_noise();
+  measure(state);
+}
+
+// Measures what needs reading back, at powers of two only.
+void Pictures::measure(const ViewState& state) {
+  const int count = standing_ ? standing_->pictures() : 0;
+  if (count < 1 || (standing_b_ && standing_b_->pictures() != count)) return;
+  if ((count & (count - 1)) != 0 && unfinished()) return;
+  if (prepared_.environment && count > 1) noise_ = standing_->noise();
   if (!needs_b(state) || !drawn_b_) return;
-  if (b_) b_picture_ = read(*b_);
+  if (standing_b_) b_picture_ = standing_b_->picture();
   difference_ = compare(a_picture(), b_picture_);
-}
-
-// Draws one more picture of A alone, through another place of each pixel.
-void Pictures::refine_standing() {
-  images_changed_ |= !stands();
-  standing_->draw_next(prepared_, finish_.supersample, &times_, pace_.run());
-  read_times();
-  a_picture_.reset();
-  fine_a_.reset();
-  const int count = standing_->pictures();
-  if (prepared_.environment && count > 1 && ((count & (count - 1)) == 0 || !unfinished()))
-    noise_ = standing_->noise();
-}
-
-void Pictures::measure_noise() {
-  if (a_->samples() >= 2 * pace_.run()) noise_ = noise_of(a_->read_standard_error(), a_picture());
 }
 
 void Pictures::draw_other_material(const ViewState& state) {
-  PreparedScene other = prepared_;
-  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k)
+  other_ = prepared_;
+  PreparedScene& other = other_;
+  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k) {
     if (state.everywhere || k == state.selected) other.scene.objects[k].material = *state.material;
-  update_items(other);
-  if (b_) {
-    b_->update(other);
-  } else {
-    b_.emplace(*device_, other, options_);
-  }
-  b_->draw_samples(refining_ ? 0 : wanted_, nullptr, 0, pace_.run());
-  b_picture_ = read(*b_);
-  draw_fine_b_ = [this] { return fine(*b_); };
-}
-
-void Pictures::update_b(const ViewState& state) {
-  if (drawn_b_ && same_other(*drawn_b_, state)) return;
-  drawn_b_.reset();
-  fine_b_.reset();
-  if (state.other == Other::material) {
-    draw_other_material(state);
-  } else {
-    b_.reset();
-    // The random numbers differ from A's. In a window, the number of samples is small because the user
-    // waits for the picture.
-    ReferenceOptions options{.samples = refining_ ? std::min(wanted_, kRun) : wanted_,
-                             .seed = options_.seed + 1};
-    PreparedScene scene = prepared_;
-    if (state.other == Other::samples && !state.samples.empty()) {
-      if (samples_file_ != state.samples) {
-        io::SampleTable table = io::read_samples(state.samples);
-        samples_ = interpolate(table, &state.scene.objects[state.selected].material);
-        const std::string note = require_colours(table.channels, table.source).note;
-        scatter_ = io::relative_noise(io::in_colour(table)).value;
-        samples_note_ = note.empty() ? "" : table.name() + ": " + note;
-        table_ = std::move(table);
-        samples_file_ = state.samples;
-      }
-      options.measured = &samples_;
+    update_items(other);
+    if (b_) {
+      b_->update(other);
+    } else {
+      b_.emplace(*device_, other, options_);
     }
-    b_picture_ = render_reference(scene, options);
-    options.samples = std::max(samples_of_a_place(), kRun);
-    draw_fine_b_ = [this, options, scene]() mutable {
-      return at_places(scene, [&](const PreparedScene& moved) {
-        options.seed += kMostSupersample * kMostSupersample;
-        return render_reference(moved, options);
-      });
-    };
-    const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
-    upload_ =
-        Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-    upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
+    draw_fine_b_ = [this] { return fine(*b_); };
+    standing_b_.reset();
+    if (standing_) {
+      standing_b_.emplace(*device_, *b_, standing_->plan());
+      return;
+    }
+    if (effort_ == Effort::whole)
+      b_->draw_samples(wanted_);
+    else
+      b_->draw_smooth();
+    b_picture_ = read(*b_);
   }
-  difference_ = compare(a_picture(), b_picture_);
-  images_changed_ = true;
-  drawn_b_ = state;
-}
 
-std::string Pictures::other_name(const ViewState& state) const {
-  if (state.other == Other::embree) return "Embree";
-  if (state.other == Other::samples) return measured::smoothed_words(scatter_);
-  return state.material ? state.material_name : "the same";
-}
+  void Pictures::update_b(const ViewState& state) {
+    if (drawn_b_ && same_other(*drawn_b_, state)) return;
+    drawn_b_.reset();
+    fine_b_.reset();
+    if (state.other == Other::material) {
+      draw_other_material(state);
+    } else {
+      standing_b_.reset();
+      b_.reset();
+      // The random numbers differ from A's. In a window, the number of samples is small because the user
+      // waits for the picture.
+      ReferenceOptions options{.samples = effort_ == Effort::whole ? wanted_ : std::min(wanted_, kRun),
+                               .seed = options_.seed + 1};
+      PreparedScene scene = prepared_;
+      if (state.other == Other::samples && !state.samples.empty()) {
+        if (samples_file_ != state.samples) {
+          io::SampleTable table = io::read_samples(state.samples);
+          samples_ = interpolate(table, &state.scene.objects[state.selected].material);
+          const std::string note = require_colours(table.channels, table.source).note;
+          scatter_ = io::relative_noise(io::in_colour(table)).value;
+          samples_note_ = note.empty() ? "" : table.name() + ": " + note;
+          table_ = std::move(table);
+          samples_file_ = state.samples;
+        }
+        options.measured = &samples_;
+      }
+      b_picture_ = render_reference(scene, options);
+      options.samples = std::max(samples_of_a_place(), kRun);
+      draw_fine_b_ = [this, options, scene]() mutable {
+        return at_places(scene, [&](const PreparedScene& moved) {
+          options.seed += kMostSupersample * kMostSupersample;
+          return render_reference(moved, options);
+        });
+      };
+      const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
+      upload_ =
+          Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+      upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
+    }
+    difference_.reset();  // of pictures that are refined: see measure()
+    if (!standing_) difference_ = compare(a_picture(), b_picture_);
+    images_changed_ = true;
+    drawn_b_ = state;
+  }
 
-const Picture& Pictures::a_picture() {
-  if (!a_picture_) a_picture_ = read(*a_);
-  return *a_picture_;
-}
+  std::string Pictures::other_name(const ViewState& state) const {
+    if (state.other == Other::embree) return "Embree";
+    if (state.other == Other::samples) return measured::smoothed_words(scatter_);
+    return state.material ? state.material_name : "the same";
+  }
 
-const Picture& Pictures::fine_a() {
-  if (finish_.supersample <= 1) return a_picture();
-  if (!fine_a_) fine_a_ = fine_of_a();
-  return *fine_a_;
-}
+  std::optional<Pictures::ProbedValue> Pictures::value_of_b(const ViewState& state, const PixelProbe& a,
+                                                            int x, int y) const {
+    if (!needs_b(state) || !drawn_b_ || !a.hit) return std::nullopt;
+    if (state.other == Other::embree) return ProbedValue{a.value};
+    if (state.other == Other::samples) {
+      if (!samples_ || !(a.wi.z > 0)) return std::nullopt;
+      const Item& item = prepared_.layers[0][a.object];
+      const MeasuredValue value = samples_(in_surface(a.wi, item), in_surface(a.wo, item));
+      return ProbedValue{value.f_cos / a.wi.z, value.known};
+    }
+    const PixelProbe b = pixel_probe(other_, x, y);
+    return b.hit ? std::optional(ProbedValue{b.value}) : std::nullopt;
+  }
 
-const Picture& Pictures::fine_b() {
-  if (finish_.supersample <= 1) return b_picture();
-  if (!fine_b_) fine_b_ = draw_fine_b_();
-  return *fine_b_;
-}
+  const Picture& Pictures::a_picture() {
+    if (!a_picture_) a_picture_ = standing_ && standing_->ready() ? standing_->picture() : read(*a_);
+    return *a_picture_;
+  }
 
-Comparison Pictures::comparison(const ViewState& state, bool labels) {
-  return {
-      .a = &a_picture(),
-      .b = &b_picture_,
-      .fine_a = &fine_a(),
-      .fine_b = &fine_b(),
-      .rounding = finish_.rounding,
-      .name_a = "A: " + state.scene.objects[state.selected].material_name,
-      // Samples shown alone are not compared, and their name has no prefix.
-      .name_b = (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
-      .difference = difference_.value_or(Difference{}),
-      .tone_map = state.scene.tone_map,
-      .exposure = state.scene.exposure,
-      .split = state.split,
-      .measured = state.other == Other::samples,
-      .labels = labels};
-}
+  const Picture& Pictures::fine_a() {
+    if (finish_.supersample <= 1) return a_picture();
+    if (!fine_a_) fine_a_ = fine_of_a();
+    return *fine_a_;
+  }
 
-BytePicture Pictures::capture(const ViewState& state, bool labels) {
-  if (state.display == Display::gbuffer && has_targets()) return target_sheet(*a_, labels);
-  if (needs_b(state)) return arranged(comparison(state, labels), state.display);
-  BytePicture out = displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
-  if (labels) draw_object_labels(out, prepared_);
-  return out;
-}
+  const Picture& Pictures::fine_b() {
+    if (finish_.supersample <= 1) return b_picture();
+    if (!fine_b_) fine_b_ = draw_fine_b_();
+    return *fine_b_;
+  }
 
-BytePicture Pictures::row(const ViewState& state, bool labels) {
-  return beside(comparison(state, labels));
-}
+  Comparison Pictures::comparison(const ViewState& state, bool labels) {
+    return {.a = &a_picture(),
+            .b = &b_picture_,
+            .fine_a = &fine_a(),
+            .fine_b = &fine_b(),
+            .rounding = finish_.rounding,
+            .name_a = "A: " + state.scene.objects[state.selected].material_name,
+            // Samples shown alone are not compared, and their name has no prefix.
+            .name_b =
+                (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
+            .difference = difference_.value_or(Difference{}),
+            .tone_map = state.scene.tone_map,
+            .exposure = state.scene.exposure,
+            .split = state.split,
+            .measured = state.other == Other::samples,
+            .labels = labels};
+  }
+
+  BytePicture Pictures::capture(const ViewState& state, bool labels) {
+    if (state.display == Display::gbuffer && has_targets()) {
+      if (effort_ != Effort::whole) a_->draw_samples(wanted_);
+      return target_sheet(*a_, labels);
+    }
+    if (needs_b(state)) return arranged(comparison(state, labels), state.display);
+    BytePicture out = displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
+    if (labels) draw_object_labels(out, prepared_);
+    return out;
+  }
+
+  BytePicture Pictures::row(const ViewState& state, bool labels) {
+    return beside(comparison(state, labels));
+  }
 
 }  // namespace brdf::render

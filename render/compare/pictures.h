@@ -30,19 +30,22 @@ struct Finish {
   std::function<void(int done, int total)> progress = {};
 };
 
+// whole: an update draws all samples. refining: an update draws as much as fits into a frame of a window; the
+// following updates of the same state go on. A, if it is shown alone, is then also drawn through the sample
+// places of `Finish`. quick: an update draws the smooth picture alone (Renderer::draw_smooth).
+enum class Effort { whole, refining, quick };
+
 class Pictures {
  public:
-  // `samples`: samples of an environment's light per pixel. They are drawn at once or, if `refining` is
-  // set, a few with each update while the state does not change. In that case A, if it is shown alone, is
-  // also drawn through the sample places of `finish` in each pixel.
+  // `samples`: samples of an environment's light per pixel. `clock`: for Effort::refining.
   Pictures(Device& device, const RendererOptions& options, int samples, const Finish& finish = {},
-           bool refining = false)
+           Effort effort = Effort::whole, Pace::Clock clock = Pace::steady_clock)
       : device_(&device),
         options_(options),
         wanted_(samples),
-        refining_(refining),
+        effort_(effort),
         finish_(finish),
-        pace_(refining),
+        pace_(std::move(clock)),
         times_(device) {}
 
   // Draws the pictures that the state needs at this size, in pixels. Throws InputError if a file of the
@@ -51,20 +54,25 @@ class Pictures {
   // Call after each update. Returns true once if images other than the previous ones have to be shown.
   bool images_changed() { return std::exchange(images_changed_, false); }
 
+  // Returns whether the pictures show the state of the last update; otherwise further updates are needed
+  // before there is anything to show.
+  bool ready() const;
   // Returns whether another update of the same state would improve the picture.
   bool unfinished() const;
-  // samples_drawn(): samples of an environment's light in A, 0 without an environment. noise(): the noise
-  // left by these samples, as the root mean square of the surface's standard errors over the surface's
-  // mean. The noise is measured now and then while A is refined, and after fine_a() is drawn; a negative
-  // value means that no measurement exists yet.
+  // samples_drawn(): samples of an environment's light in A, 0 without an environment. noise(): the noise of
+  // the shown picture, as the root mean square of the surface's standard errors over the surface's mean. The
+  // noise is measured now and then while A is refined, and when fine_a() is drawn without refining. A
+  // negative value means that no measurement exists yet.
   int samples_drawn() const;
   double noise() const { return noise_; }
 
   // Records the barriers after which all shown images can be sampled.
   void prepare_to_sample(VkCommandBuffer commands);
   Renderer& a() { return *a_; }
-  const Image& a_image() const { return stands() ? standing_->shown() : a_->color(); }
-  const Image& b_image() const { return b_ ? b_->color() : upload_ ? upload_ : a_image(); }
+  const Image& a_image() const { return standing_ ? standing_->shown() : a_->color(); }
+  const Image& b_image() const {
+    return standing_b_ ? standing_b_->shown() : b_ ? b_->color() : upload_ ? upload_ : a_image();
+  }
   bool has_targets() const { return uses_gbuffer(prepared_.scene, options_); }
   const PreparedScene& prepared() const { return prepared_; }
   int bits() const { return options_.gbuffer_bits; }
@@ -73,6 +81,14 @@ class Pictures {
   const std::vector<std::pair<std::string, double>>& times() const { return pass_times_; }
   const std::optional<Difference>& difference() const { return difference_; }
   std::string other_name(const ViewState& state) const;
+  // Returns f_r of B for the directions of a probe of A (reference/reference.h) at this pixel, in 1/sr.
+  // Returns std::nullopt if B is not shown or shows no surface there. `known` is false if nothing was
+  // measured near these directions.
+  struct ProbedValue {
+    glm::vec3 value{0};
+    bool known = true;
+  };
+  std::optional<ProbedValue> value_of_b(const ViewState& state, const PixelProbe& a, int x, int y) const;
   // Linear pictures with one sample per pixel. B is available if the display of the state shows B.
   const Picture& a_picture();
   const Picture& b_picture() const { return b_picture_; }
@@ -95,12 +111,10 @@ class Pictures {
  private:
   void update_a(const ViewState& state, VkExtent2D size);
   void update_b(const ViewState& state);
-  bool antialiased(const ViewState& state) const;
-  bool stands() const { return standing_ && standing_->pictures() > 0; }
-  void read_times();
+  std::optional<StandingPlan> plan(const ViewState& state) const;
+  void draw_a(const ViewState& state, const std::optional<StandingPlan>& plan);
   void refine(const ViewState& state);
-  void refine_standing();
-  void measure_noise();
+  void measure(const ViewState& state);
   void draw_other_material(const ViewState& state);
   Picture read(Renderer& renderer);
   int samples_of_a_place() const;
@@ -108,6 +122,8 @@ class Pictures {
   // Draws A with rounds of samples until the noise of `finish` is reached.
   Picture fine_of_a();
   void reduce_noise();
+  void measure_noise();
+  void show_again(Renderer& renderer, const PreparedScene& scene);
   // Calls draw() at each place, and reports the progress; `total`: of all rounds.
   Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw,
                     int before = 0, int total = 0);
@@ -116,15 +132,15 @@ class Pictures {
   Device* device_;
   RendererOptions options_;
   int wanted_;  // samples per pixel
-  bool refining_;
+  Effort effort_;
   double noise_ = -1;
   Finish finish_;
   Pace pace_;
   Timestamps times_;
-  PreparedScene prepared_;
+  PreparedScene prepared_, other_;  // of A, and of B if B is a material
   std::optional<Renderer> a_, b_;
-  std::optional<Standing> standing_;  // A, if A is antialiased
-  Image upload_;                      // B, if B is computed on the CPU
+  std::optional<Standing> standing_, standing_b_;  // A and B if they are refined
+  Image upload_;                                   // B, if B is computed on the CPU
   std::optional<Picture> a_picture_;
   Picture b_picture_;
   std::optional<Picture> fine_a_, fine_b_;

@@ -1,5 +1,6 @@
 #include "render/compare/standing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/compare/supersample.h"
@@ -16,34 +17,83 @@ Picture picture_of(const VkExtent2D& size, const std::vector<float>& rgba) {
 
 }  // namespace
 
-Standing::Standing(Device& device, Renderer& renderer)
-    : device_(&device),
-      renderer_(&renderer),
-      mean_(device, renderer.color()),
-      shown_(device, kColorFormat, renderer.color().extent(), kShown) {}
-
-int Standing::wanted(int across, int samples, int run) {
-  const int places = across * across, runs = (samples + run - 1) / run;
-  return (std::max(runs, 1) + places - 1) / places * places;
+StandingPlan standing_plan(int across, int samples) {
+  const int places = across * across, of_a_place = std::max((samples + places - 1) / places, 1);
+  const int rounds = (of_a_place + kRun - 1) / kRun;
+  return {rounds * places, across, (of_a_place + rounds - 1) / rounds};
 }
 
-void Standing::draw_next(const PreparedScene& scene, int across, Timestamps* times, int run) {
-  const std::vector<glm::vec2> places = sample_places(across);
+Standing::Standing(Device& device, Renderer& renderer, const StandingPlan& plan)
+    : device_(&device),
+      renderer_(&renderer),
+      plan_(plan),
+      mean_(device, renderer.color()),
+      smooth_(device, kColorFormat, renderer.color().extent(), kShown),
+      shown_(device, kColorFormat, renderer.color().extent(), kShown) {}
+
+void Standing::reset() {
+  mean_.reset();
+  smooth_done_ = false;
+  part_ = 0;
+}
+
+void Standing::begin_picture(const PreparedScene& scene) {
   PreparedScene moved = scene;
-  moved.scene.camera.offset = places[std::size_t(mean_.count()) % places.size()];
+  if (smooth_done_) {
+    const std::vector<glm::vec2> places = sample_places(plan_.across);
+    moved.scene.camera.offset = places[std::size_t(mean_.count()) % places.size()];
+  }
   renderer_->update(moved);
-  renderer_->draw_samples(0, times, run * mean_.count(), run);
+  if (smooth_done_)
+    renderer_->begin_run(plan_.run * mean_.count(), plan_.run);
+  else
+    renderer_->begin_smooth();
+}
+
+void Standing::end_picture() {
   device_->run([&](VkCommandBuffer commands) {
+    if (!smooth_done_) {
+      for (Image* image : {&smooth_, &shown_}) mean_.record_copy(commands, *image);
+      return;
+    }
     mean_.record_add(commands);
-    mean_.record_mean(commands, shown_, RunningMean::Over::black);
+    mean_.record_mean(commands, shown_, RunningMean::Over::black, float(share()));
+    if (share() < 1) mean_.record_share(commands, smooth_, shown_, float(1 - share()));
   });
+  smooth_done_ = true;
+  part_ = 0;
+}
+
+bool Standing::go_on(const PreparedScene& scene, Pace& pace, Timestamps* times) {
+  while (!finished()) {
+    if (part_ == 0) begin_picture(scene);
+    PartTimes& known = smooth_done_ ? run_times_ : smooth_times_;
+    const int parts = renderer_->parts(), count = pace.next(known, part_, parts);
+    if (count == 0) return false;
+    renderer_->draw_parts(part_, count, times);
+    pace.took(known, part_, count);
+    part_ += count;
+    if (part_ < parts) continue;
+    end_picture();
+    return true;
+  }
+  return false;
+}
+
+Picture Standing::picture() {
+  const Picture last = picture_of(shown_.extent(), renderer_->read_color());
+  Picture shown = picture_of(shown_.extent(), read_rgba(*device_, shown_));
+  for (std::size_t k = 0; k < shown.pixels.size(); ++k) shown.pixels[k].a = last.pixels[k].a;
+  return shown;
 }
 
 double Standing::noise() {
-  const Picture last = picture_of(shown_.extent(), renderer_->read_color());
-  Picture mean = picture_of(shown_.extent(), read_rgba(*device_, shown_));
-  for (std::size_t k = 0; k < mean.pixels.size(); ++k) mean.pixels[k].a = last.pixels[k].a;
-  return noise_of(mean_.standard_error(), mean);
+  return share() * noise_of(mean_.standard_error(), picture());
+}
+
+std::uint64_t standing_bytes(std::uint64_t pixels) {
+  constexpr std::uint64_t kImages = 4;  // two sums, the smooth picture, the shown one
+  return kImages * pixels * std::uint64_t(texel_size(kColorFormat));
 }
 
 double noise_of(const std::vector<float>& errors, const Picture& picture) {

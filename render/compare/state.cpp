@@ -9,6 +9,7 @@
 #include "io/formats/read.h"
 #include "io/material/material_json.h"
 #include "io/samples/samples.h"
+#include "render/compare/lobe_points.h"
 #include "render/light/formula.h"
 #include "render/mesh/mesh.h"
 #include "render/scene/camera_view.h"
@@ -142,6 +143,11 @@ ViewState with_document(ViewState state, const Json& json, const std::filesystem
 
 }  // namespace
 
+float measured_theta(const io::SampleTable& table, float theta) {
+  const double nearest = nearest_light(table, double(theta));
+  return std::isfinite(nearest) ? float(nearest) : theta;
+}
+
 void open_file(ViewState& state, const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
   // The state stores only the names of samples and models, which are read again when they are drawn.
@@ -154,7 +160,9 @@ void open_file(ViewState& state, const std::filesystem::path& file) {
     load_model(file);  // reports errors here instead of in the next frame
     state.scene.objects.at(state.selected).mesh = std::filesystem::absolute(file).string();
   } else {
-    require_colours(io::read_samples(std::move(content)).channels, file.string());
+    const io::SampleTable table = io::read_samples(std::move(content));
+    require_colours(table.channels, file.string());
+    state.plot_theta = measured_theta(table, state.plot_theta);
     state.samples = file;
     state.other = Other::samples;
     state.display = Display::split;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "io/samples/samples.h"
 #include "render/compare/arrange.h"
 #include "render/scene/prepared.h"
 
@@ -42,8 +43,12 @@ struct ViewState {
 std::string state_text(const ViewState& state);
 ViewState load_state(const std::filesystem::path& file);
 
-// Opens any file according to its content: scene or saved state, material, sample table, model. Throws
-// InputError and leaves the state unchanged if the file cannot be opened.
+// Returns the polar angle of the table's light nearest to `theta`, in degrees; `theta` if the table is empty.
+float measured_theta(const io::SampleTable& table, float theta);
+
+// Opens any file according to its content: scene or saved state, material, sample table, model. The lobe plot
+// takes the light of samples that is nearest to its own. Throws InputError and leaves the state unchanged if
+// the file cannot be opened.
 void open_file(ViewState& state, const std::filesystem::path& file);
 
 // Returns the share of the width at which a split passes through the highlight of the selected object. The

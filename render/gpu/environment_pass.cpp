@@ -1,14 +1,15 @@
 #include "render/gpu/environment_pass.h"
 
 #include "render/gpu/shader_code.h"
+#include "render/light/blurred_light.h"
 #include "render/light/points.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr std::array<Binding, 3> kLightBindings{Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-                                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
-                                                Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
+constexpr std::array<Binding, 4> kLightBindings{
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER},
+    Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}, Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};
 constexpr VkImageUsageFlags kUploaded = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 constexpr VkImageUsageFlags kDrawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
@@ -34,17 +35,23 @@ LightImages::LightImages(Device& device, const LightMap& map) {
   texels_ = uploaded(device, VK_FORMAT_R32G32B32A32_SFLOAT, size, map.texels());
   columns_ = uploaded(device, VK_FORMAT_R32_SFLOAT, size, map.columns());
   rows_ = uploaded(device, VK_FORMAT_R32_SFLOAT, {1, size.height}, map.rows());
+  blurred_ = uploaded(device, VK_FORMAT_R32G32B32A32_SFLOAT, {kBlurredPictureWidth, kBlurredPictureHeight},
+                      std::span<const glm::vec4>(blurred_light(map)));
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
+  linear_ = make_sampler(device, VK_FILTER_LINEAR, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   layout_ = make_set_layout(device, kLightBindings);
   pool_ = make_descriptor_pool(device, kLightBindings, 1);
   set_ = allocate_set(device, pool_.get(), layout_.get());
   std::uint32_t binding = 0;
   for (const Image* image : {&texels_, &columns_, &rows_})
     write_image(device, set_, binding++, image->view(), sampler_.get());
+  write_image(device, set_, binding, blurred_.view(), linear_.get());
 }
 
 std::uint64_t light_bytes(const LightMap& map) {
-  return map.texels().size_bytes() + map.columns().size_bytes() + map.rows().size_bytes();
+  constexpr std::uint64_t kBlurred = std::uint64_t(kBlurredPictureWidth) * kBlurredPictureHeight;
+  return map.texels().size_bytes() + map.columns().size_bytes() + map.rows().size_bytes() +
+         kBlurred * sizeof(glm::vec4);
 }
 std::uint64_t sums_bytes(std::uint64_t pixels) {
   return 3 * pixels * std::uint64_t(texel_size(kColorFormat));
@@ -68,11 +75,11 @@ EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const Ligh
 }
 
 VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number) {
-  Owned<VkPipeline>& found = pipelines_[number];
+  Owned<VkPipeline>& found = pipelines_[{number, smooth_}];
   if (!found)
     found = make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
                                      .fragment = code_.of(form, number),
-                                     .constants = {std::uint32_t(number), std::uint32_t(bits_)},
+                                     .constants = {std::uint32_t(number), std::uint32_t(bits_), smooth_},
                                      .colors = {kColorFormat},
                                      .blend = Blend::add,
                                      .layout = layout_.get()});
@@ -95,17 +102,18 @@ void EnvironmentPass::begin_run(VkCommandBuffer commands) {
 }
 
 void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
-                             std::size_t layer, std::uint32_t seed) {
+                             std::size_t layer, const VkRect2D& tile, std::uint32_t seed) {
   run_.transition(commands, Use::color_attachment);
   begin_colors(commands, {&run_}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, layout_.get(), 0, gpu.frame_set());
   bind(commands, layout_.get(), 1, deferred_->targets_set());
   bind(commands, layout_.get(), 2, light_->set());
-  RunPush push{-1, seed, count_, {}};
+  RunPush push{-1, seed, smooth_ ? directions_ : count_, {}};
   for (std::size_t d = 0; d < kPointDimensions; ++d)
     push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(first_ + samples())));
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
-    const VkRect2D scissor = covered_by_form(scene, layer, form, run_.extent());
+    const VkRect2D scissor = common(covered_by_form(scene, layer, form, run_.extent()), tile);
+    if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
     vkCmdSetScissor(commands, 0, 1, &scissor);
     vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof push, &push);
     draw_screen(commands, pipeline(form, gpu.number_of(form)));

@@ -17,8 +17,8 @@ class LightImages {
   VkDescriptorSet set() const { return set_; }
 
  private:
-  Image texels_, columns_, rows_;
-  Owned<VkSampler> sampler_;
+  Image texels_, columns_, rows_, blurred_;
+  Owned<VkSampler> sampler_, linear_;
   Owned<VkDescriptorSetLayout> layout_;
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
@@ -35,16 +35,22 @@ class EnvironmentPass {
   void reset() { mean_.reset(); }
   // Discards the sum. From here on, runs have `samples_of_a_run` samples, at most kRun, and begin at sample
   // `first` of the sequence.
-  void reset(int samples_of_a_run, int first) { mean_.reset(), count_ = samples_of_a_run, first_ = first; }
-  int samples() const { return mean_.count() * count_; }
+  void reset(int samples_of_a_run, int first) {
+    mean_.reset(), count_ = samples_of_a_run, first_ = first, smooth_ = false;
+  }
+  // Discards the sum. From here on, each run is the picture without noise of blurred_light.h.
+  // `directions`: 1 or 2 for the lobe and as many for the cosine.
+  void reset_to_smooth(int directions) { mean_.reset(), smooth_ = true, directions_ = directions; }
+  // Samples so far; 0 for the picture without noise.
+  int samples() const { return smooth_ ? 0 : mean_.count() * count_; }
 
   // Draws the picture of the light behind the objects, over the content of `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
-  // A run consists of begin_run(), record() for each layer while the layer's surfaces are in the targets,
-  // and end_run(), which adds the mean over all runs so far to `color`.
+  // A run consists of begin_run(), record() for each layer and each tile of the picture while the layer's
+  // surfaces are in the targets, and end_run(), which adds the mean over all runs so far to `color`.
   void begin_run(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
-              std::uint32_t seed);
+              const VkRect2D& tile, std::uint32_t seed);
   void end_run(VkCommandBuffer commands, Image& color);
 
   // See RunningMean; each picture is a run.
@@ -58,12 +64,14 @@ class EnvironmentPass {
   const DeferredPass* deferred_;
   int bits_;
   int count_ = kRun, first_ = 0;
+  int directions_ = 2;
+  bool smooth_ = false;
   Image run_;
   RunningMean mean_;
   Owned<VkPipelineLayout> layout_;
   Owned<VkPipeline> backdrop_;
   FragmentCode code_;
-  std::map<int, Owned<VkPipeline>> pipelines_;
+  std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
 };
 
 // Returns the bytes of device memory that the sums of a picture with this number of pixels take.

@@ -6,6 +6,7 @@
 
 #include "io/files/error.h"
 #include "render/gpu/gpu_layout.h"
+#include "render/mesh/simplified.h"
 #include "render/scene/camera_view.h"
 #include "render/scene/shadow_view.h"
 
@@ -15,6 +16,9 @@ namespace {
 constexpr std::array kFrameBindings{Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                                     Binding{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER},
                                     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER}};  // the shadow map
+// Cells across a simplified mesh: about 5 pixels each in a picture of half the window's size.
+constexpr int kCoarseCells = 64;
+constexpr std::size_t kMostCoarseTriangles = 8000;
 constexpr std::array<Binding, 1> kMapBindings{
     Binding{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(kNames<TextureSlot>.size())}};
 
@@ -110,13 +114,17 @@ GpuItem gpu_item(const Item& item, const TextureSet& textures, const Reflectance
 
 }  // namespace
 
-GpuScene::GpuScene(Device& device, const PreparedScene& scene) : device_(&device), sources_(scene.meshes) {
+GpuScene::GpuScene(Device& device, const PreparedScene& scene, bool coarse)
+    : device_(&device), sources_(scene.meshes) {
   frame_layout_ = make_set_layout(device, kFrameBindings);
   maps_layout_ = make_set_layout(device, kMapBindings);
   frame_pool_ = make_descriptor_pool(device, kFrameBindings, 1);
   frame_set_ = allocate_set(device, frame_pool_.get(), frame_layout_.get());
-  for (const auto& mesh : sources_)
-    if (!meshes_.contains(mesh.get())) meshes_.emplace(mesh.get(), upload_mesh(*mesh));
+  for (const auto& mesh : sources_) {
+    if (meshes_.contains(mesh.get())) continue;
+    const bool simpler = coarse && mesh->triangles() > kMostCoarseTriangles;
+    meshes_.emplace(mesh.get(), upload_mesh(simpler ? simplified(*mesh, kCoarseCells) : *mesh));
+  }
   upload_textures(scene);
   set_shadow_map(white_.view(), sampler_.get());
   update(scene);
@@ -196,15 +204,34 @@ VkCullModeFlags GpuScene::cull_mode(const PreparedScene& scene, std::size_t obje
   return sources_[object]->closed && outside && !mirrored ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
 }
 
-void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
-                    bool flat) {
-  const MeshBuffers& mesh = flat ? flat_mesh(object) : meshes_.at(sources_[object].get());
+void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, const MeshBuffers& mesh,
+                    const MeshPart& part, int item) {
   const VkBuffer vertices = mesh.vertices.get();
   const VkDeviceSize offset = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &vertices, &offset);
   vkCmdBindIndexBuffer(commands, mesh.indices.get(), 0, VK_INDEX_TYPE_UINT32);
   vkCmdPushConstants(commands, layout, kDrawingStages, 0, sizeof item, &item);
-  vkCmdDrawIndexed(commands, mesh.count, 1, 0, 0, 0);
+  vkCmdDrawIndexed(commands, part.count, 1, part.first, 0, 0);
+}
+
+void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
+                    bool flat) {
+  const MeshBuffers& mesh = flat ? flat_mesh(object) : meshes_.at(sources_[object].get());
+  draw(commands, layout, mesh, {object, 0, mesh.count}, item);
+}
+
+void GpuScene::draw(VkCommandBuffer commands, VkPipelineLayout layout, const MeshPart& part, int item) {
+  draw(commands, layout, meshes_.at(sources_[part.object].get()), part, item);
+}
+
+std::vector<MeshPart> GpuScene::mesh_parts(std::uint32_t triangles) const {
+  std::vector<MeshPart> parts;
+  for (std::size_t object = 0; object < sources_.size(); ++object) {
+    const std::uint32_t count = meshes_.at(sources_[object].get()).count;
+    for (std::uint32_t first = 0; first < count; first += 3 * triangles)
+      parts.push_back({object, first, std::min(count - first, 3 * triangles)});
+  }
+  return parts;
 }
 
 }  // namespace brdf::render

@@ -12,9 +12,16 @@
 
 namespace brdf::render {
 
+// Consecutive indices of an object's mesh.
+struct MeshPart {
+  std::size_t object = 0;
+  std::uint32_t first = 0, count = 0;
+};
+
 class GpuScene {
  public:
-  GpuScene(Device& device, const PreparedScene& scene);
+  // `coarse`: large meshes are replaced by meshes with fewer triangles (mesh/simplified.h).
+  GpuScene(Device& device, const PreparedScene& scene, bool coarse = false);
   // Updates camera, lights, colours and items; meshes and textures stay. The device must be idle.
   void update(const PreparedScene& scene);
 
@@ -34,6 +41,10 @@ class GpuScene {
   // draws.
   void draw(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t object, int item,
             bool flat = false);
+  // The same for a part of the mesh.
+  void draw(VkCommandBuffer commands, VkPipelineLayout layout, const MeshPart& part, int item);
+  // Divides all meshes into parts of at most `triangles` triangles.
+  std::vector<MeshPart> mesh_parts(std::uint32_t triangles) const;
 
  private:
   struct MeshBuffers {
@@ -41,6 +52,8 @@ class GpuScene {
     std::uint32_t count = 0;
   };
   MeshBuffers upload_mesh(const Mesh& mesh);
+  void draw(VkCommandBuffer commands, VkPipelineLayout layout, const MeshBuffers& mesh, const MeshPart& part,
+            int item);
   const MeshBuffers& flat_mesh(std::size_t object);
   void upload_textures(const PreparedScene& scene);
 

@@ -105,6 +105,15 @@ void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images
   begin_rendering(commands, (*images.begin())->extent(), colors);
 }
 
+VkRect2D common(const VkRect2D& a, const VkRect2D& b) {
+  const std::int32_t left = std::max(a.offset.x, b.offset.x), top = std::max(a.offset.y, b.offset.y);
+  const std::int32_t right = std::min(a.offset.x + std::int32_t(a.extent.width),
+                                      b.offset.x + std::int32_t(b.extent.width)),
+                     bottom = std::min(a.offset.y + std::int32_t(a.extent.height),
+                                       b.offset.y + std::int32_t(b.extent.height));
+  return {{left, top}, {std::uint32_t(std::max(right - left, 0)), std::uint32_t(std::max(bottom - top, 0))}};
+}
+
 VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
                          VkExtent2D extent) {
   const glm::mat4 project = view_projection(scene.scene.camera, 1e-3f);
@@ -112,8 +121,9 @@ VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Re
   for (const Item& item : scene.layers[layer]) {
     if (item.form != form) continue;
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      const glm::vec4 clip = project * glm::vec4(item.origin + sign * item.extent, 1);
+      const glm::vec3 at(corner & 1 ? item.high.x : item.low.x, corner & 2 ? item.high.y : item.low.y,
+                         corner & 4 ? item.high.z : item.low.z);
+      const glm::vec4 clip = project * glm::vec4(item.origin + item.linear * at, 1);
       if (clip.w < 1e-3f * item.extent) return {{0, 0}, extent};
       low = glm::min(low, glm::vec2(clip) / clip.w);
       high = glm::max(high, glm::vec2(clip) / clip.w);
@@ -121,11 +131,13 @@ VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Re
   }
   low = glm::clamp(low, -1.0f, 1.0f);
   high = glm::clamp(high, -1.0f, 1.0f);
+  // One pixel more at each side, because the positions of the vertices are rounded.
   const float w = float(extent.width), h = float(extent.height);
-  const auto left = std::int32_t((low.x + 1) / 2 * w), top = std::int32_t((1 - high.y) / 2 * h);
-  const auto right = std::int32_t(std::ceil((high.x + 1) / 2 * w)),
-             bottom = std::int32_t(std::ceil((1 - low.y) / 2 * h));
-  return {{left, top}, {std::uint32_t(std::max(0, right - left)), std::uint32_t(std::max(0, bottom - top))}};
+  const auto left = std::int32_t((low.x + 1) / 2 * w) - 1, top = std::int32_t((1 - high.y) / 2 * h) - 1;
+  const auto right = std::int32_t(std::ceil((high.x + 1) / 2 * w)) + 1,
+             bottom = std::int32_t(std::ceil((1 - low.y) / 2 * h)) + 1;
+  if (right <= left || bottom <= top) return {{0, 0}, {0, 0}};
+  return common({{0, 0}, extent}, {{left, top}, {std::uint32_t(right - left), std::uint32_t(bottom - top)}});
 }
 
 SkyPass::SkyPass(Device& device, const GpuScene& gpu) {
@@ -197,38 +209,43 @@ VkPipeline DeferredPass::lighting_pipeline(const Reflectance& form, int number, 
   return pipeline.get();
 }
 
-void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer) {
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer, bool fresh) {
+  const VkAttachmentLoadOp load = fresh ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD;
   std::array<VkRenderingAttachmentInfo, kTargetCount> colors{};
   for (std::size_t k = 0; k < kTargetCount; ++k) {
-    gbuffer.targets[k].transition(commands, Use::color_attachment, true);
-    colors[k] = attachment(gbuffer.targets[k], kColorLayout, VK_ATTACHMENT_LOAD_OP_CLEAR, glm::vec4(0));
+    gbuffer.targets[k].transition(commands, Use::color_attachment, fresh);
+    colors[k] = attachment(gbuffer.targets[k], kColorLayout, load, glm::vec4(0));
   }
-  const VkRenderingAttachmentInfo depth = cleared_depth(commands, gbuffer.depth);
+  gbuffer.depth.transition(commands, Use::depth_attachment, fresh);
+  const VkRenderingAttachmentInfo depth =
+      attachment(gbuffer.depth, VK_IMAGE_LAYOUT_DEPTH_ATTACHMENT_OPTIMAL, load, glm::vec4(0));
   begin_rendering(commands, gbuffer.depth.extent(), colors, &depth);
 }
 
 void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
-                                   std::size_t layer) {
-  begin_targets(commands, *gbuffer_);
+                                   std::size_t layer, std::span<const MeshPart> parts, bool fresh) {
+  begin_targets(commands, *gbuffer_, fresh);
   bind(commands, geometry_layout_.get(), 0, gpu.frame_set());
-  for (std::size_t object = 0; object < scene.meshes.size(); ++object) {
+  for (const MeshPart& part : parts) {
+    const std::size_t object = part.object;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, geometry_pipeline(gpu.textured(object)));
     bind(commands, geometry_layout_.get(), 1, gpu.maps_set(object));
     vkCmdSetCullMode(commands, gpu.cull_mode(scene, object));
-    gpu.draw(commands, geometry_layout_.get(), object, item_index(scene, layer, object));
+    gpu.draw(commands, geometry_layout_.get(), part, item_index(scene, layer, object));
   }
   vkCmdEndRendering(commands);
 }
 
 void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
-                                   std::size_t layer, Image& color) {
+                                   std::size_t layer, const VkRect2D& tile, Image& color) {
   for (Image& target : gbuffer_->targets) target.transition(commands, Use::sampled);
   color.transition(commands, Use::color_attachment);
   begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, lighting_layout_.get(), 0, gpu.frame_set());
   bind(commands, lighting_layout_.get(), 1, targets_set_);
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
-    const VkRect2D scissor = covered_by_form(scene, layer, form, color.extent());
+    const VkRect2D scissor = common(covered_by_form(scene, layer, form, color.extent()), tile);
+    if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
     vkCmdSetScissor(commands, 0, 1, &scissor);
     const int single = only_item(scene, layer, form);
     vkCmdPushConstants(commands, lighting_layout_.get(), kDrawingStages, 0, sizeof single, &single);

@@ -4,6 +4,7 @@
 #include <array>
 #include <initializer_list>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "render/gpu/gpu_layout.h"
@@ -40,8 +41,8 @@ std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
 void begin_forward(VkCommandBuffer commands, Image& color, Image& depth,
                    VkAttachmentLoadOp load = VK_ATTACHMENT_LOAD_OP_LOAD);
 
-// Begins drawing meshes into cleared targets.
-void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer);
+// Begins drawing meshes into the targets, which are cleared if `fresh` is set.
+void begin_targets(VkCommandBuffer commands, GBuffer& gbuffer, bool fresh = true);
 
 // Fills the picture with the background; surfaces are drawn over it.
 class SkyPass {
@@ -57,12 +58,13 @@ class SkyPass {
 class DeferredPass {
  public:
   DeferredPass(Device& device, const GpuScene& gpu, GBuffer& gbuffer);
-  void record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu,
-                       std::size_t layer);
-  // Lights each form of the layer in the part of the picture that its objects cover. Layers after the first
-  // are added.
+  // Draws these parts of the meshes; `fresh`: the targets are cleared before.
+  void record_geometry(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu, std::size_t layer,
+                       std::span<const MeshPart> parts, bool fresh);
+  // Lights each form of the layer in the part of `tile` that its objects cover. Layers after the first are
+  // added.
   void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
-                       std::size_t layer, Image& color);
+                       std::size_t layer, const VkRect2D& tile, Image& color);
   // For other passes that read the targets.
   VkDescriptorSetLayout targets_layout() const { return targets_layout_.get(); }
   VkDescriptorSet targets_set() const { return targets_set_; }
@@ -100,9 +102,11 @@ class ForwardPass {
   std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
 };
 
-// Returns the smallest rectangle of pixels that contains the bounding sphere of each item of this form, or
-// the whole picture if a sphere reaches behind the camera.
+// Returns a small rectangle of pixels that contains the bounding box of each item of this form, or the whole
+// picture if a box reaches behind the camera.
 VkRect2D covered_by_form(const PreparedScene& scene, std::size_t layer, const Reflectance& form,
                          VkExtent2D extent);
+// Returns the common part of two rectangles; its width or its height is 0 if there is none.
+VkRect2D common(const VkRect2D& a, const VkRect2D& b);
 
 }  // namespace brdf::render

@@ -5,6 +5,13 @@
 namespace brdf::render {
 namespace {
 
+constexpr int kTile = 64;  // pixels; the software driver's threads share tiles of this size
+constexpr std::uint32_t kPartTriangles = 30000;  // of a part of the geometry
+
+int tiles_along(std::uint32_t pixels) {
+  return (int(pixels) + kTile - 1) / kTile;
+}
+
 VkExtent2D extent_of(const Camera& camera) {
   return {std::uint32_t(camera.width), std::uint32_t(camera.height)};
 }
@@ -46,6 +53,26 @@ Device& checked(Device& device, const PreparedScene& scene, const RendererOption
   return device;
 }
 
+// Returns rectangles that cover these tiles of a picture, row by row.
+std::vector<VkRect2D> rectangles(VkExtent2D extent, int first, int count) {
+  const int across = tiles_along(extent.width);
+  std::vector<VkRect2D> out;
+  const auto add = [&](int column, int row, int columns, int rows) {
+    const VkRect2D whole{{0, 0}, extent};
+    out.push_back(common(whole, {{column * kTile, row * kTile},
+                                 {std::uint32_t(columns * kTile), std::uint32_t(rows * kTile)}}));
+  };
+  while (count > 0) {
+    const int column = first % across, row = first / across;
+    const int rows = column == 0 ? count / across : 0;
+    const int done = rows > 0 ? rows * across : std::min(across - column, count);
+    rows > 0 ? add(0, row, across, rows) : add(column, row, done, 1);
+    first += done;
+    count -= done;
+  }
+  return out;
+}
+
 }  // namespace
 
 bool uses_gbuffer(const Scene& scene, const RendererOptions& options) {
@@ -63,7 +90,8 @@ Renderer::Renderer(Device& device, const PreparedScene& scene, const RendererOpt
     : device_(&checked(device, scene, options)),
       scene_(scene),
       options_(options),
-      gpu_(device, scene),
+      gpu_(device, scene, options.coarse),
+      mesh_parts_(gpu_.mesh_parts(kPartTriangles)),
       color_(
           device, kColorFormat, extent_of(scene.scene.camera),
           VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT),
@@ -114,7 +142,48 @@ void Renderer::update(const PreparedScene& scene) {
   make_passes();
 }
 
-void Renderer::record(VkCommandBuffer commands, Timestamps* times) {
+int Renderer::parts() const {
+  if (!uses_gbuffer(scene_.scene, options_)) return 1;
+  const VkExtent2D extent = color_.extent();
+  const int tiles = tiles_along(extent.width) * tiles_along(extent.height);
+  return int(scene_.layers.size()) * (int(mesh_parts_.size()) + tiles);
+}
+
+void Renderer::record_tiles(VkCommandBuffer commands, std::size_t layer, int first, int count,
+                            Timestamps* times) {
+  const std::vector<VkRect2D> tiles = rectangles(color_.extent(), first, count);
+  for (const VkRect2D& tile : tiles) deferred_->record_lighting(commands, scene_, gpu_, layer, tile, color_);
+  if (times) times->mark(commands, "lighting");
+  if (!environment_) return;
+  for (const VkRect2D& tile : tiles)
+    environment_->record(commands, scene_, gpu_, layer, tile,
+                         options_.seed + std::uint32_t(layer) * 0x10000u);
+  if (times) times->mark(commands, "environment");
+}
+
+void Renderer::record_parts(VkCommandBuffer commands, int first, int count, Timestamps* times) {
+  const int meshes = int(mesh_parts_.size()), of_a_layer = parts() / int(scene_.layers.size());
+  if (first == 0 && environment_) environment_->begin_run(commands);
+  for (int part = first, end = first + count; part < end;) {
+    const int layer = part / of_a_layer, within = part % of_a_layer;
+    const int kind_end = within < meshes ? meshes : of_a_layer;
+    const int together = std::min(end - part, kind_end - within);
+    if (within < meshes) {
+      deferred_->record_geometry(commands, scene_, gpu_, std::size_t(layer),
+                                 std::span(mesh_parts_).subspan(std::size_t(within), std::size_t(together)),
+                                 within == 0);
+      if (times) times->mark(commands, "geometry");
+    } else {
+      record_tiles(commands, std::size_t(layer), within - meshes, together, times);
+    }
+    part += together;
+  }
+  if (first + count < parts() || !environment_) return;
+  environment_->end_run(commands, color_);
+  if (times) times->mark(commands, "environment");
+}
+
+void Renderer::record_start(VkCommandBuffer commands, Timestamps* times) {
   const auto mark = [&](const char* name) {
     if (times) times->mark(commands, name);
   };
@@ -133,28 +202,19 @@ void Renderer::record(VkCommandBuffer commands, Timestamps* times) {
   if (options_.path == Path::forward) {
     forward_->record(commands, scene_, gpu_, color_, depth_);
     mark("forward");
-    return;
   }
-  if (environment_) environment_->begin_run(commands);
-  for (std::size_t layer = 0; layer < scene_.layers.size(); ++layer) {
-    deferred_->record_geometry(commands, scene_, gpu_, layer);
-    mark("geometry");
-    deferred_->record_lighting(commands, scene_, gpu_, layer, color_);
-    mark("lighting");
-    if (!environment_) continue;
-    environment_->record(commands, scene_, gpu_, layer, options_.seed + std::uint32_t(layer) * 0x10000u);
-    mark("environment");
-  }
-  if (!environment_) return;
-  environment_->end_run(commands, color_);
-  mark("environment");
+}
+
+void Renderer::draw_parts(int first, int count, Timestamps* times) {
+  device_->run([&](VkCommandBuffer commands) {
+    if (times) times->begin(commands);
+    if (first == 0) record_start(commands, times);
+    if (uses_gbuffer(scene_.scene, options_)) record_parts(commands, first, count, times);
+  });
 }
 
 void Renderer::draw(Timestamps* times) {
-  device_->run([&](VkCommandBuffer commands) {
-    if (times) times->begin(commands);
-    record(commands, times);
-  });
+  draw_parts(0, parts(), times);
 }
 
 void Renderer::reseed(std::uint32_t seed) {
@@ -166,6 +226,19 @@ void Renderer::draw_samples(int samples, Timestamps* times, int first, int run) 
   if (environment_) environment_->reset(samples > 0 ? std::min(samples, run) : run, first);
   do draw(times);
   while (environment_ && this->samples() < samples);
+}
+
+void Renderer::begin_run(int first, int run) {
+  if (environment_) environment_->reset(run, first);
+}
+
+void Renderer::begin_smooth() {
+  if (environment_) environment_->reset_to_smooth(options_.coarse ? 1 : 2);
+}
+
+void Renderer::draw_smooth(Timestamps* times) {
+  begin_smooth();
+  draw(times);
 }
 
 std::vector<float> Renderer::read_standard_error() {
@@ -181,7 +254,9 @@ std::vector<float> Renderer::read_target(Target target) {
   if (!uses_gbuffer(scene_.scene, options_))
     throw InputError("this scene is drawn without the seven targets");
   if (scene_.layers.size() > 1) {  // later layers have overwritten the first
-    device_->run([&](VkCommandBuffer commands) { deferred_->record_geometry(commands, scene_, gpu_, 0); });
+    device_->run([&](VkCommandBuffer commands) {
+      deferred_->record_geometry(commands, scene_, gpu_, 0, mesh_parts_, true);
+    });
   }
   return read_rgba(*device_, gbuffer_->targets[std::size_t(target)]);
 }

@@ -20,6 +20,9 @@ struct RendererOptions {
   Path path = Path::deferred;
   LookupTexture lookup = {};  // for the shading mode "lookup"
   std::uint32_t seed = 1;     // for the environment's random directions
+  // For pictures that are shown for a moment: large meshes have fewer triangles, and draw_smooth() uses fewer
+  // directions.
+  bool coarse = false;
 };
 
 class Renderer {
@@ -29,10 +32,8 @@ class Renderer {
   // Call when camera, lights, items or the environment have changed; the picture's size, meshes and
   // textures must be the same. A change of the shading mode allocates the images that the mode needs.
   void update(const PreparedScene& scene);
-  // Marks the passes "background", "shadow", "geometry", "lighting", "environment" or "forward" in `times`,
-  // which may be null.
-  void record(VkCommandBuffer commands, Timestamps* times = nullptr);
-  // Records, runs and waits.
+  // Draws and waits. Marks the passes "background", "shadow", "geometry", "lighting", "environment" or
+  // "forward" in `times`, which may be null.
   void draw(Timestamps* times = nullptr);
 
   // Samples per pixel of an environment's light so far. Each draw adds a run of samples until update()
@@ -40,9 +41,22 @@ class Renderer {
   int samples() const { return environment_ ? environment_->samples() : 0; }
   // Continues with other random numbers and discards the sum.
   void reseed(std::uint32_t seed);
+  // A picture can be drawn in parts: pieces of the meshes, then tiles of the picture, for each layer. All
+  // parts in their order, in any number of calls, give the picture of draw(). Call begin_run() or
+  // begin_smooth() before the first part.
+  int parts() const;
+  void draw_parts(int first, int count, Timestamps* times = nullptr);
+  // The next picture has a run of this many samples of an environment, at most kRun, from sample `first` of
+  // the sequence; earlier samples are discarded.
+  void begin_run(int first, int run);
+  // The next picture is the one of draw_smooth().
+  void begin_smooth();
   // Draws until there are `samples` samples, from sample `first` of the sequence, in runs of at most `run`
   // samples; `run` is at most kRun. Draws once if there is no environment.
   void draw_samples(int samples, Timestamps* times = nullptr, int first = 0, int run = kRun);
+  // Draws the scene without noise, but not exactly: the light of the environment is averaged over wide solid
+  // angles (light/blurred_light.h). The exact picture if there is no environment.
+  void draw_smooth(Timestamps* times = nullptr);
   // Returns the standard error of each pixel's channels, RGBA as in read_color(); zeros without an
   // environment.
   std::vector<float> read_standard_error();
@@ -61,11 +75,15 @@ class Renderer {
  private:
   void make_passes();
   void make_environment();
+  void record_start(VkCommandBuffer commands, Timestamps* times);
+  void record_parts(VkCommandBuffer commands, int first, int count, Timestamps* times);
+  void record_tiles(VkCommandBuffer commands, std::size_t layer, int first, int count, Timestamps* times);
 
   Device* device_;
   PreparedScene scene_;
   RendererOptions options_;
   GpuScene gpu_;
+  std::vector<MeshPart> mesh_parts_;
   Image color_;
   std::optional<GBuffer> gbuffer_;
   Image depth_;  // of the forward path

@@ -21,9 +21,10 @@ RunningMean::RunningMean(Device& device, Image& image)
       squares_(device, kColorFormat, image.extent(), kSummed) {
   sampler_ = make_sampler(device, VK_FILTER_NEAREST, VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE);
   set_layout_ = make_set_layout(device, kBindings);
-  pool_ = make_descriptor_pool(device, kBindings, 2);
+  pool_ = make_descriptor_pool(device, kBindings, 3);
   image_set_ = allocate_set(device, pool_.get(), set_layout_.get());
   sum_set_ = allocate_set(device, pool_.get(), set_layout_.get());
+  other_set_ = allocate_set(device, pool_.get(), set_layout_.get());
   write_image(device, image_set_, 0, image.view(), sampler_.get());
   write_image(device, sum_set_, 0, sum_.view(), sampler_.get());
   const std::array sets{set_layout_.get()};
@@ -51,16 +52,31 @@ void RunningMean::record_add(VkCommandBuffer commands) {
   vkCmdEndRendering(commands);
 }
 
-void RunningMean::record_mean(VkCommandBuffer commands, Image& target, Over over) {
+void RunningMean::record(VkCommandBuffer commands, VkDescriptorSet from, Image& target, Over over,
+                         float factor) {
   const bool discard = over == Over::black;
-  sum_.transition(commands, Use::sampled);
   target.transition(commands, Use::color_attachment, discard);
   begin_colors(commands, {&target}, discard ? VK_ATTACHMENT_LOAD_OP_CLEAR : VK_ATTACHMENT_LOAD_OP_LOAD);
-  bind(commands, layout_.get(), 0, sum_set_);
-  const float share = 1 / float(count_);
-  vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof share, &share);
+  bind(commands, layout_.get(), 0, from);
+  vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof factor, &factor);
   draw_screen(commands, mean_.get());
   vkCmdEndRendering(commands);
+}
+
+void RunningMean::record_mean(VkCommandBuffer commands, Image& target, Over over, float share) {
+  sum_.transition(commands, Use::sampled);
+  record(commands, sum_set_, target, over, share / float(count_));
+}
+
+void RunningMean::record_copy(VkCommandBuffer commands, Image& target) {
+  image_->transition(commands, Use::sampled);
+  record(commands, image_set_, target, Over::black, 1);
+}
+
+void RunningMean::record_share(VkCommandBuffer commands, Image& other, Image& target, float share) {
+  other.transition(commands, Use::sampled);
+  write_image(*device_, other_set_, 0, other.view(), sampler_.get());
+  record(commands, other_set_, target, Over::what_is_there, share);
 }
 
 std::vector<float> RunningMean::standard_error() {

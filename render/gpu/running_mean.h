@@ -14,15 +14,22 @@ class RunningMean {
   int count() const { return count_; }
 
   void record_add(VkCommandBuffer commands);
-  // Adds the mean's colour to the content of `target`, or to black.
+  // Adds the mean's colour times `share` to the content of `target`, or to black.
   enum class Over { what_is_there, black };
-  void record_mean(VkCommandBuffer commands, Image& target, Over over);
+  void record_mean(VkCommandBuffer commands, Image& target, Over over, float share = 1);
+  // Copies the colour of the present content of `image` to `target`, with alpha 0.
+  void record_copy(VkCommandBuffer commands, Image& target);
+  // Adds the colour of another image of the same size times `share` to the content of `target`. The device
+  // must be idle until the commands run.
+  void record_share(VkCommandBuffer commands, Image& other, Image& target, float share);
 
   // Returns the standard error of the mean, estimated from the variance between the pictures: RGBA, row by
   // row. Requires at least two pictures.
   std::vector<float> standard_error();
 
  private:
+  void record(VkCommandBuffer commands, VkDescriptorSet from, Image& target, Over over, float factor);
+
   Device* device_;
   Image* image_;
   int count_ = 0;
@@ -30,7 +37,7 @@ class RunningMean {
   Owned<VkSampler> sampler_;
   Owned<VkDescriptorSetLayout> set_layout_;
   Owned<VkDescriptorPool> pool_;
-  VkDescriptorSet image_set_ = VK_NULL_HANDLE, sum_set_ = VK_NULL_HANDLE;
+  VkDescriptorSet image_set_ = VK_NULL_HANDLE, sum_set_ = VK_NULL_HANDLE, other_set_ = VK_NULL_HANDLE;
   Owned<VkPipelineLayout> layout_;
   Owned<VkPipeline> accumulate_, mean_;
 };

@@ -9,9 +9,11 @@ class ShadowPass {
  public:
   // The constructor installs the map in the scene's frame set.
   ShadowPass(Device& device, GpuScene& gpu);
+  // Draws the map again only if the light or an object has moved.
   void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu);
 
  private:
+  std::vector<glm::mat4> drawn_;  // the projection and the objects' places in the map
   Image map_, depth_;
   Owned<VkSampler> sampler_;
   Owned<VkPipelineLayout> layout_;

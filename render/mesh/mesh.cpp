@@ -189,10 +189,15 @@ Mesh flat_shaded(const Mesh& mesh) {
   return flat;
 }
 
-glm::vec4 bounding_sphere(const Mesh& mesh) {
+std::pair<glm::vec3, glm::vec3> bounding_box(const Mesh& mesh) {
   PointBox box;
   for (const Vertex& v : mesh.vertices) box.add(v.position);
-  const glm::vec3 center = (box.low + box.high) / 2.0f;
+  return {box.low, box.high};
+}
+
+glm::vec4 bounding_sphere(const Mesh& mesh) {
+  const auto [low, high] = bounding_box(mesh);
+  const glm::vec3 center = (low + high) / 2.0f;
   float radius = 0;
   for (const Vertex& v : mesh.vertices) radius = std::max(radius, glm::distance(center, v.position));
   return {center, radius};

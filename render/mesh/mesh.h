@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace brdf::render {
@@ -92,6 +93,8 @@ void make_tangents(Mesh& mesh);
 void clean(Mesh& mesh, const std::string& source);
 // Returns the same triangles with one normal each and without shared vertices.
 Mesh flat_shaded(const Mesh& mesh);
+// Returns the least and the greatest coordinates of all vertices.
+std::pair<glm::vec3, glm::vec3> bounding_box(const Mesh& mesh);
 // Returns the smallest sphere round the bounding box of all vertices: centre and radius.
 glm::vec4 bounding_sphere(const Mesh& mesh);
 // Appends a copy of `part` with its vertices transformed.

@@ -81,6 +81,7 @@ void update_items(PreparedScene& prepared) {
   prepared.layers.assign(layers, {});
   PointBox box;
   for (std::size_t k = 0; k < objects.size(); ++k) {
+    const auto [box_low, box_high] = bounding_box(*prepared.meshes[k]);
     const glm::vec4 bound = bounding_sphere(*prepared.meshes[k]);
     items[k].resize(layers);
     for (std::size_t layer = 0; layer < layers; ++layer) {
@@ -89,6 +90,8 @@ void update_items(PreparedScene& prepared) {
       item.linear = linear_part(objects[k]);
       item.normals = glm::transpose(glm::inverse(item.linear));
       item.origin = objects[k].position;
+      item.low = box_low;
+      item.high = box_high;
       const float stretch =
           std::max({glm::length(item.linear[0]), glm::length(item.linear[1]), glm::length(item.linear[2])});
       item.extent = stretch * (glm::length(glm::vec3(bound)) + bound.w);

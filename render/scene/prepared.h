@@ -20,7 +20,8 @@ struct Item {
   std::size_t object = 0;  // index into scene.objects, meshes and textures
   glm::mat3 linear{1}, normals{1};
   glm::vec3 origin{0};
-  float extent = 1;  // no vertex is farther from the origin
+  float extent = 1;            // no vertex is farther from the origin
+  glm::vec3 low{-1}, high{1};  // the box of the mesh, before `linear` and `origin`
   // std::nullopt: the item only hides objects behind it (an object with fewer terms than there are layers).
   std::optional<Reflectance> form;
   float cos_turn = 1, sin_turn = 0;           // of tangent_phi

@@ -12,6 +12,7 @@
 #include "render/compare/arrange.h"
 #include "render/gpu/gpu_layout.h"
 #include "render/gpu/reflectance_glsl.h"
+#include "render/light/blurred_light.h"
 #include "render/light/points.h"
 #include "render/scene/display_rule.h"
 #include "render/scene/texture_rule.h"
@@ -105,6 +106,7 @@ std::string layout() {
          constant("kHatchPeriod", io::kHatchPeriod) + constant("kHatchDark", io::kHatchDark) +
          constant("kHatchBright", io::kHatchBright) + constant("kBackdrop", kBackdrop) +
          constant("kPointDimensions", kPointDimensions) + point_steps() +
+         constant("kBlurredHeight", kBlurredHeight) + constant("kBlurredLevels", kBlurredLevels) +
          "const float kNoFloor = " + std::to_string(kNoFloor) + ";\n" +
          "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +

@@ -4,11 +4,13 @@
 // reference/environment_light.h for what is drawn and how it is weighted.
 layout(constant_id = 0) const int kForm = 0;
 layout(constant_id = 1) const int kBits = 16;
+// Instead of a run: few directions, the same in every pixel. Each takes the light's mean over its share.
+layout(constant_id = 2) const bool kSmooth = false;
 #include "frame.glsl"
 layout(push_constant) uniform Push {
   int item;  // unused here: stored_surface.glsl
   uint seed;
-  int count;
+  int count;  // of a run; smooth: half the number of directions
   float first[kPointDimensions];  // how far each coordinate has moved before this run
 } push;
 #include "brdf.glsl"
@@ -20,15 +22,52 @@ const bool kSingle = false;
 #include "light.glsl"
 layout(location = 0) out vec4 color;
 
-// In the first quadrant, by the kernel: the device's own arctangents are coarser than a large picture's texels.
-vec4 texel_towards(vec3 w) {
-  const ivec2 size = textureSize(light_texels, 0);
+// Azimuth and polar angle in units of the picture, each in [0, 1]. In the first quadrant, by the kernel: the
+// device's own arctangents are coarser than a large picture's texels.
+vec2 place_towards(vec3 w) {
   const float azimuth = brdf_angle(abs(w.x), abs(w.z));  // from the z axis
   const float phi = (w.z < 0.0 ? azimuth : kPi - azimuth) * (w.x < 0.0 ? -1.0 : 1.0);
   const float polar = brdf_angle(sqrt(w.x * w.x + w.z * w.z), abs(w.y));
   const float theta = w.y < 0.0 ? kPi - polar : polar;
-  const ivec2 at = ivec2(vec2(phi / (2.0 * kPi) + 0.5, theta / kPi) * vec2(size));
+  return vec2(phi / (2.0 * kPi) + 0.5, theta / kPi);
+}
+vec4 texel_towards(vec3 w) {
+  const ivec2 size = textureSize(light_texels, 0);
+  const ivec2 at = ivec2(place_towards(w) * vec2(size));
   return texelFetch(light_texels, clamp(at, ivec2(0), size - 1), 0);
+}
+
+vec3 blurred_at(vec2 place, int level) {
+  const vec2 size = vec2(2 * kBlurredHeight >> level, kBlurredHeight >> level);
+  const float row = float(2 * kBlurredHeight - (2 * kBlurredHeight >> level) + 2 * level);
+  const vec2 at = vec2(1.0, 1.0 + row) + place * size;
+  return textureLod(light_blurred, at / vec2(textureSize(light_blurred, 0)), 0.0).rgb;
+}
+// The light averaged over about this solid angle.
+vec3 blurred_towards(vec3 w, float solid_angle) {
+  const float texel = 2.0 * kPi / float(kBlurredHeight * kBlurredHeight);  // of the finest level, on average
+  const float level = clamp(0.5 * log2(solid_angle / texel), 0.0, float(kBlurredLevels - 1));
+  const int finer = min(int(level), kBlurredLevels - 2);
+  const vec2 place = place_towards(w);
+  return mix(blurred_at(place, finer), blurred_at(place, finer + 1), level - float(finer));
+}
+
+// The points of brdf_sample(): the first half follows the lobe, the second half the cosine. A single point of a
+// half is near the middle of its distribution; two points lie opposite each other at its median.
+vec3 smooth_light(StoredSurface s, mat3 basis, vec3 wo) {
+  vec3 sum = vec3(0.0);
+  const int points = 2 * push.count;
+  for (int k = 0; k < points; ++k) {
+    const float radius = push.count == 1 ? 0.02 : 0.5, turn = 0.125 + 0.5 * float(k % push.count);
+    const vec3 wi = brdf_sample(kForm, vec3(radius, turn, k < push.count ? 0.25 : 0.75), wo, s.shape);
+    const float density = brdf_pdf(kForm, wi, wo, s.shape);
+    if (!(wi.z > 0.0 && density > 0.0)) continue;
+    const vec3 value = brdf_eval_cos(kForm, wi, wo, s.shape, s.weights[0], s.weights[1], s.weights[2]);
+    const float share = 1.0 / (float(points) * density);  // of the sphere
+    const float reaching = floor_share(s.position, basis * wi);
+    sum += value * blurred_towards(to_picture(basis * wi), share) * (reaching * share);
+  }
+  return sum;
 }
 
 void main() {
@@ -36,6 +75,10 @@ void main() {
   if (!s.front) discard;
   const mat3 basis = mat3(s.tangent, s.bitangent, s.normal);
   const vec3 wo = -normalize(s.ray) * basis;
+  if (kSmooth) {
+    color = vec4(smooth_light(s, basis, wo) * frame.environment.z, 0.0);
+    return;
+  }
   const float starts[kPointDimensions] = point_starts(uvec2(gl_FragCoord.xy), push.seed);
   vec3 sum = vec3(0.0);
   for (int k = 0; k < push.count; ++k) {

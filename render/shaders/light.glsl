@@ -2,6 +2,7 @@
 layout(set = 2, binding = 0) uniform sampler2D light_texels;   // rgb: radiance, a: density per solid angle
 layout(set = 2, binding = 1) uniform sampler2D light_columns;  // ends of the cells of each row
 layout(set = 2, binding = 2) uniform sampler2D light_rows;
+layout(set = 2, binding = 3) uniform sampler2D light_blurred;  // all levels: render/light/blurred_light.h
 const float kPi = 3.14159265358979;
 
 vec3 to_picture(vec3 w) {

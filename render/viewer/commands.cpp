@@ -225,25 +225,40 @@ const Command& command(std::string_view name) {
   return *found;
 }
 
+std::string readable_keys(const Command& command) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNamesOfKeys{
+      {{"equal", "="},
+       {"minus", "-"},
+       {"question", "?"},
+       {"Escape", "Esc"},
+       {"left", "left arrow"},
+       {"right", "right arrow"},
+       {"up", "up arrow"},
+       {"down", "down arrow"}}};
+  for (const auto& [name, readable] : kNamesOfKeys)
+    if (command.keys == name) return std::string(readable);
+  return std::string(command.keys);
+}
+
 std::string command_help(std::size_t width) {
-  std::string out, group, line;
+  constexpr std::size_t kKeys = 14, kEntry = 37;  // letters of the keys, and of the keys with a name
+  const std::size_t columns = std::max<std::size_t>(1, width / kEntry);
+  std::string out, line;
+  std::string_view group;
+  std::size_t entries = 0;  // in the line
   const auto end_line = [&] {
-    if (!line.empty()) out += line + "\n";
+    if (entries > 0) out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     line.clear();
+    entries = 0;
   };
   for (const Command& c : kEdits) {
-    const std::string entry = std::string(c.keys) + ": " + std::string(c.name);
-    if (group != c.group) {
-      end_line();
-      group = c.group;
-      line = group + " - " + entry;
-    } else if (line.size() + 2 + entry.size() > width) {
-      line += ",";
-      end_line();
-      line = "  " + entry;
-    } else {
-      line += ", " + entry;
-    }
+    if (group != c.group || entries == columns) end_line();
+    if (group != c.group) out += std::string(c.group) + ":\n";
+    group = c.group;
+    const std::string keys = readable_keys(c);
+    line +=
+        "  " + keys + std::string(kKeys > keys.size() ? kKeys - keys.size() : 1, ' ') + std::string(c.name);
+    line.resize(std::max(line.size() + 1, ++entries * kEntry), ' ');
   }
   end_line();
   return out;

@@ -35,7 +35,7 @@ struct Whereabouts {
 
 struct Command {
   std::string_view name, group;
-  std::string_view keys;  // as text: "ctrl+s", "drag"
+  std::string_view keys;  // "ctrl+s", "drag"; X11's names of keys, which programs send to the window
   std::string_view does;
   int key = 0, mods = 0;  // values of GLFW; 0: no key
   int second = 0;         // another key for the same command
@@ -50,8 +50,11 @@ const Command* command_of(int key, int mods);
 // Returns the command with this name, which must exist.
 const Command& command(std::string_view name);
 
-// command_help() returns the list for --help, folded at `width` letters; command_json() returns the list as
-// JSON for programs.
+// Returns the keys of a command as they are printed on a keyboard: "=" for "equal".
+std::string readable_keys(const Command& command);
+
+// command_help() returns the list for --help, in as many columns as fit into `width` letters;
+// command_json() returns the list as JSON for programs.
 std::string command_help(std::size_t width);
 std::string command_json();
 

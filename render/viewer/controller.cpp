@@ -126,7 +126,7 @@ PanelInfo Controller::info() {
   PanelInfo info{
       .pictures = shown_.drawn(), .samples = beside_.samples_in_colour(), .frame_ms = times_.last_ms()};
   if (state().show_plot && state().show_ui) info.residuals = beside_.residuals(session_);
-  info.moving = shown_.moving();
+  info.coarse = shown_.coarse();
   info.device = device_.name();
   info.message = messages_.last();
   info.is_error = messages_.is_error();

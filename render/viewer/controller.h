@@ -101,7 +101,7 @@ class Controller : private Listener {
   FrameTimes times_;
   std::string title_;
   bool opened_by_letter_ = false;
-  std::optional<PixelProbe> probe_;
+  std::optional<Shown::Probe> probe_;
   glm::vec2 probe_at_{0};
   int awake_ = kFramesAfterInput;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();

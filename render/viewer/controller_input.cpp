@@ -33,6 +33,7 @@ void Controller::pressed(int key, int mods) {
   }
   const Command* asked = command_of(key, mods);
   if (!asked) return;
+  messages_.forget_error();
   settle();
   if (asked->edit) asked->edit(session_, whereabouts());
   follow();
@@ -62,11 +63,12 @@ void Controller::button(int button, int action, int mods) {
     if (hand_.release() == Hand::Release::click) click();
     return;
   }
+  messages_.forget_error();
   hand_.move(state(), layout_.picture, x, y);
   if (ImGui::GetIO().WantCaptureMouse || !hand_.on(layout_.picture)) return;
   probe_.reset();
   if (button == GLFW_MOUSE_BUTTON_MIDDLE || mods & GLFW_MOD_SHIFT) {
-    probe_ = shown_.probe(layout_.picture, hand_.place());
+    probe_ = shown_.probe(state(), layout_.picture, hand_.place());
     probe_at_ = hand_.place();
     return;
   }
@@ -75,7 +77,7 @@ void Controller::button(int button, int action, int mods) {
 }
 
 void Controller::click() {
-  const PixelProbe probe = shown_.probe(layout_.picture, hand_.place());
+  const PixelProbe probe = shown_.probe(state(), layout_.picture, hand_.place()).a;
   if (!probe.hit || probe.object == state().selected) return;
   state().selected = probe.object;
   messages_.say("selected " + object_name(state().scene.objects[probe.object], probe.object));

@@ -199,8 +199,8 @@ namespace {
 void edit_direction(Light& light) {
   const glm::vec3 from = -glm::normalize(light.vector);
   float round = glm::degrees(std::atan2(from.x, from.z)), above = glm::degrees(std::asin(from.y));
-  bool moved = ImGui::SliderFloat("round", &round, -180, 180, "%.0f°");
-  moved |= ImGui::SliderFloat("above", &above, -89, 89, "%.0f°");
+  bool moved = float_slider("round", round, -180, 180, "%.0f°");
+  moved |= float_slider("above", above, -89, 89, "%.0f°");
   if (!moved) return;
   const float r = glm::radians(round), a = glm::radians(above);
   light.vector = -glm::length(light.vector) *
@@ -209,7 +209,7 @@ void edit_direction(Light& light) {
 
 void edit_environment(Scene& scene) {
   if (!scene.environment) return;
-  ImGui::SliderFloat("turned", &scene.environment->rotation, -180, 180, "%.0f°");
+  float_slider("turned", scene.environment->rotation, -180, 180, "%.0f°");
   ImGui::DragFloat("radiance", &scene.environment->intensity, 0.02f, 0, 1000);
 }
 

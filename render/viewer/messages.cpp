@@ -12,6 +12,10 @@ void Messages::say(const std::string& message) {
   wake_();
 }
 
+void Messages::forget_error() {
+  if (is_error_) say("");
+}
+
 void Messages::keep(const std::string& error) {
   say(error);
   is_error_ = true;

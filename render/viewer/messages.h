@@ -17,6 +17,8 @@ class Messages {
   void say(const std::string& message);
   // Shows the error and prints it on the terminal, too.
   void complain(const std::exception& error);
+  // Removes an error, because the user has done something else since. Other messages stay.
+  void forget_error();
   // Shows an earlier error again.
   void keep(const std::string& error);
   // Runs an action that may fail because of invalid files or the machine. Shows the error and returns false

@@ -1,7 +1,12 @@
 #include "render/viewer/panels.h"
+#include "render/viewer/sliders.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
+
+#include <cmath>
+
+#include "io/files/numbers.h"
 
 namespace brdf::render {
 namespace {
@@ -22,9 +27,11 @@ class Buttons {
   Buttons(Session& session, const Whereabouts& where, std::vector<Request>& requests)
       : session_(session), where_(where), requests_(requests) {}
 
-  void add(std::string_view name) {
+  void add(std::string_view name) { add(name, name); }
+  // `words`: the button's text, if it is not the command's name.
+  void add(std::string_view name, std::string_view words) {
     const Command& c = command(name);
-    const std::string label(c.name);
+    const std::string label(words);
     const float width = ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
     if (used_ > 0 && used_ + ImGui::GetStyle().ItemSpacing.x + width < ImGui::GetContentRegionAvail().x)
       ImGui::SameLine();
@@ -36,7 +43,7 @@ class Buttons {
       if (c.request != Request::none) requests_.push_back(c.request);
     }
     if (ImGui::IsItemHovered())
-      ImGui::SetTooltip("%s (%s)", std::string(c.does).c_str(), std::string(c.keys).c_str());
+      ImGui::SetTooltip("%s (%s)", std::string(c.does).c_str(), readable_keys(c).c_str());
   }
 
  private:
@@ -50,6 +57,17 @@ void add_all(Buttons buttons, std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) buttons.add(name);
 }
 
+// The presets of light, in two labelled rows.
+void light_presets(const Buttons& buttons) {
+  ImGui::TextUnformatted("light from all around");
+  add_all(buttons, {"studio", "sky", "uniform"});
+  ImGui::TextUnformatted("one hard light");
+  Buttons hard = buttons;
+  hard.add("light from the left", "from the left");
+  hard.add("light from the front", "front");
+  hard.add("light from behind", "behind");
+}
+
 void picture_section(ViewState& state, const PanelInfo& info) {
   enum_combo("shading", state.scene.shading);
   if (state.scene.shading != Shading::brdf) {
@@ -58,10 +76,10 @@ void picture_section(ViewState& state, const PanelInfo& info) {
     ImGui::Checkbox("per vertex", &state.scene.per_vertex);
   }
   enum_combo("tone map", state.scene.tone_map);
-  ImGui::SliderFloat("exposure", &state.scene.exposure, -8, 8, "%.2f stops");
+  float_slider("exposure", state.scene.exposure, -8, 8, "%.2f stops");
   enum_combo("show", state.display);
   enum_combo("B is", state.other);
-  if (state.display == Display::split) ImGui::SliderFloat("split at", &state.split, 0, 1);
+  if (state.display == Display::split) float_slider("split at", state.split, 0, 1, "%.3f");
   const bool compared = state.display == Display::split || state.display == Display::flip ||
                         state.display == Display::difference;
   const std::optional<Difference>& d = info.pictures->difference();
@@ -76,11 +94,10 @@ void picture_section(ViewState& state, const PanelInfo& info) {
 
 void fit_section(Session& session, const PanelInfo& info, Buttons buttons) {
   if (info.error) {
-    if (info.error_before && *info.error_before != *info.error)
-      ImGui::TextWrapped("median error at the samples %.2f %%, before %.2f %%", 100 * *info.error,
-                         100 * *info.error_before);
-    else
-      ImGui::TextWrapped("median error at the samples %.2f %%", 100 * *info.error);
+    // Always two lines: sliders must not move while one of them is held or a number is typed.
+    ImGui::Text("median error at the samples %.2f %%", 100 * *info.error);
+    const bool differs = info.error_before && *info.error_before != *info.error;
+    ImGui::TextDisabled("%s", differs ? ("before " + io::percent(*info.error_before)).c_str() : " ");
   } else if (session.state().samples.empty()) {
     ImGui::TextDisabled("open samples for a comparison");
   }
@@ -117,12 +134,12 @@ void main_panel(Session& session, const Layout& layout, const PanelInfo& info, c
     if (ImGui::CollapsingHeader("picture", kOpen)) {
       add_all(buttons, {"split", "flip", "difference", "targets", "keep as B", "keep in plot", "lobes"});
       picture_section(state, info);
+      light_presets(buttons);
     }
     if (ImGui::CollapsingHeader("camera", kOpen))
       add_all(buttons, {"home", "frame", "frame selected", "turntable"});
     if (ImGui::CollapsingHeader("lights")) {
-      add_all(buttons, {"light from the left", "light from the front", "light from behind", "studio", "sky",
-                        "uniform", "light follows"});
+      add_all(buttons, {"light follows"});
       if (state.light_follows) ImGui::TextUnformatted("the light follows the camera");
       edit_lights(state.scene);
     }
@@ -151,7 +168,9 @@ void help_overlay(bool& wanted) {
         ImGui::TextDisabled("%s", group.c_str());
         ImGui::TableNextRow();
       }
-      for (const std::string_view words : {c.keys, c.name, c.does}) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(readable_keys(c).c_str());
+      for (const std::string_view words : {c.name, c.does}) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(words.data(), words.data() + words.size());
       }

@@ -10,6 +10,7 @@
 #include "render/viewer/commands.h"
 #include "render/viewer/editors.h"
 #include "render/viewer/layout.h"
+#include "render/viewer/shown.h"
 
 namespace brdf::render {
 
@@ -18,10 +19,10 @@ struct PanelInfo {
   const io::SampleTable* samples = nullptr;        // in the colours of a picture
   const std::vector<double>* residuals = nullptr;  // mean ln(A/measured), measured/residual_map.h
   double frame_ms = 0;
-  bool moving = false;          // fewer pixels are drawn
+  bool coarse = false;          // fewer pixels are drawn
   std::string device, message;  // message: the last error or action
   bool is_error = false;
-  std::optional<PixelProbe> probe;
+  std::optional<Shown::Probe> probe;
   glm::vec2 probe_at{0};
   const std::vector<Interval>* intervals = nullptr;
   double fitting = -1;  // seconds so far; negative: no fit is running
@@ -50,6 +51,11 @@ void plot_panel(Session& session, const PanelInfo& info, bool room);
 // and the map of samples for which A is too dark or too bright.
 void slice_section(Session& session, const PanelInfo& info);
 void residual_section(const std::vector<double>& cells);
+// Returns the relative difference at the ends of the map's colour scale: 1, 2 or 5 times a power of ten, at
+// least 0.01 and at most 0.5, so that at most one cell of twenty exceeds it if that is possible.
+double residual_range(const std::vector<double>& cells);
+// Returns the probe as lines of text: place, angles, and f_r of A and, if B is shown, of B.
+std::vector<std::string> probe_lines(const Shown::Probe& probe);
 // Draws names, numbers and messages round the picture.
 void picture_lines(const Session& session, const Layout& layout, const PanelInfo& info);
 

@@ -88,18 +88,31 @@ std::string numbers(const PanelInfo& info) {
     if (info.pictures->noise() >= 0) out += ", noise " + io::percent(info.pictures->noise(), 2);
     out += ", ";
   }
-  return out + (info.moving ? "half size, " : "") + std::to_string(std::lround(info.frame_ms)) + " ms";
+  return out + (info.coarse ? "coarse, " : "") + std::to_string(std::lround(info.frame_ms)) + " ms";
 }
 
 void probe_tooltip(const PanelInfo& info) {
   if (!info.probe) return;
   ImGui::SetNextWindowPos(ImVec2(info.probe_at.x + 14, info.probe_at.y + 14));
   ImGui::BeginTooltip();
-  for (const std::string& line : lines(*info.probe)) ImGui::TextUnformatted(line.c_str());
+  for (const std::string& line : probe_lines(*info.probe)) ImGui::TextUnformatted(line.c_str());
   ImGui::EndTooltip();
 }
 
 }  // namespace
+
+std::vector<std::string> probe_lines(const Shown::Probe& probe) {
+  std::vector<std::string> out = lines(probe.a);
+  if (!probe.a.hit) return out;
+  // The last line of a hit is f_r.
+  out.back() = "A: " + out.back();
+  if (!probe.b) return out;
+  const auto number = [](float value) { return io::short_number(double(value), 5); };
+  const glm::vec3& f = probe.b->value;
+  out.push_back("B: f_r (" + number(f.x) + ", " + number(f.y) + ", " + number(f.z) + ") 1/sr" +
+                (probe.b->known ? "" : ", not measured here"));
+  return out;
+}
 
 void picture_lines(const Session& session, const Layout& layout, const PanelInfo& info) {
   Lines lines(layout);

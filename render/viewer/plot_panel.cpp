@@ -7,6 +7,7 @@
 #include "render/compare/lobe_points.h"
 #include "render/viewer/panels.h"
 #include "render/viewer/plot_drawing.h"
+#include "render/viewer/sliders.h"
 
 namespace brdf::render {
 namespace {
@@ -42,7 +43,7 @@ void choose_curve(ViewState& state, const std::vector<LobeCurve>& curves) {
 
 void plot_panel(Session& session, const PanelInfo& info, bool room) {
   ViewState& state = session.state();
-  ImGui::SliderFloat("theta_i", &state.plot_theta, 0, 89, "%.0f°");
+  float_slider("theta_i", state.plot_theta, 0, 89, "%.0f°");
   const std::vector<LobeCurve> curves = lobe_curves(state);
   choose_curve(state, curves);
   const auto theta = double(state.plot_theta);

@@ -1,4 +1,5 @@
-// The pictures that the window shows: with fewer pixels during movements, with all pixels at rest.
+// The pictures that the window shows: with fewer pixels during movements, and until the first picture with
+// all pixels is complete.
 #pragma once
 
 #include <chrono>
@@ -19,23 +20,35 @@ class Shown {
   void update(const ViewState& state, VkExtent2D size, bool held);
   // Call after a single movement, such as a turn of the wheel: further movements may follow.
   void touch();
-  // Returns whether the last update drew fewer pixels.
-  bool moving() const { return drawn_ == &coarse_; }
-  bool unfinished() const { return !moving() && drawn_ && fine_.unfinished(); }
+  // Returns whether the view moved a moment ago, so that only coarse pictures are drawn.
+  bool moving() const { return drawn_ && !resting_; }
+  // Returns whether the shown picture has fewer pixels than the window.
+  bool coarse() const { return drawn_ == &coarse_; }
+  bool unfinished() const { return drawn_ && resting_ && (postponed_ || fine_.unfinished()); }
   const Pictures* drawn() const { return drawn_; }
 
   void prepare(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place);
   // Returns the picture at full size.
   BytePicture capture(const ViewState& state);
-  // Probes the surface under a place of the window.
-  PixelProbe probe(const Area& picture, const glm::vec2& place) const;
+  // Probes the surface of A under a place of the window, and f_r of B there if B is shown.
+  struct Probe {
+    PixelProbe a;
+    std::optional<Pictures::ProbedValue> b;
+  };
+  Probe probe(const ViewState& state, const Area& picture, const glm::vec2& place) const;
 
  private:
+  void draw_coarse(const ViewState& state, VkExtent2D size);
+
   Pictures fine_, coarse_;
+  Coarseness coarseness_;
   DisplayPass display_;
   Pictures* drawn_ = nullptr;
   std::optional<ViewState> last_;
+  bool resting_ = true;
+  bool slow_ = false;       // the first fine picture of the last change took more than a frame
+  bool postponed_ = false;  // the fine picture begins with the next frame
   VkExtent2D size_{};
   std::chrono::steady_clock::time_point moved_{};
 };

@@ -16,6 +16,7 @@ namespace {
 
 // kHigh: the height of a slice over its width; kLowest: the least height of a map over its width
 constexpr float kHigh = 0.42f, kLowest = 0.5f;
+constexpr double kMostRange = 0.5;  // of the map of residuals
 constexpr ImU32 kEmpty = IM_COL32(45, 45, 50, 255);
 
 // An area for a drawing, with its corner at the lower left.
@@ -38,8 +39,9 @@ void ends(const std::string& left, const std::string& right) {
   ImGui::TextDisabled("%s", right.c_str());
 }
 
-ImU32 residual_color(double log_ratio) {
-  const glm::vec3 c = signed_color(float(std::expm1(log_ratio)));
+// `range`: the difference at the ends of the scale, which signed_color() has at kMostSigned.
+ImU32 residual_color(double log_ratio, double range) {
+  const glm::vec3 c = signed_color(float(std::expm1(log_ratio) / range) * kMostSigned);
   return ImGui::ColorConvertFloat4ToU32(ImVec4(c.x, c.y, c.z, 1));
 }
 
@@ -59,9 +61,23 @@ void slice_section(Session& session, const PanelInfo& info) {
   ends("-90°", "viewing angle 90°");
 }
 
+double residual_range(const std::vector<double>& cells) {
+  std::vector<double> sizes;
+  for (const double cell : cells)
+    if (!std::isnan(cell)) sizes.push_back(std::abs(std::expm1(cell)));
+  if (sizes.empty()) return kMostRange;
+  const std::size_t place = sizes.size() * 19 / 20;
+  std::nth_element(sizes.begin(), sizes.begin() + std::ptrdiff_t(place), sizes.end());
+  for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2})
+    if (sizes[place] <= step) return step;
+  return kMostRange;
+}
+
 void residual_section(const std::vector<double>& cells) {
   constexpr std::size_t kCells = measured::ResidualMap::kCells;
-  ImGui::TextWrapped("blue: A darker by 50 %%, red: brighter");
+  const double range = residual_range(cells);
+  const std::string most = io::percent(range);
+  ImGui::TextWrapped("blue: A darker by %s or more, red: brighter", most.c_str());
   const float width = ImGui::GetContentRegionAvail().x;
   const float room = ImGui::GetContentRegionAvail().y - ImGui::GetTextLineHeightWithSpacing() - 8;
   const Field field(width, std::clamp(room, kLowest * width, width));
@@ -70,7 +86,8 @@ void residual_section(const std::vector<double>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (std::isnan(cells[k])) continue;
     const float x = float(k % kCells) / kCells, y = float(k / kCells) / kCells, step = 1.0f / kCells;
-    list->AddRectFilled(field.place({x, y + step}), field.place({x + step, y}), residual_color(cells[k]));
+    list->AddRectFilled(field.place({x, y + step}), field.place({x + step, y}),
+                        residual_color(cells[k], range));
   }
   ends("theta_h from 0°", "to 90°, theta_d upwards");
 }

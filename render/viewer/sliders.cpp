@@ -1,11 +1,14 @@
 #include "render/viewer/sliders.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "io/files/numbers.h"
+#include "render/viewer/typing.h"
 
 namespace brdf::render {
 namespace {
@@ -45,7 +48,37 @@ void draw_interval(const std::pair<double, double>& known, double low, double hi
   list->AddRectFilled(ImVec2(left, b.y - 3), ImVec2(right, b.y), color);
 }
 
+// Returns the format of a slider's number, with spaces that move the number away from the knob.
+std::string format_beside_knob(const char* format, double value, float share, float width) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  const float knob_width = ImGui::GetStyle().GrabMinSize;
+  const float knob = 2 + knob_width / 2 + share * (width - 4 - knob_width);
+  // The width of several spaces, because Dear ImGui rounds widths up to whole pixels.
+  constexpr int kSpaces = 16;
+  const float space = (ImGui::CalcTextSize(std::string(kSpaces, ' ').c_str()).x - 1) / kSpaces;
+  const int spaces = spaces_beside_knob(width, knob, knob_width, ImGui::CalcTextSize(text).x, space);
+  const std::string room(std::size_t(std::abs(spaces)), ' ');
+  return spaces > 0 ? format + room : room + format;
+}
+
 }  // namespace
+
+int spaces_beside_knob(float width, float knob, float knob_width, float text, float space) {
+  const float left = (width - text) / 2, right = left + text, room = knob_width / 2 + 2;
+  if (knob + room <= left || knob - room >= right) return 0;
+  // n spaces after the text move its middle to the left by half their width.
+  const bool to_left = knob >= width / 2;
+  const float way = to_left ? right - (knob - room) : knob + room - left;
+  const int spaces = int(std::ceil(2 * way / space));
+  return to_left ? spaces : -spaces;
+}
+
+bool float_slider(const char* label, float& value, float low, float high, const char* format) {
+  const float share = along(double(value), double(low), double(high), false);
+  const std::string beside = format_beside_knob(format, double(value), share, ImGui::CalcItemWidth());
+  return ImGui::SliderFloat(label, &value, low, high, beside.c_str());
+}
 
 bool parameter_slider(const std::string& label, const ParameterInfo& p, double& value,
                       const SliderMarks& marks) {
@@ -55,8 +88,16 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
   const bool logarithmic = p.log_scale && low > 0;
   double shown = value;
   const float width = ImGui::CalcItemWidth();  // before the slider consumes it
-  const bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, "%.4g",
-                                         logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  const std::string format = format_beside_knob("%.4g", value, along(value, low, high, logarithmic), width);
+  bool moved = ImGui::SliderScalar(label.c_str(), ImGuiDataType_Double, &shown, &low, &high, format.c_str(),
+                                   logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+  static Typing typing;
+  const ImGuiID field = ImGui::GetItemID();
+  const bool open = ImGui::TempInputIsActive(field);
+  const auto number =
+      typing.follow(field, open, moved && open ? std::optional(shown) : std::nullopt, ImGui::GetTime());
+  if (number) shown = *number;
+  moved = number || (moved && !open);
   storage.SetFloat(place, ImGui::IsItemActive() ? float(high) : 0);
   if (moved) value = std::clamp(nearest_value(p, shown), p.min, p.max);
   if (marks.known) draw_interval(*marks.known, low, high, logarithmic, width);

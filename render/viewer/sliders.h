@@ -19,4 +19,11 @@ struct SliderMarks {
 bool parameter_slider(const std::string& label, const ParameterInfo& parameter, double& value,
                       const SliderMarks& marks);
 
+// Draws a slider for a number of the view, whose format may have a unit.
+bool float_slider(const char* label, float& value, float low, float high, const char* format);
+
+// Returns the number of spaces after (negative: before) a centred text with which the text does not lie over
+// the knob of a slider. All widths in pixels; `knob`: the middle of the knob, from the slider's left end.
+int spaces_beside_knob(float width, float knob, float knob_width, float text, float space);
+
 }  // namespace brdf::render

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "render/compare/state.h"
+#include "render/job.h"
 #include "render/viewer/by_hand.h"
 
 namespace brdf::render {
@@ -15,7 +16,7 @@ struct ViewerOptions {
   int width = 1280, height = 720;
   int gbuffer_bits = 16;
   // Samples of an environment's light per pixel, added while the view does not move.
-  int samples = 1024;
+  int samples = kDefaultSamples;
   std::uint64_t memory_limit = 0;
   std::filesystem::path state_file = "brdf-view.json";  // the file for saving and loading the state
   std::filesystem::path screenshot = "brdf-view.png";

@@ -100,7 +100,7 @@ def same_from_the_command_line(shot):
 
 
 try:
-    viewer = start("--width", str(WIDTH), "--height", str(HEIGHT))
+    viewer = start("--hard-light", "--width", str(WIDTH), "--height", str(HEIGHT))
     window = desk.find_window("^brdf$")
 
     # Every form by key: some of them in ./test, all in ./test --full.
@@ -234,6 +234,8 @@ try:
     assert dropped["samples"] == samples and dropped["compare_with"] == "samples" and dropped["display"] == "split"
     across = highlight_across(dropped)
     assert across != 0.5 and abs(dropped["split"] - across) < 0.01, (dropped["split"], across)
+    assert dropped["plot"]["theta"] == 40, dropped["plot"]  # the measured light nearest to 45
+    dropped["plot"] = state["plot"]
     assert without_pictures(dropped) == without_pictures(state), "dropping samples lost something"
     copper = damaged("copper.json", json.dumps({
         "format": "brdf-material", "version": 1, "form": "phong", "channels": ["r", "g", "b"],

@@ -76,9 +76,14 @@ class Window:
             assert time.time() < end, f"waited for {seconds} s; the title is {self.desk.title()}"
             time.sleep(0.1)
 
-    def agreeing(self):
-        """Returns the pixels of the column next to the picture that are as white as the map of residuals at places without a residual."""
-        return sum(min(pixel) > 225 for row in self.rows() for pixel in row[self.width - self.column:]) if self.column else 0
+    def plots(self):
+        """Returns the column next to the picture: lobes, slice and residuals."""
+        return [row[self.width - int(self.column):] for row in self.rows()] if self.column else []
+
+    def differing(self, before):
+        """Returns the share of pixels of the column that differ from an earlier column; 0 without a column."""
+        pairs = [(a, b) for one, other in zip(self.plots(), before) for a, b in zip(one, other)]
+        return sum(max(abs(i - j) for i, j in zip(a, b)) > 20 for a, b in pairs) / len(pairs) if pairs else 0
 
     def status_colour(self):
         """Returns whether the line below the picture has words in the colour of errors."""

@@ -77,6 +77,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.move(*w.knob(knobs[0][1]))
     desk.pause()
     slider = w.strip(knobs[0][1])
+    below = [k[1] for k in w.knobs()[1:]]
     desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
     w.until(lambda: w.strip(knobs[0][1]) != slider)  # a text line
     desk.pause()
@@ -84,6 +85,7 @@ def by_hand(desk, folder, width, height, scale):
     desk.pause()
     desk.x("type", "2.178")
     desk.pause()
+    assert [k[1] for k in w.knobs() if k[1] > knobs[0][1] + 8 * scale] == below, "sliders have moved while a number is typed"
     desk.x("key", "Return")
     desk.pause()
     w.until(lambda: 2.178 in [v for row in material_of(desk.saved_state())["weights"].values() for v in row])
@@ -132,6 +134,8 @@ def by_hand(desk, folder, width, height, scale):
     xdnd.drop(desk.display, int(desk.window), [os.path.join(folder, "absent.json")])
     w.until(w.status_colour)
     w.keep("error")
+    desk.press("r")
+    w.until(lambda: not w.status_colour())  # the error ends with the next action
     plain = w.rows()
     desk.press("question")
     desk.pause()
@@ -173,17 +177,16 @@ def by_hand(desk, folder, width, height, scale):
     if not w.column:  # the plots hide the sliders
         desk.press("l")
         desk.pause()
-    agreeing = w.agreeing()
+    plots = w.plots()
     spoiled = w.knobs()
     desk.drag(spoiled[-2], (spoiled[-2][0] + 25 * scale, spoiled[-2][1]))
     assert material_of(desk.saved_state()) != solved
     w.keep("spoiled")
-    if w.column:  # the map of residuals has followed the slider
-        assert agreeing > 5000, f"{agreeing} pixels of the map agree"
-        w.until(lambda: w.agreeing() < 0.7 * agreeing)
+    if w.column:  # lobes, slice and residuals have followed the slider
+        w.until(lambda: w.differing(plots) > 0.02)
     desk.press("ctrl+f")
     w.until(lambda: far(material_of(desk.saved_state()), solved) < 1e-3)
-    w.until(lambda: w.agreeing() >= 0.95 * agreeing)
+    w.until(lambda: w.differing(plots) < 0.01)
     w.keep("fitted")
     w.until(lambda: len(w.intervals()) >= 3 and max(w.intervals()) < 3)  # what was found lies in its interval
     desk.press("ctrl+z")

@@ -21,6 +21,10 @@
 #include "render/viewer/file_names.h"
 #include "render/viewer/fit_task.h"
 #include "render/viewer/hand.h"
+#include "render/viewer/messages.h"
+#include "render/viewer/panels.h"
+#include "render/viewer/sliders.h"
+#include "render/viewer/typing.h"
 
 namespace brdf::render {
 namespace {
@@ -48,6 +52,82 @@ TEST(Commands, HelpFoldsItsLinesAndNamesAll) {
   std::istringstream lines(help);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 62u) << line;
   for (const Command& c : commands()) EXPECT_NE(help.find(c.name), std::string::npos) << c.name;
+}
+
+TEST(Commands, HelpNamesKeysAsTheyArePrinted) {
+  EXPECT_EQ(readable_keys(command("brighter")), "=");
+  EXPECT_EQ(readable_keys(command("help")), "?");
+  EXPECT_EQ(readable_keys(command("save state")), "ctrl+s");
+  for (const char* name : {"equal", "minus:", "question", "Escape"})
+    EXPECT_EQ(command_help(100).find(name), std::string::npos) << name;
+}
+
+TEST(Typing, ANumberIsAppliedOnEnterOrAfterAPauseOnly) {
+  Typing typing;
+  EXPECT_FALSE(typing.follow(1, true, 0.0, 10));  // "0", on the way to "0.25"
+  EXPECT_FALSE(typing.follow(1, true, 0.2, 10.3));
+  EXPECT_FALSE(typing.follow(2, false, std::nullopt, 10.4)) << "another field";
+  EXPECT_FALSE(typing.follow(1, true, 0.25, 10.6));
+  EXPECT_EQ(typing.follow(1, false, std::nullopt, 10.7), 0.25) << "Enter closes the field";
+  EXPECT_FALSE(typing.follow(1, false, std::nullopt, 10.8)) << "once";
+  EXPECT_FALSE(typing.follow(1, true, 3.0, 20));
+  EXPECT_FALSE(typing.follow(1, true, std::nullopt, 20 + 0.9 * Typing::kPause));
+  EXPECT_EQ(typing.follow(1, true, std::nullopt, 20 + 1.1 * Typing::kPause), 3.0) << "a pause";
+  EXPECT_FALSE(typing.follow(1, false, std::nullopt, 22));
+}
+
+TEST(Sliders, TheNumberDoesNotLieUnderTheKnob) {
+  constexpr float kWidth = 200, kKnob = 12, kSpace = 4;
+  for (const float text : {20.0f, 60.0f, 90.0f})
+    for (float knob = 8; knob <= 192; knob += 1) {
+      const int spaces = spaces_beside_knob(kWidth, knob, kKnob, text, kSpace);
+      const float middle = kWidth / 2 - float(spaces) * kSpace / 2;
+      EXPECT_GE(std::abs(middle - knob), (text + kKnob) / 2) << text << " at " << knob;
+      EXPECT_GE(middle - text / 2, 0) << text << " at " << knob;
+      EXPECT_LE(middle + text / 2, kWidth) << text << " at " << knob;
+    }
+}
+
+TEST(Messages, AnErrorEndsWithTheNextActionOtherMessagesStay) {
+  Messages messages([] {});
+  messages.say("saved");
+  messages.forget_error();
+  EXPECT_EQ(messages.last(), "saved");
+  EXPECT_FALSE(messages.attempt([] { throw InputError("absent.json: no such file"); }));
+  EXPECT_TRUE(messages.is_error());
+  messages.forget_error();
+  EXPECT_FALSE(messages.is_error());
+  EXPECT_EQ(messages.last(), "");
+}
+
+TEST(Residuals, TheScaleFollowsTheDifferences) {
+  const auto range = [](double difference) {
+    std::vector<double> cells(100, std::nan(""));
+    for (std::size_t k = 0; k < 60; ++k) cells[k] = std::log1p(k % 2 ? difference : -difference);
+    return residual_range(cells);
+  };
+  EXPECT_EQ(range(0), 0.01);
+  EXPECT_EQ(range(0.013), 0.02);
+  EXPECT_EQ(range(0.049), 0.05);
+  EXPECT_EQ(range(0.3), 0.5);
+  EXPECT_EQ(range(0.9), 0.5);
+  std::vector<double> one(40, 0.0);
+  one[3] = 2;
+  EXPECT_EQ(residual_range(one), 0.01) << "a single cell";
+  EXPECT_EQ(residual_range({}), 0.5);
+}
+
+TEST(Probe, NamesWhoseValueItShows) {
+  Shown::Probe probe;
+  EXPECT_EQ(probe_lines(probe), (std::vector<std::string>{"probe: background"}));
+  probe.a.hit = true;
+  probe.a.wi = probe.a.wo = {0, 0, 1};
+  probe.a.value = glm::vec3(0.0653f);
+  EXPECT_EQ(probe_lines(probe).back(), "A: f_r (0.0653, 0.0653, 0.0653) 1/sr");
+  probe.b = Pictures::ProbedValue{{0.5f, 0.25f, 0.125f}, true};
+  EXPECT_EQ(probe_lines(probe).back(), "B: f_r (0.5, 0.25, 0.125) 1/sr");
+  probe.b->known = false;
+  EXPECT_EQ(probe_lines(probe).back(), "B: f_r (0.5, 0.25, 0.125) 1/sr, not measured here");
 }
 
 TEST(Layout, PanelsAndPictureFillTheWindowWithoutOverlap) {

@@ -53,6 +53,18 @@ TEST(Session, AThousandEditsAreUndoneToTheFirstByteAndDoneAgain) {
   EXPECT_EQ(state_text(session.state()), last);
 }
 
+TEST(Session, SamplesBringTheLobePlotToTheNearestMeasuredLight) {
+  const std::filesystem::path file = in_temp("plot_light.csv");
+  std::ofstream(file) << "theta_i,phi_i,theta_o,phi_o,r,g,b\n"
+                         "20,0,10,180,0.1,0.1,0.1\n60,0,10,180,0.1,0.1,0.1\n60,0,20,180,0.1,0.1,0.1\n";
+  Session session(edited_state(), "");
+  ASSERT_EQ(session.state().plot_theta, 45);
+  session.open(file, [] {});
+  EXPECT_EQ(session.state().plot_theta, 60);
+  session.undo();
+  EXPECT_EQ(session.state().plot_theta, 45);
+}
+
 TEST(Session, AnEditAfterUndoingForgetsWhatWasUndone) {
   Session session(edited_state(), "");
   session.state().scene.exposure = 1;
