@@ -40,7 +40,8 @@ TEST(Studio, TheFloorReceivesWhatTheBallLeaves) {
   }
   EXPECT_EQ(studio::light_beside_ball(1.0, 1.0, 0.0), 0);
   EXPECT_GT(studio::light_beside_ball(1.0, 1.0, 1e4), 0.999);
-  // Above the horizon the floor has no effect; straight down from the lowest place of the ball is the contact.
+  // Above the horizon the floor has no effect. Straight down from the lowest place of the ball is the
+  // contact.
   EXPECT_EQ(studio::floor_share(Vec3<double>{0, -1, 0}, Vec3<double>{0.6, 0.8, 0}), 1);
   EXPECT_EQ(studio::floor_share(Vec3<double>{0, -1, 0}, Vec3<double>{0, -1, 0}), 0);
 }
