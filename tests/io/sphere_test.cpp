@@ -145,8 +145,8 @@ TEST(SphereExposure, IsThatOfAWhiteDiffuserAtZeroAndFollowsTheMaterial) {
 
 TEST(SpherePage, IsSelfContainedAndBringsItsScriptOnce) {
   HtmlReport report("a page");
-  add(report, {.title = "first <&>", .fitted = make_material(ward{})});
-  add(report, {.title = "second", .fitted = make_material(phong{})});
+  add(report, {.title = "first <&>", .fitted = make_material(ward{}), .still = "a picture"});
+  add(report, {.title = "second", .fitted = make_material(phong{}), .still = "a picture"});
   const std::string page = report.document({});
   EXPECT_EQ(count_of(page, "<figure class=\"sphere one\">"), 2u);
   EXPECT_EQ(count_of(page, "class Sphere {"), 1u);
@@ -171,14 +171,16 @@ TEST(SpherePage, SaysWhichLightAndThatMeasurementsAreSmoothed) {
                .fitted = make_material(ward{}),
                .measured = [&](const Vec3<double>& wi,
                                const Vec3<double>& wo) { return std::optional(pairs(wi, wo)); },
-               .caption = "Smoothed & said."});
+               .caption = "Smoothed & said.",
+               .still = "a picture"});
   EXPECT_EQ(count_of(page, "<figure class=\"sphere one\">"), 1u);
   EXPECT_EQ(count_of(page, "<figure class=\"sphere measured\">"), 1u);
   EXPECT_EQ(count_of(page, "vec3 brdf_eval_ward("), 1u);  // the shader is stored once
   EXPECT_THAT(page, HasSubstr("The fitted material in the studio"));
   EXPECT_THAT(page, HasSubstr("lit by one distant light only"));
   EXPECT_THAT(page, HasSubstr("Smoothed &amp; said."));
-  EXPECT_THAT(page_of({.title = "m", .fitted = make_material(ward{})}), Not(HasSubstr("one distant light")));
+  EXPECT_THAT(page_of({.title = "m", .fitted = make_material(ward{}), .still = "a picture"}),
+              Not(HasSubstr("one distant light")));
 }
 
 TEST(SpherePage, RefusesWhatShadersCannotHave) {

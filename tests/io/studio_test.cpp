@@ -79,7 +79,7 @@ Colour integrated(const Material& material, const View& view, double x, double y
   const auto [n, t, b] = frame_at(view, x, y);
   const auto local = [&](const Vec3<double>& w) { return Vec3<double>{dot(w, t), dot(w, b), dot(w, n)}; };
   Colour sum{};
-  over_sphere(900, [&](const Vec3<double>& w, double angle) {
+  over_sphere(450, [&](const Vec3<double>& w, double angle) {
     const Vec3<double> wi = local(w);
     if (wi.z <= 0) return;
     const Colour f = fitted(wi, local(view.towards)), light = studio::radiance(w);
