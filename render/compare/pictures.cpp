@@ -289,140 +289,140 @@ void Pictures::measure(const ViewState& state) {
 void Pictures::draw_other_material(const ViewState& state) {
   other_ = prepared_;
   PreparedScene& other = other_;
-  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k) {
+  for (std::size_t k = 0; state.material && k < other.scene.objects.size(); ++k)
     if (state.everywhere || k == state.selected) other.scene.objects[k].material = *state.material;
-    update_items(other);
-    if (b_) {
-      b_->update(other);
-    } else {
-      b_.emplace(*device_, other, options_);
-    }
-    draw_fine_b_ = [this] { return fine(*b_); };
+  update_items(other);
+  if (b_) {
+    b_->update(other);
+  } else {
+    b_.emplace(*device_, other, options_);
+  }
+  draw_fine_b_ = [this] { return fine(*b_); };
+  standing_b_.reset();
+  if (standing_) {
+    standing_b_.emplace(*device_, *b_, standing_->plan());
+    return;
+  }
+  if (effort_ == Effort::whole)
+    b_->draw_samples(wanted_);
+  else
+    b_->draw_smooth();
+  b_picture_ = read(*b_);
+}
+
+void Pictures::update_b(const ViewState& state) {
+  if (drawn_b_ && same_other(*drawn_b_, state)) return;
+  drawn_b_.reset();
+  fine_b_.reset();
+  if (state.other == Other::material) {
+    draw_other_material(state);
+  } else {
     standing_b_.reset();
-    if (standing_) {
-      standing_b_.emplace(*device_, *b_, standing_->plan());
-      return;
-    }
-    if (effort_ == Effort::whole)
-      b_->draw_samples(wanted_);
-    else
-      b_->draw_smooth();
-    b_picture_ = read(*b_);
-  }
-
-  void Pictures::update_b(const ViewState& state) {
-    if (drawn_b_ && same_other(*drawn_b_, state)) return;
-    drawn_b_.reset();
-    fine_b_.reset();
-    if (state.other == Other::material) {
-      draw_other_material(state);
-    } else {
-      standing_b_.reset();
-      b_.reset();
-      // The random numbers differ from A's. In a window, the number of samples is small because the user
-      // waits for the picture.
-      ReferenceOptions options{.samples = effort_ == Effort::whole ? wanted_ : std::min(wanted_, kRun),
-                               .seed = options_.seed + 1};
-      PreparedScene scene = prepared_;
-      if (state.other == Other::samples && !state.samples.empty()) {
-        if (samples_file_ != state.samples) {
-          io::SampleTable table = io::read_samples(state.samples);
-          samples_ = interpolate(table, &state.scene.objects[state.selected].material);
-          const std::string note = require_colours(table.channels, table.source).note;
-          scatter_ = io::relative_noise(io::in_colour(table)).value;
-          samples_note_ = note.empty() ? "" : table.name() + ": " + note;
-          table_ = std::move(table);
-          samples_file_ = state.samples;
-        }
-        options.measured = &samples_;
+    b_.reset();
+    // The random numbers differ from A's. In a window, the number of samples is small because the user
+    // waits for the picture.
+    ReferenceOptions options{.samples = effort_ == Effort::whole ? wanted_ : std::min(wanted_, kRun),
+                             .seed = options_.seed + 1};
+    PreparedScene scene = prepared_;
+    if (state.other == Other::samples && !state.samples.empty()) {
+      if (samples_file_ != state.samples) {
+        io::SampleTable table = io::read_samples(state.samples);
+        samples_ = interpolate(table, &state.scene.objects[state.selected].material);
+        const std::string note = require_colours(table.channels, table.source).note;
+        scatter_ = io::relative_noise(io::in_colour(table)).value;
+        samples_note_ = note.empty() ? "" : table.name() + ": " + note;
+        table_ = std::move(table);
+        samples_file_ = state.samples;
       }
-      b_picture_ = render_reference(scene, options);
-      options.samples = std::max(samples_of_a_place(), kRun);
-      draw_fine_b_ = [this, options, scene]() mutable {
-        return at_places(scene, [&](const PreparedScene& moved) {
-          options.seed += kMostSupersample * kMostSupersample;
-          return render_reference(moved, options);
-        });
-      };
-      const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
-      upload_ =
-          Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
-      upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
+      options.measured = &samples_;
     }
-    difference_.reset();  // of pictures that are refined: see measure()
-    if (!standing_) difference_ = compare(a_picture(), b_picture_);
-    images_changed_ = true;
-    drawn_b_ = state;
+    b_picture_ = render_reference(scene, options);
+    options.samples = std::max(samples_of_a_place(), kRun);
+    draw_fine_b_ = [this, options, scene]() mutable {
+      return at_places(scene, [&](const PreparedScene& moved) {
+        options.seed += kMostSupersample * kMostSupersample;
+        return render_reference(moved, options);
+      });
+    };
+    const VkExtent2D extent{std::uint32_t(b_picture_.width), std::uint32_t(b_picture_.height)};
+    upload_ =
+        Image(*device_, kColorFormat, extent, VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT);
+    upload(*device_, upload_, std::as_bytes(std::span(b_picture_.pixels)));
   }
+  difference_.reset();  // of pictures that are refined: see measure()
+  if (!standing_) difference_ = compare(a_picture(), b_picture_);
+  images_changed_ = true;
+  drawn_b_ = state;
+}
 
-  std::string Pictures::other_name(const ViewState& state) const {
-    if (state.other == Other::embree) return "Embree";
-    if (state.other == Other::samples) return measured::smoothed_words(scatter_);
-    return state.material ? state.material_name : "the same";
-  }
+std::string Pictures::other_name(const ViewState& state) const {
+  if (state.other == Other::embree) return "Embree";
+  if (state.other == Other::samples) return measured::smoothed_words(scatter_);
+  return state.material ? state.material_name : "the same";
+}
 
-  std::optional<Pictures::ProbedValue> Pictures::value_of_b(const ViewState& state, const PixelProbe& a,
-                                                            int x, int y) const {
-    if (!needs_b(state) || !drawn_b_ || !a.hit) return std::nullopt;
-    if (state.other == Other::embree) return ProbedValue{a.value};
-    if (state.other == Other::samples) {
-      if (!samples_ || !(a.wi.z > 0)) return std::nullopt;
-      const Item& item = prepared_.layers[0][a.object];
-      const MeasuredValue value = samples_(in_surface(a.wi, item), in_surface(a.wo, item));
-      return ProbedValue{value.f_cos / a.wi.z, value.known};
-    }
-    const PixelProbe b = pixel_probe(other_, x, y);
-    return b.hit ? std::optional(ProbedValue{b.value}) : std::nullopt;
+std::optional<Pictures::ProbedValue> Pictures::value_of_b(const ViewState& state, const PixelProbe& a, int x,
+                                                          int y) const {
+  if (!needs_b(state) || !drawn_b_ || !a.hit) return std::nullopt;
+  if (state.other == Other::embree) return ProbedValue{a.value};
+  if (state.other == Other::samples) {
+    if (!samples_ || !(a.wi.z > 0)) return std::nullopt;
+    const Item& item = prepared_.layers[0][a.object];
+    const MeasuredValue value = samples_(in_surface(a.wi, item), in_surface(a.wo, item));
+    return ProbedValue{value.f_cos / a.wi.z, value.known};
   }
+  const PixelProbe b = pixel_probe(other_, x, y);
+  return b.hit ? std::optional(ProbedValue{b.value}) : std::nullopt;
+}
 
-  const Picture& Pictures::a_picture() {
-    if (!a_picture_) a_picture_ = standing_ && standing_->ready() ? standing_->picture() : read(*a_);
-    return *a_picture_;
-  }
+const Picture& Pictures::a_picture() {
+  if (!a_picture_) a_picture_ = standing_ && standing_->ready() ? standing_->picture() : read(*a_);
+  return *a_picture_;
+}
 
-  const Picture& Pictures::fine_a() {
-    if (finish_.supersample <= 1) return a_picture();
-    if (!fine_a_) fine_a_ = fine_of_a();
-    return *fine_a_;
-  }
+const Picture& Pictures::fine_a() {
+  if (finish_.supersample <= 1) return a_picture();
+  if (!fine_a_) fine_a_ = fine_of_a();
+  return *fine_a_;
+}
 
-  const Picture& Pictures::fine_b() {
-    if (finish_.supersample <= 1) return b_picture();
-    if (!fine_b_) fine_b_ = draw_fine_b_();
-    return *fine_b_;
-  }
+const Picture& Pictures::fine_b() {
+  if (finish_.supersample <= 1) return b_picture();
+  if (!fine_b_) fine_b_ = draw_fine_b_();
+  return *fine_b_;
+}
 
-  Comparison Pictures::comparison(const ViewState& state, bool labels) {
-    return {.a = &a_picture(),
-            .b = &b_picture_,
-            .fine_a = &fine_a(),
-            .fine_b = &fine_b(),
-            .rounding = finish_.rounding,
-            .name_a = "A: " + state.scene.objects[state.selected].material_name,
-            // Samples shown alone are not compared, and their name has no prefix.
-            .name_b =
-                (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
-            .difference = difference_.value_or(Difference{}),
-            .tone_map = state.scene.tone_map,
-            .exposure = state.scene.exposure,
-            .split = state.split,
-            .measured = state.other == Other::samples,
-            .labels = labels};
-  }
+Comparison Pictures::comparison(const ViewState& state, bool labels) {
+  return {
+      .a = &a_picture(),
+      .b = &b_picture_,
+      .fine_a = &fine_a(),
+      .fine_b = &fine_b(),
+      .rounding = finish_.rounding,
+      .name_a = "A: " + state.scene.objects[state.selected].material_name,
+      // Samples shown alone are not compared, and their name has no prefix.
+      .name_b = (state.scene.objects[state.selected].material_name.empty() ? "" : "B: ") + other_name(state),
+      .difference = difference_.value_or(Difference{}),
+      .tone_map = state.scene.tone_map,
+      .exposure = state.scene.exposure,
+      .split = state.split,
+      .measured = state.other == Other::samples,
+      .labels = labels};
+}
 
-  BytePicture Pictures::capture(const ViewState& state, bool labels) {
-    if (state.display == Display::gbuffer && has_targets()) {
-      if (effort_ != Effort::whole) a_->draw_samples(wanted_);
-      return target_sheet(*a_, labels);
-    }
-    if (needs_b(state)) return arranged(comparison(state, labels), state.display);
-    BytePicture out = displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
-    if (labels) draw_object_labels(out, prepared_);
-    return out;
+BytePicture Pictures::capture(const ViewState& state, bool labels) {
+  if (state.display == Display::gbuffer && has_targets()) {
+    if (effort_ != Effort::whole) a_->draw_samples(wanted_);
+    return target_sheet(*a_, labels);
   }
+  if (needs_b(state)) return arranged(comparison(state, labels), state.display);
+  BytePicture out = displayed(fine_a(), state.scene.tone_map, state.scene.exposure, finish_.rounding);
+  if (labels) draw_object_labels(out, prepared_);
+  return out;
+}
 
-  BytePicture Pictures::row(const ViewState& state, bool labels) {
-    return beside(comparison(state, labels));
-  }
+BytePicture Pictures::row(const ViewState& state, bool labels) {
+  return beside(comparison(state, labels));
+}
 
 }  // namespace brdf::render
