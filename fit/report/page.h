@@ -26,8 +26,8 @@ void add_sphere(io::HtmlReport& report, const FormFit& fit, const std::string& t
                 const std::shared_ptr<const measured::MeasuredReflectance>& seen);
 
 // Adds plots of the samples and the fitted curve in the plane of incidence, for up to three channels and
-// twelve angles of incidence, four of which are drawn until the reader switches others on. The curve is evaluated every half degree and at each sample. `aperture` is that
-// of the detector, in degrees.
+// twelve angles of incidence, four of which are drawn until the reader switches others on. The curve is
+// evaluated every half degree and at each sample. `aperture` is that of the detector, in degrees.
 void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTable& table, double aperture);
 
 // Adds a map of the mean of ln(fitted/measured) over the half angles.
