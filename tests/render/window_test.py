@@ -77,7 +77,6 @@ def by_hand(desk, folder, width, height, scale):
     desk.move(*w.knob(knobs[0][1]))
     desk.pause()
     slider = w.strip(knobs[0][1])
-    below = [k[1] for k in w.knobs()[1:]]
     desk.x("keydown", "ctrl", "click", 1, "keyup", "ctrl")
     w.until(lambda: w.strip(knobs[0][1]) != slider)  # a text line
     desk.pause()
@@ -85,7 +84,8 @@ def by_hand(desk, folder, width, height, scale):
     desk.pause()
     desk.x("type", "2.178")
     desk.pause()
-    assert [k[1] for k in w.knobs() if k[1] > knobs[0][1] + 8 * scale] == below, "sliders have moved while a number is typed"
+    still = [k[1] for k in w.knobs() if k[1] > knobs[0][1] + 8 * scale]
+    assert still == [k[1] for k in knobs[1:]], f"sliders have moved while a number is typed: {still}, {knobs}"
     desk.x("key", "Return")
     desk.pause()
     w.until(lambda: 2.178 in [v for row in material_of(desk.saved_state())["weights"].values() for v in row])
