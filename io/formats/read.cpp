@@ -16,12 +16,18 @@
 // in a namespace of the format's name, and add this name to one of the two lists. Readers of text receive
 // UTF-8.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
-#define BRDF_FORMATS_OF_TEXT(FORMAT)                                                              \
-  FORMAT(zemax)                                                                                   \
-  FORMAT(astm)                                                                                    \
-  FORMAT(alta)                                                                                    \
-  FORMAT(fred) FORMAT(cornell) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird) FORMAT(speos) \
-      FORMAT(klems) FORMAT(aspecular)
+#define BRDF_FORMATS_OF_TEXT(FORMAT) \
+  FORMAT(zemax)                      \
+  FORMAT(astm)                       \
+  FORMAT(alta)                       \
+  FORMAT(fred)                       \
+  FORMAT(cornell)                    \
+  FORMAT(openmaterial)               \
+  FORMAT(bird)                       \
+  FORMAT(early_bird)                 \
+  FORMAT(speos)                      \
+  FORMAT(klems)                      \
+  FORMAT(aspecular)
 
 #define BRDF_FUNCTIONS(name)                                          \
   namespace brdf::io::name {                                          \
