@@ -5,17 +5,19 @@
 #include "io/formats/astm.h"
 #include "io/formats/exr_table.h"
 #include "io/formats/merl.h"
+#include "io/formats/openmaterial.h"
 #include "io/formats/zemax.h"
 
 namespace brdf::io {
 
 void check_table_format(const std::filesystem::path& path) {
   const std::string suffix = path.extension();
-  if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr" && suffix != ".astm" && suffix != ".zemax")
+  if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr" && suffix != ".astm" &&
+      suffix != ".zemax" && suffix != ".xompt")
     throw InputError(
         path.string() +
         ": unknown output format (known: .csv, .binary for MERL, .exr, .astm for ASTM E1392, .zemax for "
-        "lens-design text)");
+        "lens-design text, .xompt for OpenMATERIAL)");
 }
 
 std::vector<std::string> write_table(const std::filesystem::path& path, const SampleTable& table) {
@@ -24,6 +26,7 @@ std::vector<std::string> write_table(const std::filesystem::path& path, const Sa
   if (path.extension() == ".exr") return write_exr_table(path, table);
   if (path.extension() == ".astm") return astm::write(path, table);
   if (path.extension() == ".zemax") return zemax::write(path, table);
+  if (path.extension() == ".xompt") return openmaterial::write(path, table);
   write_samples(path, table);
   return {};
 }

@@ -283,7 +283,9 @@ class Reader {
       if (other.direction != matrix.direction || other.wavelength != matrix.wavelength)
         others += (others.empty() ? "" : ", ") + other.direction + " " + other.wavelength;
     table_.assume("the surface " + shown(matrix.direction) + ", " + joined(table_.channels) +
-                  (others.empty() ? "" : "; not read: " + printable(others, 200)));
+                  (others.empty() ? ""
+                                  : "; not read (remove the blocks of this surface to read another): " +
+                                        printable(others, 200)));
     table_.warnings.push_back("read as f_r in 1/sr, the mirror direction of a patch is on the diagonal");
     if (transmissions_ > 0)
       table_.warnings.push_back(plural(transmissions_, "block") + " of transmission left out");

@@ -47,7 +47,7 @@ class Reader {
       table_.add_comment("comment", comment);
     const std::size_t characters = cursor_.count("the length of the description", 0, kLongestLine);
     cursor_.end_line();
-    cursor_.skip_description(characters);
+    skip_description(characters, is_anisotropic);
     if (is_anisotropic)
       read_anisotropic();
     else
@@ -56,6 +56,38 @@ class Reader {
   }
 
  private:
+  // Returns whether the numbers behind the description follow: the flags, behind the anisotropy vector if
+  // there is one, and a count. The cursor does not move.
+  bool flags_follow(bool is_anisotropic) {
+    const std::size_t start = cursor_.place();
+    bool is_good = true;
+    double value;
+    for (int k = 0; k < (is_anisotropic ? 3 : 0); ++k)
+      is_good = is_good && parse_number(cursor_.word(), value);
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view flag = cursor_.word();
+      is_good = is_good && (flag == "0" || flag == "1");
+    }
+    is_good = is_good && parse_number(cursor_.word(), value) && value >= 1 && value == std::floor(value);
+    cursor_.back(start);
+    return is_good;
+  }
+
+  // Skips the description. If its length is not the one that the file states, for example because an editor
+  // removed blanks, the description ends where the flags follow at the beginning of a line.
+  void skip_description(std::size_t characters, bool is_anisotropic) {
+    const std::size_t start = cursor_.place();
+    if (cursor_.skip_description(characters) && flags_follow(is_anisotropic)) return;
+    constexpr int kMostLines = 1000;
+    cursor_.back(start);
+    for (int line = 0; line < kMostLines && !flags_follow(is_anisotropic); ++line) cursor_.line();
+    if (!flags_follow(is_anisotropic))
+      cursor_.fail("the flags of reflection, transmission and values do not follow the description of " +
+                   plural(characters, "character"));
+    table_.warnings.push_back("the description does not have the " + std::to_string(characters) +
+                              " characters that the file states");
+  }
+
   void read_sides() {
     has_reflection_ = cursor_.count("the flag of reflection", 0, 1) == 1;
     has_transmission_ = cursor_.count("the flag of transmission", 0, 1) == 1;

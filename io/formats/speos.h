@@ -26,9 +26,9 @@ class Cursor {
   // Reads `count` numbers. Memory grows with the text, not with `count`.
   std::vector<double> numbers(const std::string& name, std::size_t count);
   // Skips a description of this number of characters, which may contain line breaks. A line break and a
-  // character of several bytes count once; if no line ends there, line breaks in CRLF count twice. Throws
-  // InputError if the text has no such place.
-  void skip_description(std::size_t characters);
+  // character of several bytes count once; if no line ends there, line breaks in CRLF count twice. Returns
+  // false if no line ends there either.
+  bool skip_description(std::size_t characters);
   // Skips the rest of the current line, which must be blank.
   void end_line();
   [[noreturn]] void fail(const std::string& what) const;

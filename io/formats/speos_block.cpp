@@ -86,16 +86,16 @@ std::vector<double> Cursor::numbers(const std::string& name, std::size_t count) 
   return values;
 }
 
-void Cursor::skip_description(std::size_t characters) {
+bool Cursor::skip_description(std::size_t characters) {
   for (const bool is_crlf_one : {true, false}) {
     const std::size_t end = behind(text(), at_, characters, is_crlf_one);
     if (end == text().npos) continue;
     const std::size_t next = text().find_first_not_of(" \t\r", end);
     if (next != text().npos && text()[next] != '\n') continue;
     at_ = std::min(next, text().size() - 1) + 1;
-    return;
+    return true;
   }
-  fail("no line ends after the " + std::to_string(characters) + " characters of the description");
+  return false;
 }
 
 void Cursor::end_line() {

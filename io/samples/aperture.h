@@ -18,9 +18,9 @@ double aperture_of_solid_angle(double solid_angle);
 // outside (0, 2 pi] becomes a warning only.
 void state_solid_angle(SampleTable& table, double solid_angle);
 
-// Returns the full angular width of the detector, in degrees, that the metadata state: `detector_aperture: 4`
-// or `detector_aperture: 4 degrees`. Returns std::nullopt if the metadata have no such key, or no number
-// above 0 and up to 90.
+// Returns the full angular width of the detector, in degrees, that the metadata state: `detector_aperture:
+// 4`, `aperture: 4 degrees`, or `solid_angle: 0.0038 sr`, in any case and also as keywords of ASTM E1392.
+// Returns std::nullopt if the metadata state no width above 0 and up to 90.
 std::optional<double> stated_aperture(const SampleTable& table);
 
 }  // namespace brdf::io

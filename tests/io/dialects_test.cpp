@@ -267,9 +267,6 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {"\x1f\x8b ...", "is compressed: use `zcat FILE | brdf fit -`"},
       {"%PDF-1.4", "is a PDF"},
       {"<html>", "is a web page or XML"},
-      {"type bsdf_data\nformat angles=deg bsdf=value scale=1\n30\t0\n0\t0\t0.1\n",
-       "is FRED's tabulated BSDF ('type bsdf_data'), which is not read. The head of a block is the mirror "
-       "direction"},
   };
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
   EXPECT_THAT(message("theta_i (mm),phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/files/temporary.h"
+#include "io/formats/any_table.h"
 #include "io/samples/aperture.h"
 #include "tests/io/foreign_tables.h"
 #include "tests/io/reading.h"
@@ -90,6 +92,46 @@ TEST(OpenMaterial, RefusesOtherTables) {
       {openmaterial("[9.05e-7, 0.1, 0.2, 0, 0.5], [1.55e-6, 0.1, 0.3, 0, 0.7]"),
        "no pair of directions has a value in every band"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+}
+
+class WrittenOpenMaterial : public testing::Test {
+ protected:
+  std::vector<std::string> write(const SampleTable& table) {
+    path_ = folder_.path() / "own_brdf.xompt";
+    return write_table(path_, table);
+  }
+  TemporaryFolder folder_;
+  std::filesystem::path path_;
+};
+
+TEST_F(WrittenOpenMaterial, ReadsBackWithinTheDigitsOfAngles) {
+  const SampleTable table = read(
+      "# sample: own\n# detector_aperture: 4 degrees\ntheta_i,phi_i,theta_o,phi_o,1550nm,905nm\n"
+      "30,10,45.5,190,.5,.25\n30,10,0,0,.3,.2\n");
+  EXPECT_THAT(write(table), ElementsAre("azimuths other than the difference of both directions",
+                                        "comments other than sample, license, author and source"));
+  const SampleTable back = read_samples(path_);
+  EXPECT_THAT(back.channels, ElementsAre("905nm", "1550nm"));
+  ASSERT_EQ(back.rows(), 2u);
+  EXPECT_NEAR(value_at(back, 30, 0, 45.5, 180, 1), .5, 0);
+  EXPECT_NEAR(value_at(back, 30, 0, 0, 0), .2, 0);
+  EXPECT_NEAR(stated_aperture(back).value(), 4, 1e-3);
+  EXPECT_EQ(*back.find_metadata("name"), "own");
+  const std::string first = read_content(path_).bytes;
+  write(table);
+  EXPECT_EQ(read_content(path_).bytes, first);
+}
+
+TEST_F(WrittenOpenMaterial, NeedsWavelengthsAndValuesOfAtLeast0) {
+  EXPECT_THAT(message_of([&] { write(read(std::string(kHeader) + kRow)); }),
+              HasSubstr("channel 'f' has no wave"));
+  EXPECT_THAT(
+      message_of([&] { write(read("theta_i,phi_i,theta_o,phi_o,s_550nm,p_550nm\n30,180,60,5,1,1\n")); }),
+      HasSubstr("two channels have the wavelength 550 nm"));
+  const std::string header = "theta_i,phi_i,theta_o,phi_o,550nm\n";
+  EXPECT_THAT(message_of([&] { write(read(header + "30,180,60,5,-1\n")); }), HasSubstr("has no value that"));
+  EXPECT_THAT(write(read(header + "30,0,60,5,-1\n30,0,50,5,1\n30,0,90,5,1\n")),
+              ElementsAre("1 negative value", "1 row at 90 degrees"));
 }
 
 TEST(OpenMaterial, AgreesWithTheExample) {

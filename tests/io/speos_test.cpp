@@ -66,6 +66,15 @@ TEST(Speos, AzimuthZeroIsTheMirrorSideAndZerosAreFill) {
   EXPECT_THAT(peak.assumptions, Not(Contains(HasSubstr("on the side of the incident light"))));
 }
 
+TEST(Speos, TheLengthOfTheDescriptionMayBeWrong) {
+  for (const char* length : {"5", "8", "70"}) {
+    const SampleTable t =
+        read(replaced(complete(kTwo), "own numbers\n7", std::string("own numbers\n") + length));
+    EXPECT_EQ(t.rows(), 33u) << length;
+    EXPECT_THAT(t.warnings, Contains(HasSubstr("the description does not have the")));
+  }
+}
+
 TEST(Speos, BlocksOfTransmissionAreLeftOut) {
   const std::string through = "10\n2 2\n0 180\n90 1 1\n180 1 1\n";
   const SampleTable t = read(complete(kTwo + through + through, "1 1\n1\n"));
@@ -109,7 +118,7 @@ TEST(Speos, RefusesDamagedFiles) {
       {complete("50\n" + replaced(block("2", "2"), "0 90 180", "0 180 90")), "azimuth 90: must ascend"},
       {complete("50\n99999999 5\n0 90"), "99999999 is not a whole number from 1 to 100000"},
       {complete("50\n10 99999\n0 90"), "the text ends early, an azimuth expected"},
-      {replaced(complete(kTwo), "own numbers\n7", "own numbers\n9"), "no line ends after the 9 characters"},
+      {replaced(complete(kTwo), "\n1 0\n1\n", "\n1 7\n1\n"), "do not follow the description of 7 characters"},
       {complete("0\n" + block("2", "2") + "0\n" + block("2", "2")),
        "no block has a percentage and values above 0"},
       {replaced(complete(kTwo), "\n30\n", "\n130\n"), "angle of incidence 130 must be between -90 and 90"},
