@@ -54,9 +54,9 @@ Json estimates_of(const fit::FormFit& fit) {
     const fit::Extent extent = wide ? e.with_lack_of_fit : fit::Extent{e.low, e.high};
     list.push_back({{"name", parameter.symbol},
                     {"channel", e.channel},
-                    {"value", number(e.value)},
-                    {"low", number(extent.low)},
-                    {"high", number(extent.high)}});
+                    {"value", io::finite_or_null(e.value)},
+                    {"low", io::finite_or_null(extent.low)},
+                    {"high", io::finite_or_null(extent.high)}});
   }
   return list;
 }

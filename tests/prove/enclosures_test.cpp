@@ -94,7 +94,7 @@ TEST(Cases, OfOneFormDoNotCutALaterProduct) {
   while (catalogue()[std::size_t(form)].info().name != "oren_nayar_energy") ++form;
   Box box;
   for (const Variable& v : domain_of(form).variables) box.push_back({v.low, v.high});
-  enclose_f(form, Precision::double_type, box);
+  enclose_value(form, Precision::double_type, box);
   const I after = tangential_product(geometry(w, w));
   EXPECT_EQ(after.lo, before.lo);
   EXPECT_EQ(after.hi, before.hi);
