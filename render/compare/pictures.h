@@ -77,8 +77,8 @@ class Pictures {
   const std::optional<Difference>& difference() const { return difference_; }
   std::string other_name(const ViewState& state) const;
   // Returns f_r of B for the directions of a probe of A (reference/reference.h) at this pixel, in 1/sr.
-  // Returns std::nullopt if B is not shown or shows no surface there. `known` is false if nothing was measured
-  // near these directions.
+  // Returns std::nullopt if B is not shown or shows no surface there. `known` is false if nothing was
+  // measured near these directions.
   struct ProbedValue {
     glm::vec3 value{0};
     bool known = true;
@@ -126,6 +126,7 @@ class Pictures {
   Timestamps times_;
   PreparedScene prepared_, other_;  // of A, and of B if B is a material
   std::optional<Renderer> a_, b_;
+  bool shows_b_ = false;                           // in the state of the last update
   std::optional<Standing> standing_, standing_b_;  // A and B if they are refined
   Image upload_;                                   // B, if B is computed on the CPU
   std::optional<Picture> a_picture_;
