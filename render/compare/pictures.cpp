@@ -183,15 +183,18 @@ std::optional<StandingPlan> Pictures::plan(const ViewState& state) const {
 }
 
 bool Pictures::ready() const {
-  return drawn_a_ && (!standing_ || standing_->ready()) && (!standing_b_ || standing_b_->ready());
+  return drawn_a_ && (!standing_ || standing_->ready()) &&
+         (!shows_b_ || !standing_b_ || standing_b_->ready());
 }
 
 bool Pictures::unfinished() const {
-  return drawn_a_ && ((standing_ && !standing_->finished()) || (standing_b_ && !standing_b_->finished()));
+  return drawn_a_ &&
+         ((standing_ && !standing_->finished()) || (shows_b_ && standing_b_ && !standing_b_->finished()));
 }
 
 void Pictures::update(const ViewState& state, VkExtent2D size) {
   pace_.begin_frame();
+  shows_b_ = needs_b(state);
   update_a(state, size);
   if (needs_b(state)) update_b(state);
 }
@@ -234,7 +237,10 @@ void Pictures::update_a(const ViewState& state, VkExtent2D size) {
   if (finish_.noise > 0 && finish_.supersample <= 1 && prepared_.environment && !needs_b(state))
     reduce_noise();
   drawn_a_ = std::move(scene);
-  if (!same) drawn_b_.reset();
+  if (!same) {
+    drawn_b_.reset();
+    standing_b_.reset();
+  }
   if (standing_) refine(state);
 }
 
@@ -260,7 +266,7 @@ void Pictures::draw_a(const ViewState& state, const std::optional<StandingPlan>&
 void Pictures::refine(const ViewState& state) {
   bool completed = false;
   const auto done = [](const Standing& one) { return one.ready() ? 1 + one.pictures() : 0; };
-  const bool second = standing_b_ && !standing_b_->finished() &&
+  const bool second = shows_b_ && standing_b_ && !standing_b_->finished() &&
                       (!standing_ || standing_->finished() || done(*standing_b_) < done(*standing_));
   if (second) {
     completed = standing_b_->go_on(other_, pace_, nullptr);
@@ -278,7 +284,7 @@ void Pictures::refine(const ViewState& state) {
 // Measures what needs reading back, at powers of two only.
 void Pictures::measure(const ViewState& state) {
   const int count = standing_ ? standing_->pictures() : 0;
-  if (count < 1 || (standing_b_ && standing_b_->pictures() != count)) return;
+  if (count < 1 || (shows_b_ && standing_b_ && standing_b_->pictures() != count)) return;
   if ((count & (count - 1)) != 0 && unfinished()) return;
   if (prepared_.environment && count > 1) noise_ = standing_->noise();
   if (!needs_b(state) || !drawn_b_) return;

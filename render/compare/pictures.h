@@ -139,6 +139,7 @@ class Pictures {
   Timestamps times_;
   PreparedScene prepared_, other_;  // of A, and of B if B is a material
   std::optional<Renderer> a_, b_;
+  bool shows_b_ = false;                           // in the state of the last update
   std::optional<Standing> standing_, standing_b_;  // A and B if they are refined
   Image upload_;                                   // B, if B is computed on the CPU
   std::optional<Picture> a_picture_;

@@ -58,14 +58,20 @@ void add_all(Buttons buttons, std::initializer_list<std::string_view> names) {
 }
 
 // The presets of light, in two labelled rows.
-void light_presets(const Buttons& buttons) {
-  ImGui::TextUnformatted("light from all around");
-  add_all(buttons, {"studio", "sky", "uniform"});
-  ImGui::TextUnformatted("one hard light");
-  Buttons hard = buttons;
-  hard.add("light from the left", "from the left");
+void light_presets(Buttons soft) {
+  Buttons hard = soft;
+  ImGui::TextUnformatted("soft light:");
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  for (const char* name : {"studio", "sky", "uniform"}) soft.add(name);
+  ImGui::EndGroup();
+  ImGui::TextUnformatted("hard light:");
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  hard.add("light from the left", "left");
   hard.add("light from the front", "front");
   hard.add("light from behind", "behind");
+  ImGui::EndGroup();
 }
 
 void picture_section(ViewState& state, const PanelInfo& info) {
@@ -132,9 +138,9 @@ void main_panel(Session& session, const Layout& layout, const PanelInfo& info, c
       edit_material(session, *info.intervals);
     }
     if (ImGui::CollapsingHeader("picture", kOpen)) {
+      light_presets(buttons);
       add_all(buttons, {"split", "flip", "difference", "targets", "keep as B", "keep in plot", "lobes"});
       picture_section(state, info);
-      light_presets(buttons);
     }
     if (ImGui::CollapsingHeader("camera", kOpen))
       add_all(buttons, {"home", "frame", "frame selected", "turntable"});
