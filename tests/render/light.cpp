@@ -1,5 +1,6 @@
 // Environment light: sampling densities, orientation, the sky formula, picture files, and the white furnace
 // of the reference.
+#include "render/light/blurred_light.h"
 #include "render/light/light_map.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +136,35 @@ std::string refusal(const std::filesystem::path& file) {
     return error.what();
   }
   return "accepted";
+}
+
+TEST(BlurredLight, EachLevelKeepsTheMeanOverTheSphereAndItsBorder) {
+  const LightMap light = light_map_of(Formula::studio);
+  const auto mean_of = [](int width, int height, auto texel) {
+    glm::dvec3 sum(0);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        sum += glm::dvec3(texel(x, y)) * (std::cos(kPi * y / height) - std::cos(kPi * (y + 1) / height)) /
+               double(2 * width);
+    return sum;
+  };
+  const glm::dvec3 wanted =
+      mean_of(light.width(), light.height(), [&](int x, int y) { return glm::vec3(light.texel(x, y)); });
+  const std::vector<glm::vec4> picture = blurred_light(light);
+  for (int level = 0; level < kBlurredLevels; ++level) {
+    const int height = kBlurredHeight >> level, width = 2 * height;
+    const auto at = [&](int x, int y) {
+      return glm::vec3(picture[std::size_t((blurred_row(level) + y + 1) * kBlurredPictureWidth + x + 1)]);
+    };
+    const glm::dvec3 mean = mean_of(width, height, at);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], wanted[c], 1e-5 * wanted[c]) << level;
+    for (int y = 0; y < height; ++y) {
+      EXPECT_EQ(at(-1, y), at(width - 1, y)) << level;
+      EXPECT_EQ(at(width, y), at(0, y)) << level;
+    }
+    EXPECT_EQ(at(0, -1), at(0, 0));
+    EXPECT_EQ(at(0, height), at(0, height - 1));
+  }
 }
 
 TEST(LightMap, ReadsRadianceAndOpenExrPictures) {

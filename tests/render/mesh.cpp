@@ -1,5 +1,6 @@
 // Meshes: closed surfaces with outward normals and sound frames, shapes, models from files, and limits.
 #include "render/mesh/mesh.h"
+#include "render/mesh/simplified.h"
 
 #include <gtest/gtest.h>
 
@@ -285,6 +286,33 @@ TEST(Mesh, TextsAreLimited) {
 TEST(Mesh, TrianglesWithoutAreaAreDropped) {
   const Mesh mesh = load_model(write("sliver.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\n"));
   EXPECT_EQ(mesh.triangles(), 1u);
+}
+
+TEST(Simplified, HasFewerTrianglesOnTheSameSurface) {
+  const Mesh sphere = make_sphere_of(kSphereTriangles), coarse = simplified(sphere, 32);
+  EXPECT_LT(coarse.triangles(), sphere.triangles() / 3);
+  EXPECT_GT(coarse.triangles(), 1000u);
+  EXPECT_TRUE(coarse.closed);
+  double volume = 0;
+  for (const Vertex& v : coarse.vertices) EXPECT_NEAR(glm::length(v.position), 1, 1e-5);
+  for (std::size_t k = 0; k < coarse.indices.size(); k += 3) {
+    const auto at = [&](std::size_t corner) { return coarse.vertices[coarse.indices[k + corner]].position; };
+    volume += double(glm::dot(at(0), glm::cross(at(1), at(2)))) / 6;
+  }
+  EXPECT_NEAR(volume, 4 * kPi / 3, 0.03) << "the surface has gaps or is turned inside out";
+}
+
+TEST(Simplified, KeepsTheNormalsOfSharpEdgesAndMeshesThatWouldVanish) {
+  Mesh roof;
+  const glm::vec4 along(0, 0, 1, 1);
+  for (const float side : {-1.0f, 1.0f})
+    for (const glm::vec3& place : {glm::vec3(0, 1, 0), glm::vec3(0, 1, 2), glm::vec3(side * 2, 0, 1)})
+      roof.vertices.push_back({place, glm::normalize(glm::vec3(side, 2, 0)), along, {0, 0}});
+  roof.indices = {0, 1, 2, 3, 4, 5};
+  const Mesh same = simplified(roof, 16);
+  EXPECT_EQ(same.triangles(), 2u);
+  EXPECT_EQ(same.vertices.size(), 6u);
+  EXPECT_EQ(simplified(roof, 1).triangles(), 2u);
 }
 
 }  // namespace

@@ -60,6 +60,29 @@ TEST(Standing, InAnEnvironmentTheLastPictureIsTheOneOfTheCommandLine) {
     EXPECT_EQ(glm::vec3(shown.pixels[k]), glm::vec3(whole.fine_a().pixels[k])) << k;
 }
 
+TEST(Standing, TwoMaterialsInAnEnvironmentAreRefinedAndCompared) {
+  Device device;
+  ViewState state;
+  state.scene = sphere_in(make_material(*find_form("cook_torrance")), "studio", 40).scene;
+  state.other = Other::material;
+  state.material = make_material(*find_form("lambert"));
+  state.display = Display::split;
+  Pictures window(device, {}, 64, {}, Effort::refining, [] { return 0.0; });
+  const auto rest = [&] {
+    int count = 0;
+    do window.update(state, {40, 40});
+    while (++count < 1000 && window.unfinished());
+    return count;
+  };
+  EXPECT_EQ(rest(), 10);  // a smooth picture and four runs of each material
+  Pictures whole(device, {}, 64);
+  whole.update(state, {40, 40});
+  ASSERT_TRUE(window.difference());
+  EXPECT_NEAR(window.difference()->rel_mse, whole.difference()->rel_mse, 1e-4 * whole.difference()->rel_mse);
+  state.display = Display::picture;
+  EXPECT_EQ(rest(), 17) << "B is not drawn if it is not shown";
+}
+
 TEST(Standing, PlansWholeRoundsOfPlacesWithAllSamples) {
   EXPECT_EQ(standing_plan(4, 0), (StandingPlan{16, 4, 1}));
   EXPECT_EQ(standing_plan(4, 64), (StandingPlan{16, 4, 4}));
