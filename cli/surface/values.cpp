@@ -20,8 +20,8 @@ std::map<const CLI::Option*, Value>& own_kinds() {
   return all;
 }
 
-// The kinds of values, by option name, for options that have the same meaning in every verb. An option that takes
-// text must be listed here or offer its words; otherwise its value is `unnamed`.
+// The kinds of values, by option name, for options that have the same meaning in every verb. An option
+// that takes text must be listed here or offer its words; otherwise its value is `unnamed`.
 const std::map<std::string, Value, std::less<>> kByName{
     {"FORM", Value::form},
     {"--form", Value::form},

@@ -44,8 +44,8 @@ std::vector<io::Remark> energy_remarks(const FitResult& result);
 // Returns the measurement or fit that would help most; empty if nothing is in doubt.
 std::string next_step(const FitResult& result);
 
-// Adds the facts, the verdict with its remarks, the box with the tolerance, and the next step with the command
-// that shows the result; an empty command is left out.
+// Adds the facts, the verdict with its remarks, the box with the tolerance, and the next step with the
+// command that shows the result; an empty command is left out.
 void add_first_screen(io::HtmlReport& report, const FitResult& result, const io::SampleTable& table,
                       const FitOptions& options, std::optional<double> tolerance,
                       const std::string& command = {});

@@ -10,8 +10,9 @@
 
 namespace brdf::fit {
 
-// Returns the page: the facts about the measurements, the verdict with its warnings, a sphere (if `sphere` is true), slices with bands, a map
-// of the deviations, parameters, ranking, samples; correlations and minima are folded (fit/report/page.h).
+// Returns the page: the facts about the measurements, the verdict with its warnings, a sphere (if
+// `sphere` is true), slices with bands, a map of the deviations, parameters, ranking, samples;
+// correlations and minima are folded (fit/report/page.h).
 // `tolerance`: a fraction that the page judges the median error (fitted) by; readers can change it.
 // Example:
 //     // #include "brdf/fit/fit.h"

@@ -8,8 +8,8 @@
 
 namespace brdf::fit {
 
-// Returns the fitted values, [channel][row], averaged over the detector's field. `aperture`: the full width of
-// the field in degrees; 0: no field.
+// Returns the fitted values, [channel][row], averaged over the detector's field. `aperture`: the full
+// width of the field in degrees; 0: no field.
 std::vector<std::vector<double>> fitted_values(const Material& material, const Directions<double>& d,
                                                double aperture);
 
