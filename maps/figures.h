@@ -23,9 +23,9 @@ struct Range {
 // Returns the range of the finite values.
 Range range_of(const std::vector<float>& values);
 
-// Returns the maps as one row of figures in HTML: the verdicts with the name, colour and count of each, then a
-// map for each parameter and for the residual, with a colour bar and a histogram. Planes with equal values
-// share one map. A fitted texel whose value is not identifiable is hatched.
+// Returns the maps as one row of figures in HTML: the verdicts with the name, colour and count of each,
+// then a map for each parameter and for the residual, with a colour bar and a histogram. Planes with
+// equal values share one map. A fitted texel whose value is not identifiable is hatched.
 std::string figures_of(const texel::Planes& maps, const Summary& summary);
 
 }  // namespace brdf::maps

@@ -55,7 +55,7 @@ class StudyVerb : public testing::Test {
 TEST_F(StudyVerb, WritesThePageOfOneSample) {
   const Outcome outcome = run("study s.csv --form ward -o out");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, StartsWith("s  good: ward fits the measurements: median error (fitted) "));
+  EXPECT_THAT(outcome.out, StartsWith("s  warning: ward fits the measurements: median error (fitted) "));
   EXPECT_THAT(outcome.out, HasSubstr("\nout/index.html\n"));
   EXPECT_TRUE(fs::exists(folder_.path() / "out/material.json"));
   EXPECT_THAT(run("study s.csv --form ward -o out").out, HasSubstr(" (kept)\n"));
