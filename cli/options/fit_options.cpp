@@ -55,8 +55,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--starts", choice.options.random_starts, "Random starts in addition to the grid")
       ->check(CLI::Range(0, 100000));
   verb.add_option("--seed", choice.options.seed, "Of the random starts")->capture_default_str();
-  verb.add_option("--aperture", choice.options.aperture,
-                  "Full width of the detector's field in degrees: the model is averaged over it")
+  verb.add_option(
+          "--aperture", choice.options.aperture,
+          "Full width of the detector's field in degrees: the model is averaged over it (default: the width "
+          "that the samples' file states, otherwise 0)")
       ->check(CLI::Range(0.0, 90.0));
 }
 

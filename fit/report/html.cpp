@@ -12,8 +12,8 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   add_verdict(report, result);
   if (best.solved()) {
     if (sphere) add_sphere(report, best, table);
-    add_slices(report, best, table, options.aperture);
-    add_deviation(report, best, table, options.aperture);
+    add_slices(report, best, table, aperture_of(table, options));
+    add_deviation(report, best, table, aperture_of(table, options));
     add_spectra(report, best);
     add_parameters(report, best);
   }
