@@ -103,7 +103,7 @@ FitOptions options_of(const FitChoice& o) {
   check_range("--max-theta", f.max_theta, 0.0, 90.0);
   check_range("--starts", f.random_starts, 0, 100000);
   check_range("--bootstrap", f.bootstrap, 0, 100000);
-  check_range("--aperture", f.aperture, 0.0, 90.0);
+  if (f.aperture != kStatedAperture) check_range("--aperture", f.aperture, 0.0, 90.0);
   if (!o.robust.empty()) parse_robust(o.robust, f);
   if (!o.shape.empty()) parse_shape(o.shape, f);
   add_values(o.fix, "--fix", f.fix);

@@ -107,7 +107,9 @@ class Batch {
         {batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"), content.bytes});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
-    const Samples samples = arranged(io::read_samples(std::move(content), options_.supplied), options_);
+    const Samples samples = arranged(
+        io::read_samples(std::move(content), io::supplied_for(options_.supplied, options_.arrangement)),
+        options_);
     const io::SampleTable& table = samples.table;
     row.assumptions = table.assumptions;
     const FitResult result = fit(samples, models_, options_);

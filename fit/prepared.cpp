@@ -6,6 +6,7 @@ namespace brdf::fit {
 
 Prepared prepared(const io::SampleTable& table, const FitOptions& asked) {
   Prepared out{asked, {}, {}, {}};
+  out.options.aperture = aperture_of(table, asked);
   out.data = prepare(table, out.options);
   out.noise = io::relative_noise(table, out.data.row);
   out.metric = choose_metric(table, out.data, out.noise.value, out.options);

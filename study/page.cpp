@@ -122,9 +122,9 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
   if (!options.alone) report.raw(std::string("<p><a href=\"../") + kPage + "\">All samples</a></p>\n");
   if (best.solved()) {
     add_spheres(report, found);
-    fit::add_slices(report, best, found.table, options.fit.aperture);
+    fit::add_slices(report, best, found.table, fit::aperture_of(found.table, options.fit));
     add_lobes(report, found.spheres);
-    fit::add_deviation(report, best, found.table, options.fit.aperture);
+    fit::add_deviation(report, best, found.table, fit::aperture_of(found.table, options.fit));
     fit::add_spectra(report, best);
     fit::add_parameters(report, best);
     add_properties(report, found);

@@ -149,10 +149,11 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
 SampleStudy study_sample(io::Content content, const std::string& name, const SampleOptions& options,
                          const Step& step) {
   Findings found;
-  found.table = io::read_samples(std::move(content), options.fit.supplied);
-  const std::vector<std::string> assumptions = found.table.assumptions;
+  found.table =
+      io::read_samples(std::move(content), io::supplied_for(options.fit.supplied, options.fit.arrangement));
   found.name = std::filesystem::path(found.table.source).filename().string();
   fit::Samples samples = fit::arranged(std::move(found.table), options.fit);
+  const std::vector<std::string> assumptions = samples.table.assumptions;
   step();
   found.fit = fit::fit(samples, options.models, options.fit);
   found.table = std::move(samples.table);

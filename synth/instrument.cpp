@@ -168,7 +168,9 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
 io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied) {
   io::Content content = io::read_content(path);
   if (!io::may_be_material(content)) return io::read_samples(std::move(content), supplied);
-  if (supplied != io::Supplied())
+  io::Supplied stated = supplied;
+  stated.polarised = false;  // a material has no Mueller matrix, and its channels are chosen by their names
+  if (stated != io::Supplied())
     throw InputError(path.string() + ": --quantity and --mirror-side apply to samples, not to a material");
   Instrument instrument;
   instrument.grid.parts = {"merl"};

@@ -52,7 +52,8 @@ std::vector<fit::BatchRow> fit_files(const FileFits& files, const fit::FitChoice
 }
 
 fit::Samples samples_to_fit(const std::string& file, const fit::FitOptions& options, const Caller& caller) {
-  fit::Samples samples = fit::arranged(io::read_samples(file, options.supplied), options);
+  fit::Samples samples =
+      fit::arranged(io::read_samples(file, io::supplied_for(options.supplied, options.arrangement)), options);
   for (const std::string& warning : samples.table.warnings) caller.say("brdf fit: " + file + ": " + warning);
   return samples;
 }

@@ -66,8 +66,9 @@ void divide_fit(const std::string& file, const std::string& size, const TaskOpti
     throw InputError("--form " + options.choice.form +
                      ": chooses by consecutive fits, which cannot be divided; name a form");
   const fit::FitOptions fit = fit_options(options.choice, 1, nullptr);
-  const std::size_t refits =
-      fit::count_refits(fit::arranged(io::read_samples(file, fit.supplied), fit).table, models.size(), fit);
+  const std::size_t refits = fit::count_refits(
+      fit::arranged(io::read_samples(file, io::supplied_for(fit.supplied, fit.arrangement)), fit).table,
+      models.size(), fit);
   if (refits == 0)
     throw InputError(file + ": has one direction and therefore no folds: there is no work to divide");
   divide(refits, size, kRefitsInUnit, "must be a number of refits for one table", plan);

@@ -60,7 +60,8 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
       ->check(CLI::Range(0, 100000));
   verb.add_option("--seed", choice.options.seed, "Seed of the random starts")->capture_default_str();
   verb.add_option("--aperture", choice.options.aperture,
-                  "Full angular width of the detector in degrees; the model is averaged over this width")
+                  "Full angular width of the detector in degrees; the model is averaged over this width "
+                  "(default: the width that the samples' file states, otherwise 0)")
       ->check(CLI::Range(0.0, 90.0));
 }
 

@@ -43,7 +43,7 @@ Material between_samples(const ConvertCall& o) {
   const std::string& in = o.in;
   io::Content content = io::read_content(in);
   if (io::may_be_material(content)) return io::read_material(content);
-  io::SampleTable table = io::read_samples(std::move(content), o.supplied);
+  io::SampleTable table = io::read_samples(std::move(content), io::supplied_for(o.supplied, o.arrangement));
   arrange(o, table);
   const auto seen = std::make_shared<const measured::MeasuredReflectance>(std::move(table));
   if (seen->turning() == measured::Turning::turned)
@@ -69,7 +69,7 @@ Exit run_convert(const ConvertCall& o) {
   if (out.ends_with(".bsdf")) return to_rgl(o);
   if (!is_stream(out)) io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
-  io::SampleTable table = synth::table_of_file(in, o.supplied);
+  io::SampleTable table = synth::table_of_file(in, io::supplied_for(o.supplied, o.arrangement));
   arrange(o, table);
   for (const std::string& warning : table.warnings)
     Warning() << "brdf convert: " << io::input_name(in) << ": " << warning;
@@ -90,15 +90,15 @@ void add_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertCall>();
   CLI::App* verb =
       add_verb(app, Purpose::measure, "convert", "Convert samples between formats and report the losses");
-  verb->add_option("IN", options->in,
-                   "CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392 text; or a material's JSON, "
-                   "evaluated at the "
-                   "MERL cells")
+  verb->add_option(
+          "IN", options->in,
+          "Samples in any format that is read (docs/formats.md lists them); or a material's JSON, evaluated "
+          "at the MERL cells")
       ->required();
   verb->add_option(
           "OUT", options->out,
-          "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392) or .zemax (lens-design "
-          "text); - for CSV on standard output")
+          "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392), .zemax (lens-design "
+          "text) or .xompt (OpenMATERIAL); - for CSV on standard output")
       ->required();
   add_keep_fill_option(*verb, options->keep_fill);
   add_arrangement_options(*verb, options->arrangement);

@@ -1,8 +1,13 @@
 #include "fit/model/options.h"
 
 #include "io/files/text.h"
+#include "io/samples/aperture.h"
 
 namespace brdf::fit {
+
+double aperture_of(const io::SampleTable& table, const FitOptions& options) {
+  return options.aperture == kStatedAperture ? io::stated_aperture(table).value_or(0) : options.aperture;
+}
 
 std::string constants_text(const FitOptions& options) {
   std::string text;

@@ -30,6 +30,8 @@ inline constexpr std::array kResiduals{Metric::log, Metric::cosine_l2, Metric::c
                                        Metric::log_relative};
 inline constexpr double kLogRelativeFloor = 1e-3;
 
+inline constexpr double kStatedAperture = -1;  // FitOptions::aperture: as the samples' file states
+
 enum class Loss { none, huber, cauchy };
 // Bounds of the weights of one channel.
 enum class Physical {
@@ -96,8 +98,10 @@ struct FitOptions {
   bool grid_starts = true;
   int random_starts = 0;
   std::uint64_t seed = 1;
-  int bootstrap = 0;    // number of replicates, drawn from the groups of rows by the seed
-  double aperture = 0;  // full width of the detector's field, degrees; 0: none
+  int bootstrap = 0;  // number of replicates, drawn from the groups of rows by the seed
+  // Full width of the detector's field in degrees, 0 for a point. kStatedAperture: the width that the
+  // samples' file states (aperture_of).
+  double aperture = kStatedAperture;
   // If set, the surface's normal is fitted too, starting from these components along the x and y of the
   // directions. The values are then interpreted as f_r cos_i of the surface divided by the cos_i of the
   // directions' own frame.
@@ -110,6 +114,10 @@ struct FitOptions {
 
   bool stop() const { return interrupted && interrupted->load(std::memory_order_relaxed); }
 };
+
+// Returns the full width of the detector's field, in degrees, with which a table is fitted: that of the
+// options or, if the options leave it open, the width in the table's metadata, otherwise 0.
+double aperture_of(const io::SampleTable& table, const FitOptions& options);
 
 // Returns the contents of the tables of refractive indices that the options name, for fingerprints. Empty
 // if there are no tables.

@@ -13,8 +13,8 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
   add_first_screen(report, result, table, options, tolerance);
   if (best.solved()) {
     if (sphere) add_sphere(report, best, table);
-    add_slices(report, best, table, options.aperture);
-    add_deviation(report, best, table, options.aperture);
+    add_slices(report, best, table, aperture_of(table, options));
+    add_deviation(report, best, table, aperture_of(table, options));
     add_spectra(report, best);
     add_parameters(report, best);
   }

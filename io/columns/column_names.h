@@ -38,10 +38,18 @@ struct Column {
   double converted(double value) const;
 };
 
+// The columns of the elements 12, 21 and 22 of a Mueller matrix, by number.
+struct MuellerColumns {
+  std::size_t m12 = 0, m21 = 0, m22 = 0;
+  bool is_divided = false;  // the elements are divided by the first one
+};
+
 struct Columns {
   std::vector<Column> columns;
   std::vector<std::string> channels;  // names without their units
   std::vector<Quantity> quantities;   // [channel] quantity of the file's values
+  // Set if the columns have the elements that polarised channels need.
+  std::optional<MuellerColumns> mueller;
   // The index of the only azimuth, if one azimuth is stated for both directions.
   std::optional<std::size_t> only_azimuth;
   // A column of values names no quantity, and no quantity is stated.

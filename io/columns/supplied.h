@@ -14,6 +14,8 @@ enum class MirrorSide { automatic, positive, negative };
 struct Supplied {
   std::string quantity;  // a name of quantities.h; empty if not stated
   MirrorSide mirror_side = MirrorSide::automatic;
+  // Read a Mueller matrix as the channels s, p, ss, sp, ps and pp instead of f_r of unpolarised light.
+  bool polarised = false;
 
   bool operator==(const Supplied&) const = default;
 };

@@ -151,8 +151,31 @@ class Values {
       if (c == first) c->named.quantity = {&quantity_kinds()[0]};
     }
     if (!first) return;
+    note_mueller(*first);
     header_.assume(std::to_string(elements.size()) + " elements of a Mueller matrix: " +
                    shown(first->column->name) + ", f_r of unpolarised light, is read");
+  }
+
+  // Elements are divided by the first one if their names say so ("f_r12/f_r11"), or if their names differ
+  // from the first one in more than the place (fr11, m12).
+  void note_mueller(const Candidate& first) {
+    MuellerColumns found;
+    std::size_t count = 0;
+    const std::string of_first = first.column->name.substr(0, first.column->name.find("11"));
+    for (std::size_t k = 0; k < header_.columns.size(); ++k) {
+      const std::string& name = header_.columns[k].name;
+      const std::string element = mueller_element(name);
+      std::size_t* const place = element == "12"   ? &found.m12
+                                 : element == "21" ? &found.m21
+                                 : element == "22" ? &found.m22
+                                                   : nullptr;
+      if (!place) continue;
+      *place = k;
+      ++count;
+      found.is_divided =
+          found.is_divided || name.find('/') != name.npos || name.substr(0, name.find(element)) != of_first;
+    }
+    if (count == 3) header_.mueller = found;
   }
 
   // Moves the columns of standard deviations out of the candidates.

@@ -39,7 +39,7 @@ class CsvReader {
       throw InputError(table_.source + ": no header row (theta_i,phi_i,theta_o,phi_o,<channel>...)");
     if (table_.rows() == 0) throw InputError(table_.source + ": has no rows");
     finish();
-    return header_.is_long() ? widened(table_, bands_) : std::move(table_);
+    return header_.is_long() || mueller_ ? widened(table_, bands_) : std::move(table_);
   }
 
  private:
@@ -60,6 +60,9 @@ class CsvReader {
     row_sigma_.resize(channels);
     has_phase_ = header_.columns().has(Column::Kind::phase);
     for (const Column& c : columns()) has_sigma_ = has_sigma_ || c.kind == Column::Kind::sigma;
+    mueller_ = supplied_.polarised ? header_.columns().mueller : std::nullopt;
+    if (mueller_ && channels != 1)
+      fail("polarised channels of a Mueller matrix need one column of its first element");
     if (is_row) read_line(line);
   }
 
@@ -161,7 +164,31 @@ class CsvReader {
       else if (column.kind != Column::Kind::aside)
         read_number(column, k, number_of(column, k));
     }
-    store_row();
+    if (mueller_)
+      store_polarised();
+    else
+      store_row();
+  }
+
+  // Stores a row for each polarisation of the light alone, and of light and viewer. The Stokes vectors of s
+  // and p are (1, 1, 0, 0) and (1, -1, 0, 0).
+  void store_polarised() {
+    using Of = Polarisation;
+    const double m11 = row_values_[0], scale = mueller_->is_divided ? m11 : 1;
+    const auto element = [&](std::size_t k) { return scale * number_of(columns()[k], k); };
+    const double m12 = element(mueller_->m12), m21 = element(mueller_->m21), m22 = element(mueller_->m22);
+    constexpr double kRounding = 1.001;
+    for (const double m : {m12, m21, m22})
+      if (std::abs(m) > kRounding * std::abs(m11))
+        fail("an element of the Mueller matrix exceeds the first one, " + to_text(m11));
+    for (const auto& [polarisation, value] :
+         {std::pair(Of::s, m11 + m12), std::pair(Of::p, m11 - m12),
+          std::pair(Of::ss, (m11 + m12 + m21 + m22) / 2), std::pair(Of::sp, (m11 + m12 - m21 - m22) / 2),
+          std::pair(Of::ps, (m11 - m12 + m21 - m22) / 2), std::pair(Of::pp, (m11 - m12 - m21 + m22) / 2)}) {
+      row_values_[0] = value;
+      band_.polarisation = polarisation;
+      store_row();
+    }
   }
 
   // Reserves memory for about as many rows as the file has, estimated from the length of the first row.
@@ -280,7 +307,7 @@ class CsvReader {
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
     table_.lines.push_back(static_cast<std::uint32_t>(reader_.line()));
-    if (header_.is_long()) bands_.push_back(band_);
+    if (header_.is_long() || mueller_) bands_.push_back(band_);
   }
 
   double azimuth_between(double theta_i, double theta_o) const {
@@ -312,7 +339,8 @@ class CsvReader {
   std::vector<double> row_values_, row_sigma_;
   std::size_t empty_ = 0;  // empty cells of a matrix
   bool has_sigma_ = false, has_phase_ = false;
-  Band band_;  // of this row
+  std::optional<MuellerColumns> mueller_;  // if polarised channels are requested
+  Band band_;                              // of this row
   std::vector<Band> bands_;
 };
 

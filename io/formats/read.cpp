@@ -12,20 +12,18 @@
 #include "io/samples/table_rules.h"
 
 // The formats, in the order in which they are tried. To add a format, write a file with these two functions
-// in a namespace of the format's name, and add this name to one of the two lists. Readers of text receive
-// UTF-8.
+// in a namespace of the format's name, and add this name to one of the three lists. Readers of JSON and of
+// text receive UTF-8.
 #define BRDF_FORMATS_OF_BYTES(FORMAT) FORMAT(rgl) FORMAT(merl) FORMAT(exr)
+#define BRDF_FORMATS_OF_JSON(FORMAT) FORMAT(openmaterial) FORMAT(bird) FORMAT(early_bird)
 #define BRDF_FORMATS_OF_TEXT(FORMAT) \
+  FORMAT(klems)                      \
   FORMAT(zemax)                      \
   FORMAT(astm)                       \
   FORMAT(alta)                       \
   FORMAT(fred)                       \
   FORMAT(cornell)                    \
-  FORMAT(openmaterial)               \
-  FORMAT(bird)                       \
-  FORMAT(early_bird)                 \
   FORMAT(speos)                      \
-  FORMAT(klems)                      \
   FORMAT(aspecular)
 
 #define BRDF_FUNCTIONS(name)                                          \
@@ -34,6 +32,7 @@
   SampleTable read(const Content& content, const Supplied& supplied); \
   }
 BRDF_FORMATS_OF_BYTES(BRDF_FUNCTIONS)
+BRDF_FORMATS_OF_JSON(BRDF_FUNCTIONS)
 BRDF_FORMATS_OF_TEXT(BRDF_FUNCTIONS)
 #undef BRDF_FUNCTIONS
 
@@ -81,6 +80,7 @@ struct Format {
 };
 #define BRDF_ROW(name) {name::recognises, name::read},
 constexpr Format kOfBytes[] = {BRDF_FORMATS_OF_BYTES(BRDF_ROW)};
+constexpr Format kOfJson[] = {BRDF_FORMATS_OF_JSON(BRDF_ROW)};
 constexpr Format kOfText[] = {BRDF_FORMATS_OF_TEXT(BRDF_ROW)};
 #undef BRDF_ROW
 
@@ -92,8 +92,12 @@ const Format* format_of(std::span<const Format> formats, const Content& content)
 
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   const std::string transcoded = make_utf8(text);
-  const Format* const format = need_values ? format_of(kOfText, text) : nullptr;
-  if (!format && (is_json(text) || is_json_array(text))) refuse_json(text);
+  // JSON is tried apart from other text, because a document of one line may exceed the limit of lines.
+  const bool is_any_json = is_json(text) || is_json_array(text);
+  const Format* const format = !need_values  ? nullptr
+                               : is_any_json ? format_of(kOfJson, text)
+                                             : format_of(kOfText, text);
+  if (!format && is_any_json) refuse_json(text);
   SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;

@@ -5,6 +5,11 @@
 
 namespace brdf::io {
 
+Supplied supplied_for(Supplied supplied, const Arrangement& asked) {
+  supplied.polarised = asked.polarisation != Polarisation::keep;
+  return supplied;
+}
+
 void arrange(SampleTable& table, const Arrangement& asked) {
   if (asked.polarisation != Polarisation::keep) choose_polarisation(table, asked.polarisation);
   if (asked.repeats == Repeats::average) average_repeats(table);

@@ -167,12 +167,12 @@ class Fit(Entries):
 def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,
             bounds: Mapping[str, tuple[float, float]] | None, tie: str | Iterable[str] | None, physical: bool,
             anisotropic: bool, per_channel: bool, free_scale: bool, keep_fill: bool, polarisation: str, repeats: str,
-            quantity: str, mirror_side: str, max_theta: float, aperture: float, starts: int, seed: int,
+            quantity: str, mirror_side: str, max_theta: float, aperture: float | None, starts: int, seed: int,
             shape: str | None) -> _brdf.FitChoice:
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
                            list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
                            repeats, quantity, mirror_side,
-                           finite("--max-theta", max_theta), finite("--aperture", aperture),
+                           finite("--max-theta", max_theta), -1.0 if aperture is None else finite("--aperture", aperture),
                            whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
 
@@ -181,7 +181,7 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
         bounds: Mapping[str, tuple[float, float]] | None = None, tie: str | Iterable[str] | None = None,
         physical: bool = False, anisotropic: bool = False, per_channel: bool = False, free_scale: bool = False,
         keep_fill: bool = False, polarisation: str = "keep", repeats: str = "keep", quantity: str = "",
-        mirror_side: str = "auto", max_theta: float = 80.0, aperture: float = 0.0, starts: int = 0, seed: int = 1,
+        mirror_side: str = "auto", max_theta: float = 80.0, aperture: float | None = None, starts: int = 0, seed: int = 1,
         shape: str | None = None, progress: Progress | None = None) -> Fit:
     """Fits forms to samples: `brdf fit`, with its options as keywords.
 
@@ -192,7 +192,8 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
     tie: names of parameters with one value for all channels. shape: the shape over the channels,
     "shared", "free" (as per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: treatment
     of polarised channels and of repeated directions, as in `convert`. keep_fill: also fit rows of fill values.
-    quantity, mirror_side: facts that a file does not state, as in `read`. max_theta, aperture: degrees. starts: number of
+    quantity, mirror_side: facts that a file does not state, as in `read`. max_theta, aperture: degrees; aperture None: the width that the
+    file states, otherwise 0. starts: number of
     random starts in addition to the grid, generated from `seed`.
 
     progress: called with a sentence before each form is fitted. If the callback returns False, the best result so far is
@@ -214,7 +215,7 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
               tie: str | Iterable[str] | None = None, physical: bool = False, anisotropic: bool = False,
               per_channel: bool = False, free_scale: bool = False, keep_fill: bool = False,
               polarisation: str = "keep", repeats: str = "keep",
-              quantity: str = "", mirror_side: str = "auto", max_theta: float = 80.0, aperture: float = 0.0,
+              quantity: str = "", mirror_side: str = "auto", max_theta: float = 80.0, aperture: float | None = None,
               starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
     """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without pictures.
 

@@ -264,8 +264,8 @@ def read_directions(path: Path) -> tuple[Array, Array]:
 
 
 def read(path: Path, *, quantity: str = "", mirror_side: str = "auto") -> Table:
-    """Reads samples in any format of the program: CSV, MERL .binary, RGL or lens-design .bsdf, ASTM E1392. The format is
-    detected from the content. InputError names file, line and column.
+    """Reads samples in any format that the program reads (docs/formats.md). The format is detected from the content.
+    InputError names file, line and column.
 
     quantity: the quantity of the values if the file does not state it: "BRF", "BRF %", "f_r*cos_o", ... (docs/formats.md);
     the values are converted to f_r. mirror_side: the sign of the viewing angle on the mirror side in a table of two signed

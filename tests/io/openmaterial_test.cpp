@@ -77,6 +77,14 @@ TEST(OpenMaterial, IsRecognisedByKeysInAnyOrderBehindAByteOrderMark) {
   EXPECT_EQ(t.rows(), 1u);
 }
 
+TEST(OpenMaterial, MayBeOneLongLine) {
+  const std::string long_text(kLongestLine + 100, 'x');
+  const SampleTable t = read(R"({"metadata": {"description": ")" + long_text +
+                             R"("}, "brdf": {"lookupTable": [[9.05e-7, 0.1, 0.2, 0, 0.5]]}})");
+  EXPECT_EQ(t.rows(), 1u);
+  EXPECT_LT(t.find_metadata("description")->size(), 3000u);
+}
+
 TEST(OpenMaterial, RefusesOtherTables) {
   const std::pair<std::string, const char*> cases[] = {
       {openmaterial("[905, 0.1, 0.2, 0, 0.5]"), "$.brdf.lookupTable[0][0]: 905 is not a wavelength in m"},
