@@ -90,8 +90,8 @@ std::vector<double> histogram(const std::vector<float>& values, const Range& ran
   return counts;
 }
 
-// Returns a picture of the map and, below the map, its histogram in the same colours, from dark to bright. A
-// fitted texel whose value is not identifiable is hatched; a texel that was not fitted is transparent.
+// Returns a picture of the map and, below the map, its histogram in the same colours, from dark to
+// bright. Fitted texels without an identifiable value are hatched. Texels that were not fitted are transparent.
 std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
   const Size size(maps);
   const std::vector<float>& verdicts = *maps.find("verdict");

@@ -25,7 +25,7 @@ Range range_of(const std::vector<float>& values);
 
 // Returns the maps as one row of figures in HTML: the verdicts with the name, colour and count of each,
 // then a map for each parameter and for the residual, with a colour bar and a histogram. Planes with
-// equal values share one map. A fitted texel whose value is not identifiable is hatched.
+// equal values share one map. Fitted texels without an identifiable value are hatched.
 std::string figures_of(const texel::Planes& maps, const Summary& summary);
 
 }  // namespace brdf::maps
