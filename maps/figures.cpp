@@ -91,7 +91,8 @@ std::vector<double> histogram(const std::vector<float>& values, const Range& ran
 }
 
 // Returns a picture of the map and, below the map, its histogram in the same colours, from dark to
-// bright. Fitted texels without an identifiable value are hatched. Texels that were not fitted are transparent.
+// bright. Fitted texels without an identifiable value are hatched. Texels that were not fitted are
+// transparent.
 std::string picture_of(const texel::Planes& maps, const std::vector<float>& values, const Range& range) {
   const Size size(maps);
   const std::vector<float>& verdicts = *maps.find("verdict");
