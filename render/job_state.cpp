@@ -113,7 +113,8 @@ void stand_on_floor(Scene& scene) {
 
 }  // namespace
 
-bool shows_materials_in_light(const Job& job) {
+bool shows_materials_in_light(const Job& given) {
+  const Job job = with_samples_told(given);
   const bool alone = job.scene.empty() && job.state.empty() && !(job.materials.empty() && job.row.empty());
   return alone && !compared(job) && (job.environment || stands_in_the_studio(job));
 }

@@ -23,12 +23,9 @@ inline constexpr const char* kSmallStudio = "studio_small.png";
 inline constexpr const char* kMeasured = "measured.png";
 inline constexpr const char* kFitted = "fitted.png";
 inline constexpr const char* kDifference = "difference.png";
-inline constexpr const char* kSmallMeasured = "measured_small.png";
-inline constexpr const char* kSmallFitted = "fitted_small.png";
 // All files of a study that a sample's folder may contain.
-inline constexpr std::array kSampleFiles{kPage,       kResults,    kSheet,         kFit,         kMaterial,
-                                         kProperties, kShader,     kStudio,        kSmallStudio, kMeasured,
-                                         kFitted,     kDifference, kSmallMeasured, kSmallFitted};
+inline constexpr std::array kSampleFiles{kPage,   kResults, kSheet,       kFit,      kMaterial, kProperties,
+                                         kShader, kStudio,  kSmallStudio, kMeasured, kFitted,   kDifference};
 
 struct File {
   std::string name, bytes;

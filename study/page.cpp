@@ -38,7 +38,8 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
        {.png = spheres.whole.fitted, .title = "fitted", .text = best.form + ", under the same light"},
        {.png = spheres.whole.difference,
         .title = "difference",
-        .text = "fitted minus measured: blue -50 %, white equal, red +50 %"}});
+        .text = "fitted minus measured: blue -" + io::percent(spheres.whole.range) + ", white equal, red +" +
+                io::percent(spheres.whole.range)}});
 }
 
 void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
@@ -86,9 +87,7 @@ std::string meaning_of(const std::string& file) {
       {kSmallStudio, "the fitted material in the studio, small"},
       {kMeasured, "the measured sphere, under one light"},
       {kFitted, "the fitted sphere, under the same light"},
-      {kDifference, "their difference"},
-      {kSmallMeasured, "the measured sphere, small"},
-      {kSmallFitted, "the fitted sphere, small"}};
+      {kDifference, "their difference"}};
   for (const auto& [name, meaning] : meanings)
     if (file == name) return meaning;
   return "";

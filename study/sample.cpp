@@ -117,8 +117,6 @@ void add_spheres(const Spheres& spheres, std::vector<File>& files) {
   files.push_back({kMeasured, spheres.whole.measured});
   files.push_back({kFitted, spheres.whole.fitted});
   files.push_back({kDifference, spheres.whole.difference});
-  files.push_back({kSmallMeasured, spheres.small.measured});
-  files.push_back({kSmallFitted, spheres.small.fitted});
 }
 
 // Adds the material, its properties, its pictures and its shader.

@@ -19,7 +19,6 @@ Spheres draw(const io::SampleTable& samples, const Material& fitted) {
   spheres.studio = io::sphere::studio_pictures(fitted, io::sphere::studio_exposure(fitted), 2 * kSmallPixels);
   const double exposure = io::sphere::exposure_of(of_fitted);
   spheres.whole = io::sphere::still_pictures(of_fitted, of_samples, exposure, kPicturePixels);
-  spheres.small = io::sphere::still_pictures(of_fitted, of_samples, exposure, kSmallPixels);
   spheres.lobes = lobes_of(samples, fitted);
   return spheres;
 }

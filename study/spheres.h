@@ -13,7 +13,7 @@ namespace brdf::study {
 
 struct Spheres {
   io::sphere::StudioPictures studio;  // the fitted material in the studio
-  io::sphere::Stills whole, small;    // under one light
+  io::sphere::Stills whole;           // under one light
   std::vector<Lobe> lobes;
   std::string missing;  // the reason why there are no pictures; empty if there are pictures
   // The samples as drawn, for the interactive sphere of a page.

@@ -85,7 +85,7 @@ CASES = [
          [f"out/{sample}/{name}" for sample in ("samples", "more")
           for name in ("index.html", "study.json", "sheet.json", "fit.json", "properties.json", "material.json",
                        "material.glsl", "measured.png", "fitted.png", "difference.png",
-                       "studio.png", "studio_small.png", "measured_small.png", "fitted_small.png")],
+                       "studio.png", "studio_small.png")],
          ["samples.csv", "more.csv"], parts=True, draws=True, kept=b" (kept)"),
     Case("validate a table", ["validate", "samples.csv", "-o", "report.html", "--json"], ["report.html"],
          ["samples.csv"]),

@@ -110,7 +110,7 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
                                      << (page.find(part) < last ? " stands too early" : " is missing");
     last = at;
   }
-  const std::size_t sphere = page.find("<figure class=\"sphere\">");  // with and without a renderer
+  const std::size_t sphere = page.find("<figure class=\"sphere ");  // with and without a renderer
   EXPECT_LT(sphere, page.find(">Parameters<"));
   EXPECT_THAT(page, Not(HasSubstr("No pictures: ")));
   const std::size_t lobes = page.find(">Lobes: fitted (surface) and measured (dots)<");
@@ -172,7 +172,6 @@ TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   const auto pairs = io::sphere::fitted_pairs(io::read_material(options_.folder / kMaterial));
   const double exposure = io::sphere::exposure_of(pairs);
   EXPECT_EQ(text(kFitted), io::sphere::still_pictures(pairs, {}, exposure, 360).fitted);
-  EXPECT_EQ(text(kSmallFitted), io::sphere::still_pictures(pairs, {}, exposure, 120).fitted);
   EXPECT_NE(text(kMeasured), text(kFitted));
   const Material material = io::read_material(options_.folder / kMaterial);
   EXPECT_EQ(text(kStudio),

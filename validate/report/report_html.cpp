@@ -92,9 +92,11 @@ void add_pictures(io::HtmlReport& report, const ReportContent& content) {
 void add_spheres(io::HtmlReport& report, const ReportContent& content) {
   constexpr std::size_t kMost = 6;
   if (content.subjects.size() > kMost) return;
+  report.raw("<div class=\"row\">");
   for (const Subject& s : content.subjects)
     if (const Material m = s.own(); io::sphere::obstacle(m).empty())
       io::sphere::add(report, {.title = io::file_name(s.name()), .fitted = m});
+  report.raw("</div>");
 }
 
 }  // namespace

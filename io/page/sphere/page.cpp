@@ -106,23 +106,24 @@ Block in_studio(const Shown& shown, const FittedPairs& fitted) {
 
 // The shader is that of the sphere in the studio before it.
 Block under_one_light(const Shown& shown, const FittedPairs& fitted) {
-  const double exposure = exposure_of(fitted);
-  return {
-      .kind = "measured",
-      .title = shown.title + " under one light, measured and fitted",
-      .name = shown.title + " under one light: fitted, measured and the difference of the two",
-      .still = still_picture(fitted, shown.measured, exposure, kStillSide),
-      .below = kMeasuredTitles + colour_bar("fitted 50 % too dark", Colours::diverging, "50 % too bright"),
-      .caption =
-          "For comparison: lit by one distant light only, initially 44.8 degrees from the viewing "
-          "direction. Hatched: no measurements nearby. The difference combines all channels, "
-          "relative to the measured values." +
-          (shown.caption.empty() ? "" : " " + html_escaped(shown.caption)),
-      .measured = true,
-      .data = {{"exposure", exposure},
-               {"stations", stations()},
-               {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}},
-               {"table", to_json(table_of(fitted, shown.measured, shown.table))}}};
+  const double exposure = exposure_of(fitted), range = difference_range(fitted, shown.measured);
+  return {.kind = "measured",
+          .title = shown.title + " under one light, measured and fitted",
+          .name = shown.title + " under one light: fitted, measured and the difference of the two",
+          .still = still_picture(fitted, shown.measured, exposure, kStillSide),
+          .below = kMeasuredTitles + colour_bar("fitted " + percent(range) + " too dark", Colours::diverging,
+                                                percent(range) + " too bright"),
+          .caption =
+              "For comparison: lit by one distant light only, initially 44.8 degrees from the viewing "
+              "direction. Hatched: no measurements nearby. The difference combines all channels, "
+              "relative to the measured values." +
+              (shown.caption.empty() ? "" : " " + html_escaped(shown.caption)),
+          .measured = true,
+          .data = {{"exposure", exposure},
+                   {"range", range},
+                   {"stations", stations()},
+                   {"hatching", {kHatchPeriod, kHatchDark / 255.0, kHatchBright / 255.0}},
+                   {"table", to_json(table_of(fitted, shown.measured, shown.table))}}};
 }
 
 }  // namespace

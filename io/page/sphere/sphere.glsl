@@ -10,6 +10,7 @@ uniform highp sampler3D ratio;  // measured over fitted, see io/page/sphere/tabl
 uniform vec4 counts;         // numbers of nodes of the ratio: theta_h, theta_d, phi_d, phi_h
 uniform vec3 scale;          // the logarithms that bytes 0 and 255 represent, and the floor
 uniform vec3 stations[5];    // colours of the difference
+uniform float range;         // the relative difference at the ends of the colours
 uniform vec4 hatching;       // period in pixels, dark, bright; the panel's side
 uniform vec2 widths;         // of the lobes that the studio draws directions from
 uniform vec2 room;           // cosine and sine of the studio's turn about the vertical axis
@@ -68,10 +69,10 @@ vec3 in_studio(mat3 frame, vec3 wo) {
   return total;
 }
 
-// Fitted over measured, -50 % to 50 %.
+// Fitted over measured, minus 1, in colours.
 vec3 difference(vec3 fitted, vec3 known) {
   float sum = max(dot(known, vec3(1.0)), 1e-30), relative = (dot(fitted, vec3(1.0)) - sum) / sum;
-  float at = 4.0 * clamp(relative + 0.5, 0.0, 1.0);
+  float at = 4.0 * clamp(0.5 + 0.5 * relative / range, 0.0, 1.0);
   int k = min(int(at), 3);
   return mix(stations[k], stations[k + 1], at - float(k));
 }

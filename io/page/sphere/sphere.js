@@ -152,6 +152,7 @@
       gl.uniform1i(at("sum"), 1);
       gl.activeTexture(gl.TEXTURE0);
       gl.uniform3fv(at("stations"), this.data.stations.flat());
+      gl.uniform1f(at("range"), this.data.range ?? 1);
       gl.uniform4fv(at("hatching"), [...this.data.hatching, side]);
       gl.uniform4fv(at("counts"), this.table ? this.data.table.counts : [0, 0, 0, 0]);
       gl.uniform3fv(at("scale"), this.table ? this.data.table.scale : [0, 0, 0]);

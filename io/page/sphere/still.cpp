@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "io/colour/neutral.h"
 #include "io/files/parallel.h"
@@ -46,10 +47,15 @@ Pixel hatched(int x, int y) {
   return {grey, grey, grey, 255};
 }
 
-Pixel difference(const Colour& fitted, const Colour& known) {
+// Returns fitted over measured, minus 1, of all channels together.
+double relative_difference(const Colour& fitted, const Colour& known) {
   const double of = std::fmax(sum(known), 1e-30);
+  return (sum(fitted) - of) / of;
+}
+
+Pixel difference(const Colour& fitted, const Colour& known, double range) {
   unsigned char rgb[3];
-  map_colour((sum(fitted) - of) / of + 0.5, rgb, Colours::diverging);
+  map_colour(0.5 + 0.5 * relative_difference(fitted, known) / range, rgb, Colours::diverging);
   return {rgb[0], rgb[1], rgb[2], 255};
 }
 
@@ -61,6 +67,7 @@ Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, doubl
   constexpr std::size_t kBytes = std::tuple_size_v<Pixel>;
   Panels panels(measured ? 3 : 1, std::vector<unsigned char>(kBytes * std::size_t(side) * std::size_t(side)));
   const double gain = kPi * std::exp2(exposure);
+  const double range = difference_range(fitted, measured);
   const View view = first_view();
   const auto draw_row = [&](std::size_t row_number) {
     const int row = int(row_number);
@@ -80,11 +87,20 @@ Panels panels_of(const FittedPairs& fitted, const MeasuredPairs& measured, doubl
       if (!measured) continue;
       const std::optional<Colour> m = measured(wi, wo);
       add(panels[1], m ? lit(*m, wi.z * gain) : hatched(column, row), covered);
-      add(panels[2], m ? difference(f, *m) : hatched(column, row), covered);
+      add(panels[2], m ? difference(f, *m, range) : hatched(column, row), covered);
     }
   };
   parallel_for(std::size_t(side), draw_row);
   return panels;
+}
+
+// Calls visit(wi, wo) at about 300 lit points of the first view.
+void for_each_lit(const std::function<void(const Vec3<double>&, const Vec3<double>&)>& visit) {
+  for (double y = -0.95; y < 1; y += 0.1)
+    for (double x = -0.95; x < 1; x += 0.1) {
+      if (x * x + y * y >= 1) continue;
+      if (const auto [wi, wo] = pair_at(first_view(), x, y); wi.z > 0) visit(wi, wo);
+    }
 }
 
 std::string png_of(int side, const std::vector<unsigned char>& panel) {
@@ -99,6 +115,7 @@ Stills still_pictures(const FittedPairs& fitted, const MeasuredPairs& measured, 
   if (!measured) return stills;
   stills.measured = png_of(side, panels[1]);
   stills.difference = png_of(side, panels[2]);
+  stills.range = difference_range(fitted, measured);
   return stills;
 }
 
@@ -168,17 +185,26 @@ double studio_exposure(const Material& material) {
   return std::clamp(std::floor(2 * std::log2(0.8 / high)) / 2, -12.0, 12.0);
 }
 
+double difference_range(const FittedPairs& fitted, const MeasuredPairs& measured) {
+  constexpr double kSteps[] = {0.01, 0.02, 0.05, 0.1, 0.2}, kWidest = 0.5;
+  std::vector<double> sizes;
+  for_each_lit([&](const Vec3<double>& wi, const Vec3<double>& wo) {
+    if (const std::optional<Colour> m = measured ? measured(wi, wo) : std::nullopt)
+      sizes.push_back(std::abs(relative_difference(fitted(wi, wo), *m)));
+  });
+  if (sizes.empty()) return kWidest;
+  const auto at = sizes.begin() + std::ptrdiff_t(sizes.size() * 19 / 20);
+  std::ranges::nth_element(sizes, at);
+  const auto* const step = std::ranges::find_if(kSteps, [&](double s) { return *at <= s; });
+  return step == std::end(kSteps) ? kWidest : *step;
+}
+
 double exposure_of(const FittedPairs& fitted) {
   std::vector<double> values;
-  const View view = first_view();
-  for (double y = -0.95; y < 1; y += 0.1)
-    for (double x = -0.95; x < 1; x += 0.1) {
-      if (x * x + y * y >= 1) continue;
-      const auto [wi, wo] = pair_at(view, x, y);
-      if (wi.z <= 0) continue;
-      const Colour f = fitted(wi, wo);
-      values.push_back(kPi * wi.z * std::max({f[0], f[1], f[2]}));
-    }
+  for_each_lit([&](const Vec3<double>& wi, const Vec3<double>& wo) {
+    const Colour f = fitted(wi, wo);
+    values.push_back(kPi * wi.z * std::max({f[0], f[1], f[2]}));
+  });
   const auto at = values.begin() + std::ptrdiff_t(values.size() * 9 / 10);
   std::ranges::nth_element(values, at);
   if (!(*at > 0)) return 0;
