@@ -25,7 +25,7 @@ constexpr OptionRow kTable[] = {
     {"--reference", Group::input, Value::either},
     {"--unit", Group::input},
     {"--check-inputs", Group::input},
-    {"export --measured", Group::input},
+    {"export --measured", Group::input, Value::samples},
     {"--form", Group::model, Value::form},
     {"--all", Group::model},
     {"--material", Group::model, Value::material},
