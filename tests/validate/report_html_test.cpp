@@ -71,10 +71,19 @@ TEST(ValidatePage, OfManyLightsEightAreShownFromTheFirstToTheLast) {
   io::HtmlReport report("sheet");
   sheet::add_to_report(report, table, sheet::data_sheet(table));
   const std::string html = report.document({});
-  EXPECT_NE(html.find("8 of 16 angles of incidence are shown."), std::string::npos);
-  for (const char* light : {"incidence at 5 degrees", "incidence at 80 degrees"})
-    EXPECT_NE(html.find(light), std::string::npos) << light;
-  EXPECT_EQ(html.find("incidence at 10 degrees"), std::string::npos);
+  // The page states "8 of 16 angles of incidence shown" from these; the reader switches the others on.
+  EXPECT_NE(html.find("\"counted\":\"angles of incidence\",\"all\":16"), std::string::npos);
+  const auto is_hidden = [&](int light) {
+    const std::size_t at = html.find("incidence at " + std::to_string(light) + " degrees\"");
+    EXPECT_NE(at, std::string::npos) << light;
+    return html.find("\"hidden\":true", at) < html.find("\"label\"", at);
+  };
+  int hidden = 0;
+  for (int light = 5; light <= 80; light += 5) hidden += is_hidden(light);
+  EXPECT_EQ(hidden, 8);
+  EXPECT_FALSE(is_hidden(5));
+  EXPECT_TRUE(is_hidden(10));
+  EXPECT_FALSE(is_hidden(80));
 }
 
 }  // namespace
