@@ -235,6 +235,7 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   std::string csv =
       "file,form,verdict,left_out,median_relative_error,cross_validated_error,bic,recommended,finding\n";
   io::HtmlReport html("Fits of " + io::plural(rows.size(), "file"));
+  html.style("body { max-width: 84rem; } td:last-child { min-width: 16rem; }");
   std::vector<std::vector<io::Cell>> cells;
   io::Series in_sample{"median error (fitted)", {}, {}, io::Series::Style::points};
   io::Series left_out{"median error (held out)", {}, {}, io::Series::Style::points};
