@@ -123,7 +123,7 @@ def by_hand(desk, folder, width, height, scale):
     run("export", "--material", mine, "--to", "glsl")
     desk.press("o")
     desk.pause()
-    desk.x("type", "--delay", "20", os.path.join(folder, "mi"))
+    desk.x("type", "--delay", "20", os.path.join(folder, f"mine_{width}"))  # other sizes have files of their own
     desk.press("Tab", "Return")
     w.until(lambda: desk.title() == f"mine_{width}.json - brdf")
     # A saved state holds a material for the other verbs.
