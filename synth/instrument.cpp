@@ -12,6 +12,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/provenance.h"
+#include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
 #include "io/material/material_json.h"
@@ -129,7 +130,9 @@ void record(const Material& material, const Instrument& instrument, io::SampleTa
   add("licence", "Apache-2.0");
   for (auto& field : io::provenance_fields(io::provenance(instrument.seed))) table.metadata.push_back(field);
   add("truth", io::to_line(io::to_json(material)));
-  add("grid", io::joined(grid.parts, "+"));
+  std::vector<std::string> parts = grid.parts;
+  for (std::string& part : parts) part = io::input_name(part);
+  add("grid", io::joined(parts, "+"));
   if (!grid.theta_i.empty()) add("theta_i", io::joined_numbers(grid.theta_i, ","));
   if (grid.step > 0) add("step", io::to_text(grid.step));
   add("azimuths", io::joined_numbers(grid.azimuths, ","));
