@@ -41,7 +41,7 @@ std::string controls(bool measured) {
                                    "<option>measured</option><option>difference</option></select></label>"
                                  : "<select class=\"show\" hidden><option>fitted</option></select>";
   return "<div class=\"controls\">" + choice +
-         "<label>Drag or arrow keys turn <select class=\"moves\"><option value=\"sphere\">the sphere</option>"
+         "<label>turn <select class=\"moves\"><option value=\"sphere\">the sphere</option>"
          "<option value=\"light\">the light (or hold Shift)</option></select></label>"
          "<label>exposure <input class=\"exposure\" type=\"range\" min=\"-14\" max=\"14\" "
          "step=\"0.5\"></label>"
