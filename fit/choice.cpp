@@ -103,7 +103,7 @@ FitOptions options_of(const FitChoice& o) {
   check_range("--max-theta", f.max_theta, 0.0, 90.0);
   check_range("--starts", f.random_starts, 0, 100000);
   check_range("--bootstrap", f.bootstrap, 0, 100000);
-  if (f.aperture != kStatedAperture) check_range("--aperture", f.aperture, 0.0, 90.0);
+  if (f.aperture) check_range("--aperture", *f.aperture, 0.0, 90.0);
   if (!o.robust.empty()) parse_robust(o.robust, f);
   if (!o.shape.empty()) parse_shape(o.shape, f);
   add_values(o.fix, "--fix", f.fix);
@@ -162,7 +162,7 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
   if (o.options.supplied.mirror_side != plain.options.supplied.mirror_side)
     add("--mirror-side", std::string(name_of(o.options.supplied.mirror_side)));
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
-  add_number("--aperture", o.options.aperture, plain.options.aperture);
+  if (o.options.aperture) add("--aperture", io::to_text(*o.options.aperture));
   add_number("--starts", o.options.random_starts, plain.options.random_starts);
   add_number("--bootstrap", o.options.bootstrap, plain.options.bootstrap);
   if (o.options.seed != plain.options.seed) add("--seed", std::to_string(o.options.seed));

@@ -68,7 +68,7 @@ void refit_all(const FitData& data, const FitOptions& options, const RefitSoluti
   const auto refit_model = [&](std::size_t k) {
     Solved& s = all[k];
     if (!s.fit.solved()) return;
-    const SampleStream stream(data, s.model, s.residual, options.aperture);
+    const SampleStream stream(data, s.model, s.residual, options.resolved_aperture());
     if (known) {
       const auto first = known->begin() + std::ptrdiff_t(k * count);
       judge_by({first, first + std::ptrdiff_t(count)}, stream, scale, options, s);
@@ -199,7 +199,7 @@ RefitSolutions solve_refits(const io::SampleTable& table, const std::vector<std:
     const Solved& s = all.front();
     RefitSolutions part(ends - begins);
     if (s.fit.solved()) {
-      const SampleStream stream(p.data, s.model, s.residual, p.options.aperture);
+      const SampleStream stream(p.data, s.model, s.residual, p.options.resolved_aperture());
       auto solved = refits_of(s, stream, {begins - k * of_each, ends - begins}, p.options);
       if (!solved) return {};
       part = std::move(*solved);

@@ -14,8 +14,7 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   sheet::leave_out(samples.sheet.not_measured, samples.table);
   io::arrange(samples.table, options.arrangement);
   if (options.free_scale) io::make_relative(samples.table);
-  if (const double aperture = aperture_of(samples.table, options);
-      aperture > 0 && options.aperture == kStatedAperture)
+  if (const double aperture = aperture_of(samples.table, options); aperture > 0 && !options.aperture)
     samples.table.assume("the model is averaged over the detector's field of " + io::to_text(aperture) +
                          " degrees that the file states (--aperture 0 turns this off)");
   return samples;

@@ -113,7 +113,7 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
     return solved;
   }
   residual.loss.scale = out.loss_scale = search.loss_scale;
-  const SampleStream stream(data, model, residual, options.aperture);
+  const SampleStream stream(data, model, residual, options.resolved_aperture());
   Minimum& best = search.minima[0];
   drop_negligible_lobes(stream, best);
   solved.p = best.p;
@@ -209,7 +209,7 @@ bool profile_intervals(const FitData& data, const FitOptions& options, const Pro
     return false;
   if (s.fit.intervals == IntervalsBy::profile || data.rows() > kManyRows) return false;
   if (progress) progress("intervals of " + s.fit.form);
-  const SampleStream stream(data, s.model, s.residual, options.aperture);
+  const SampleStream stream(data, s.model, s.residual, options.resolved_aperture());
   const ProfileOptions profiles{s.other_minima, options.threads, options.interrupted};
   const Uncertainty u = uncertainty(stream, s.minimum, Detail::profiles, nullptr, profiles);
   if (!u.profiled) return false;

@@ -295,7 +295,7 @@ fit::Misfit TexelFitter::judged(std::vector<std::vector<double>>& values, const 
 }
 
 fit::SampleStream TexelFitter::stream_of(const fit::FitData& data) const {
-  return {data, model_, residual_, settings_.options.aperture, spare_};
+  return {data, model_, residual_, settings_.options.aperture.value_or(0), spare_};
 }
 
 void TexelFitter::assess(const fit::Solution& s, TexelFit& out) {

@@ -26,8 +26,8 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
                          bool per_channel, bool free_scale, bool keep_fill, const std::string& polarisation,
                          const std::string& repeats, const std::string& quantity,
-                         const std::string& mirror_side, double max_theta, double aperture, int starts,
-                         std::uint64_t seed, const std::string& shape) {
+                         const std::string& mirror_side, double max_theta, std::optional<double> aperture,
+                         int starts, std::uint64_t seed, const std::string& shape) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
                                 .weighting = named<fit::Weighting>("--weights", weights),
                                 .max_theta = max_theta,

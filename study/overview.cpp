@@ -75,7 +75,7 @@ Cell share_cell(double share) {
 }
 
 // Pictures are embedded up to this number of samples. Larger overviews refer to the files in the folders of
-// the samples, because 200 pairs of embedded pictures would weigh 7 MB.
+// the samples, because 200 embedded pictures would exceed 3 MB.
 constexpr std::size_t kMostEmbedded = 40;
 
 Cell picture_cell(const Row& row, const char* file, const std::string& folder, const std::string& alt,
@@ -230,16 +230,18 @@ void add_changes(io::HtmlReport& report, const std::vector<Row>& rows, const std
     return std::ranges::any_of(row.changes, [](const Change& c) { return c.is_beyond; });
   };
   const std::size_t moved = count(rows, beyond);
-  report.paragraph("Compared with " +
-                   (against.empty() ? "the earlier results in this folder" : against.string()) + ": " +
-                   (moved == 0 ? "no parameter" : "parameters of " + io::plural(moved, "sample")) +
-                   " left the older 95 % intervals.");
+  report.paragraph(
+      "Compared with " + (against.empty() ? "the earlier results in this folder" : against.string()) + ": " +
+      (moved == 0 ? "every form is the same, and every parameter is within its older 95 % interval."
+                  : io::plural(moved, "sample") + (moved == 1 ? " has" : " have") +
+                        " another form, or a parameter outside its older 95 % interval."));
 }
 
 void add_table(io::HtmlReport& report, const std::vector<Row>& rows, const std::vector<const Row*>& order) {
-  report.explain("energy",
-                 "The largest directional albedo of the fitted material over the angles of incidence. Above "
-                 "100 % it violates energy conservation.");
+  report.explain(
+      "energy",
+      "The largest directional albedo of the fitted material at ten or more angles of incidence up to "
+      "85 degrees. Above 100 % it violates energy conservation.");
   report.explain("measurements", "The data check: checks of the measurements themselves, before any fit.");
   report.explain("change", "Differences of the parameters from the older study of the same sample.");
   const Columns columns{.pictures = count(rows, is_drawn) > 0,

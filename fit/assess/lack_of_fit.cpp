@@ -160,14 +160,15 @@ std::vector<std::vector<double>> under_other_metrics(const SampleStream& stream,
     const FitData& defined = part.rows() > 0 ? part : data;
     Residual residual = chosen_residual(defined, other);
     if (other.loss != Loss::none)
-      residual.loss.scale = robust_scale(SampleStream(defined, stream.model(), residual, options.aperture),
-                                         residual.loss, solution);
+      residual.loss.scale =
+          robust_scale(SampleStream(defined, stream.model(), residual, options.resolved_aperture()),
+                       residual.loss, solution);
     SolveOptions solver;
     solver.tolerance = 1e-5;
     solver.max_iterations = kIterations;
     solver.interrupted = options.interrupted;
-    const Solution s =
-        refine(SampleStream(defined, stream.model(), residual, options.aperture), solution, solver);
+    const Solution s = refine(SampleStream(defined, stream.model(), residual, options.resolved_aperture()),
+                              solution, solver);
     if (std::isfinite(s.cost)) out.push_back(s.p);
   }
   return out;

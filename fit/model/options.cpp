@@ -1,12 +1,19 @@
 #include "fit/model/options.h"
 
+#include <stdexcept>
+
 #include "io/files/text.h"
 #include "io/samples/aperture.h"
 
 namespace brdf::fit {
 
 double aperture_of(const io::SampleTable& table, const FitOptions& options) {
-  return options.aperture == kStatedAperture ? io::stated_aperture(table).value_or(0) : options.aperture;
+  return options.aperture ? *options.aperture : io::stated_aperture(table).value_or(0);
+}
+
+double FitOptions::resolved_aperture() const {
+  if (!aperture) throw std::logic_error("the aperture of a fit is read before prepared() has set it");
+  return *aperture;
 }
 
 std::string constants_text(const FitOptions& options) {

@@ -30,8 +30,6 @@ inline constexpr std::array kResiduals{Metric::log, Metric::cosine_l2, Metric::c
                                        Metric::log_relative};
 inline constexpr double kLogRelativeFloor = 1e-3;
 
-inline constexpr double kStatedAperture = -1;  // FitOptions::aperture: as the samples' file states
-
 enum class Loss { none, huber, cauchy };
 // Bounds of the weights of one channel.
 enum class Physical {
@@ -99,9 +97,12 @@ struct FitOptions {
   int random_starts = 0;
   std::uint64_t seed = 1;
   int bootstrap = 0;  // number of replicates, drawn from the groups of rows by the seed
-  // Full width of the detector's field in degrees, 0 for a point. kStatedAperture: the width that the
-  // samples' file states (aperture_of).
-  double aperture = kStatedAperture;
+  // Full width of the detector's field in degrees, 0 for a point. std::nullopt: the width that the samples'
+  // file states; prepared() replaces it by this width.
+  std::optional<double> aperture;
+  // Returns the width after prepared(). Throws std::logic_error if no width is set: aperture_of() needs a
+  // table.
+  double resolved_aperture() const;
   // If set, the surface's normal is fitted too, starting from these components along the x and y of the
   // directions. The values are then interpreted as f_r cos_i of the surface divided by the cos_i of the
   // directions' own frame.

@@ -106,7 +106,7 @@ bool is_undecided(const sheet::Finding* finding) {
 constexpr std::string_view kToleranceScript = R"(
 for (const box of document.querySelectorAll(".tolerance")) {
   const input = box.querySelector("input"), said = box.querySelector("output");
-  const errors = JSON.parse(box.dataset.errors), median = errors[(errors.length - 1) / 2];
+  const errors = JSON.parse(box.dataset.errors), median = Number(box.dataset.value);
   const judge = () => {
     const limit = input.valueAsNumber / 100;
     if (!(limit > 0)) {
@@ -143,7 +143,8 @@ void add_tolerance(io::HtmlReport& report, const FitResult& result, const io::Sa
            io::html_escaped(tolerance_sentence(best, *tolerance)) + "</output>";
   else
     said = "<output></output>";
-  report.raw("<p class=\"tolerance\" data-errors=\"" + list + "]\" data-median=\"" +
+  report.raw("<p class=\"tolerance\" data-errors=\"" + list + "]\" data-value=\"" +
+             io::to_text(best.median_relative_error) + "\" data-median=\"" +
              median_text(best.median_relative_error) +
              "\"><label>Tolerance <input type=\"number\" min=\"0\" max=\"100\" step=\"any\"" + value +
              "> %</label>" + said + " <span class=\"share\"></span></p>");
@@ -160,13 +161,8 @@ std::vector<io::Fact> facts_of(const io::SampleTable& table) {
           {"", rows_text(table)}};
 }
 
-double ErrorQuantiles::share_within(double tolerance) const {
-  const auto within = std::upper_bound(errors.begin(), errors.end(), tolerance) - errors.begin();
-  return within == 0 ? 0 : double(within - 1) / kSteps;
-}
-
 ErrorQuantiles error_quantiles(const FormFit& fit, const io::SampleTable& table, const FitOptions& options) {
-  const auto fitted = fitted_values(fit.material, unit_directions(table).view(), options.aperture);
+  const auto fitted = fitted_values(fit.material, unit_directions(table).view(), aperture_of(table, options));
   std::vector<double> errors;
   for (std::size_t c = 0; c < fitted.size(); ++c)
     for (std::size_t k = 0; k < table.rows(); ++k)
@@ -211,9 +207,11 @@ std::vector<io::Remark> energy_remarks(const FitResult& result) {
   const FormFit& best = result.ranking.front();
   if (best.solved() && best.largest_albedo && !best.has_free_scale && !best.largest_albedo->breaks_energy())
     remarks.push_back(
-        {Mark::good, "Energy: up to incidence 85 degrees the fitted material reflects at most " +
-                         io::percent(best.largest_albedo->value) + " of the light (at " +
-                         io::short_number(best.largest_albedo->theta) + " degrees)."});
+        {Mark::good,
+         "Energy: the largest albedo of the fitted material at ten or more angles of incidence up "
+         "to 85 degrees is " +
+             io::percent(best.largest_albedo->value) + " (at " +
+             io::short_number(best.largest_albedo->theta) + " degrees)."});
   if (const sheet::Finding* const energy = energy_of_measurements(result);
       is_undecided(energy) && !energy->is_suspicion)
     remarks.push_back({Mark::unknown, "Energy of the measurements: undecided, " + energy->statement + "."});

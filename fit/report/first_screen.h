@@ -23,9 +23,6 @@ struct ErrorQuantiles {
   // kSteps + 1 errors in rising order, from the smallest to the largest; the middle one is the median error
   // (fitted). Empty if no measurement is above 0.
   std::vector<double> errors;
-
-  // Returns the share of the measurements whose error is at most `tolerance`, to one step.
-  double share_within(double tolerance) const;
 };
 // Computes the errors |fitted - measured|/measured of all fitted measurements above 0, in all channels.
 ErrorQuantiles error_quantiles(const FormFit& fit, const io::SampleTable& table, const FitOptions& options);

@@ -83,7 +83,7 @@ class Search {
     std::vector<Minimum> starts = std::move(few.minima);
     result_ = std::move(few);
     result_.minima.clear();
-    const SampleStream stream(data_, model_, residual_, options_.aperture);
+    const SampleStream stream(data_, model_, residual_, options_.resolved_aperture());
     for (Minimum& m : starts) {
       std::vector<double> p = model_.initial();
       std::copy_n(m.p.begin(), shapes, p.begin());
@@ -104,7 +104,7 @@ class Search {
   // from there.
   std::vector<Minimum> with_scale_of_best(const FitData& data, std::vector<Minimum> minima) {
     if (!estimated_scale_ || minima.empty()) return minima;
-    const SampleStream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.resolved_aperture());
     residual_.loss.scale =
         std::max(robust_scale(stream, residual_.loss, minima[0].p), 1e-3 * residual_.loss.scale);
     return polish(data, minima, 1e-12);
@@ -132,7 +132,7 @@ class Search {
     const auto kind = residual_.loss.kind;
     if (kind == LossFunction::Kind::none || residual_.loss.scale > 0) return;
     double smallest = std::numeric_limits<double>::infinity();
-    const SampleStream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.resolved_aperture());
     for (std::vector<double> p : starts) {
       if (options_.stop()) break;
       start_weights(stream, p);
@@ -193,7 +193,7 @@ class Search {
   // on the threads.
   std::vector<Minimum> solve_all(const FitData& data, const std::vector<std::vector<double>>& starts,
                                  double tolerance) {
-    const SampleStream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.resolved_aperture());
     std::vector<std::optional<Minimum>> solved(starts.size());
     std::vector<Tally> tallies(starts.size());
     const auto solve_start = [&](std::size_t k) {
@@ -218,7 +218,7 @@ class Search {
     std::size_t count = std::min<std::size_t>(minima.size(), 1);
     while (count < std::min(minima.size(), kPolished) && minima[count].cost <= 1.5 * minima[0].cost + 1e-300)
       ++count;
-    const SampleStream stream(data, model_, residual_, options_.aperture);
+    const SampleStream stream(data, model_, residual_, options_.resolved_aperture());
     std::vector<std::optional<Minimum>> solved(count);
     std::vector<Tally> tallies(count);
     const auto solve_minimum = [&](std::size_t k) {

@@ -47,8 +47,12 @@ void require_f_r(const std::string& name, const Supplied& supplied) {
   const std::optional<StatedQuantity> stated = stated_by_option(supplied.quantity);
   if (stated && !stated->quantity.is_f_r())
     throw InputError(name + ": --quantity " + stated->words + ": values of this format are f_r");
+  refuse_mirror_side(name, supplied);
+}
+
+void refuse_mirror_side(const std::string& name, const Supplied& supplied, std::string_view why) {
   if (supplied.mirror_side != MirrorSide::automatic)
-    throw InputError(name + ": --mirror-side applies to tables with two angles; this format has azimuths");
+    throw InputError(name + ": --mirror-side applies to tables with two angles; " + std::string(why));
 }
 
 void StatedQuantities::add_comment(std::string_view words, std::size_t line, const std::string& where) {

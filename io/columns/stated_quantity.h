@@ -29,6 +29,10 @@ std::optional<StatedQuantity> stated_by_option(const std::string& words);
 // Checks the caller's statements about a format that states f_r and its directions itself. Throws
 // InputError if the caller states anything else. `name` opens the message.
 void require_f_r(const std::string& name, const Supplied& supplied);
+// Throws InputError if the caller states the mirror side of a table whose directions are known. `name` opens
+// the message, `why` ends it.
+void refuse_mirror_side(const std::string& name, const Supplied& supplied,
+                        std::string_view why = "this table has azimuths");
 
 // Collects the statements of a file. Throws InputError if two statements contradict each other, and for
 // quantities that are unknown or cannot be converted to f_r. `where` opens the message ("FILE, line 3").

@@ -90,9 +90,8 @@ class CsvReader {
     store_raw_angles();
     if (header_.columns().in_plane)
       place_in_plane(table_, supplied_.mirror_side);
-    else if (supplied_.mirror_side != MirrorSide::automatic)
-      throw InputError(table_.source +
-                       ": --mirror-side applies to tables with two angles; this table has azimuths");
+    else
+      refuse_mirror_side(table_.source, supplied_);
     find_unit_of_bands();
   }
 

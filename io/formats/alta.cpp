@@ -126,12 +126,12 @@ class Reader {
       fail("'#DIM <angles> <channels>' expected");
     dimensions_ = std::size_t(in);
     const auto channels = std::size_t(out);
+    std::vector<std::string> names;
     for (std::size_t c = 0; c < channels; ++c)
-      table_.channels.push_back(channels == 3   ? std::string(1, "rgb"[c])
-                                : channels == 1 ? "f"
-                                                : "f" + std::to_string(c + 1));
-    table_.values.resize(channels);
-    table_.sigma.resize(channels);
+      names.push_back(channels == 3   ? std::string(1, "rgb"[c])
+                      : channels == 1 ? "f"
+                                      : "f" + std::to_string(c + 1));
+    table_.set_channels(std::move(names));
   }
 
   void read_parametrisation(std::string_view name) {

@@ -53,9 +53,7 @@ class Reader {
       : lines_(text), quantities_(stated_by_option(supplied.quantity)) {
     table_.source = text.name;
     table_.format = "aspecular";
-    if (supplied.mirror_side != MirrorSide::automatic)
-      throw InputError(text.name +
-                       ": --mirror-side applies to tables with two angles; the names of geometries state it");
+    refuse_mirror_side(text.name, supplied, "the names of geometries state it");
   }
 
   SampleTable read() {
@@ -170,8 +168,7 @@ class Reader {
       unit = found->unit;
     }
     for (std::size_t k = 0; k < name_text_.size(); ++k)
-      if (k != of_bands &&
-          std::find(layout_.geometries.begin(), layout_.geometries.end(), k) == layout_.geometries.end())
+      if (k != of_bands && std::ranges::find(layout_.geometries, k) == layout_.geometries.end())
         fail("column " + shown(name_text_[k]) + " is neither a geometry nor the wavelength");
     for (const std::size_t k : layout_.geometries) add(geometry(name_text_[k]));
     std::vector<double> nm;

@@ -32,9 +32,7 @@ class AstmReader {
  public:
   AstmReader(const Content& text, const Supplied& supplied)
       : reader_(text), stated_(stated_by_option(supplied.quantity)) {
-    if (supplied.mirror_side != MirrorSide::automatic)
-      throw InputError(text.name +
-                       ": --mirror-side applies to tables with two angles; this format has azimuths");
+    refuse_mirror_side(text.name, supplied);
     table_.source = text.name;
     table_.format = "astm_e1392";
   }
@@ -115,8 +113,6 @@ class AstmReader {
       table_.assume(std::string(kAngles[k]) + " is not in the file; assumed " +
                     (k == 1 ? "180 degrees" : "0 degrees"));
     }
-    table_.values.resize(table_.channels.size());
-    table_.sigma.resize(table_.channels.size());
   }
 
   // Assigns the columns that are not angles, by the same rules as in any other table.
@@ -126,7 +122,7 @@ class AstmReader {
     facts.is_plain = facts.is_format = true;
     facts.keeps_names = stated && stated->by == StatedQuantity::By::comment && stated->quantity.is_f_r();
     place_values(header_, facts, [](std::string_view, const std::string&) {});
-    table_.channels = header_.channels;
+    table_.set_channels(header_.channels);
     for (const std::string& note : header_.assumptions) table_.assume(note);
     check_channel_names(table_.channels, reader_.where());
     value_columns_.resize(table_.channels.size());

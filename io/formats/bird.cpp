@@ -49,9 +49,7 @@ class Reader {
   Reader(const Json& json, std::string file) : root_(json, std::move(file)), data_(root_.at("data")) {
     table_.source = root_.file();
     table_.format = "bird";
-    table_.channels = {"fr"};
-    table_.values.resize(1);
-    table_.sigma.resize(1);
+    table_.set_channels({"fr"});
   }
 
   SampleTable read() {

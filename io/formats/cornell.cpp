@@ -101,9 +101,9 @@ class Reader {
 
   SampleTable read() {
     const std::vector<double> nm = wavelengths_of(words_);
-    for (const double wavelength : nm) table_.channels.push_back(to_text(wavelength) + "nm");
-    table_.values.resize(nm.size());
-    table_.sigma.resize(nm.size());
+    std::vector<std::string> names;
+    for (const double wavelength : nm) names.push_back(to_text(wavelength) + "nm");
+    table_.set_channels(std::move(names));
     for (const std::string& comment : words_.comments())
       if (!comment.empty()) table_.add_comment("", comment);
     while (read_record()) {

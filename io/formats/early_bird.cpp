@@ -27,14 +27,10 @@ class Reader {
  public:
   Reader(const Json& json, std::string file, const Supplied& supplied)
       : root_(json, std::move(file)), data_(root_.at("data")), stated_(stated_by_option(supplied.quantity)) {
-    if (supplied.mirror_side != MirrorSide::automatic)
-      throw InputError(root_.file() +
-                       ": --mirror-side applies to tables with two angles; this format has azimuths");
+    refuse_mirror_side(root_.file(), supplied);
     table_.source = root_.file();
     table_.format = "early_bird";
-    table_.channels = {"fr"};
-    table_.values.resize(1);
-    table_.sigma.resize(1);
+    table_.set_channels({"fr"});
   }
 
   SampleTable read() {

@@ -134,12 +134,10 @@ void place_columns(const std::vector<std::string>& names, std::vector<std::vecto
     if (is_plain_angle_name(name)) header.columns.back().kind = Column::Kind::angle;
   }
   place_values(header, facts, [](std::string_view, const std::string&) {});
-  table.channels = header.channels;
+  table.set_channels(header.channels);
   if (table.channels.empty())
     throw InputError(table.source + ": has no channel of values in addition to the angles");
   for (const std::string& note : header.assumptions) table.assume(note);
-  table.values.resize(table.channels.size());
-  table.sigma.resize(table.channels.size());
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Column& column = header.columns[k];
     if (column.kind == Column::Kind::angle) {
@@ -207,9 +205,7 @@ SampleTable read_table(const Content& content, const Supplied& supplied) {
     facts.stated =
         StatedQuantity{StatedQuantity::By::comment, {&quantity_kinds()[0]}, "f_r", "attribute columns"};
   place_columns(names, columns, facts, table);
-  if (supplied.mirror_side != MirrorSide::automatic)
-    throw InputError(content.name +
-                     ": --mirror-side applies to tables with two angles; this table has azimuths");
+  refuse_mirror_side(content.name, supplied);
   return table;
 }
 

@@ -24,9 +24,7 @@ class Reader {
   explicit Reader(const Content& text) : lines_(text) {
     table_.source = text.name;
     table_.format = "fred";
-    table_.channels = {"fr"};
-    table_.values.resize(1);
-    table_.sigma.resize(1);
+    table_.set_channels({"fr"});
   }
 
   SampleTable read() {

@@ -28,9 +28,7 @@ class Reader {
   Reader(const Json& json, std::string file) : root_(json, std::move(file)) {
     table_.source = root_.file();
     table_.format = "openmaterial";
-    table_.channels = {"fr"};
-    table_.values.resize(1);
-    table_.sigma.resize(1);
+    table_.set_channels({"fr"});
   }
 
   SampleTable read() {

@@ -121,12 +121,6 @@ class Reader {
     return 0;
   }
 
-  void set_channels(std::vector<std::string> names) {
-    table_.channels = std::move(names);
-    table_.values.resize(table_.channels.size());
-    table_.sigma.resize(table_.channels.size());
-  }
-
   void read_complete() {
     read_sides();
     const std::size_t lights = cursor_.count("the number of incidences", 1, kMostLights);
@@ -137,7 +131,7 @@ class Reader {
       if (!(nm >= 100 && nm <= 1e5)) cursor_.fail(to_text(nm) + " is not a wavelength in nm");
       names.push_back(to_text(nm) + "nm");
     }
-    set_channels(std::move(names));
+    table_.set_channels(std::move(names));
     for (const double theta : thetas) {
       std::vector<Block> blocks;
       Incidence incidence{theta, 0, {}, {}};
@@ -222,7 +216,7 @@ class Reader {
                          to_text(spectrum.nm[band]) + " nm is " + to_text(spectrum.percent[band]) +
                          ", and the integral of the block is " + short_number(reflectance));
     }
-    set_channels(std::move(names));
+    table_.set_channels(std::move(names));
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].blocks.assign(factors.size(), &blocks[k]);
       all[k].factors = factors;
@@ -233,10 +227,13 @@ class Reader {
   // Returns the integral of the blocks at the spectrum's incidence, linear between two blocks and constant
   // outside, for the spectrum's sample turn or else the first turn.
   double reflectance_at(const std::vector<Incidence>& all, const std::vector<Block>& blocks,
-                        const Spectrum& spectrum) const {
+                        const Spectrum& spectrum) {
     const bool has_turn = std::any_of(all.begin(), all.end(),
                                       [&](const Incidence& each) { return each.turn == spectrum.turn; });
     const double turn = has_turn ? spectrum.turn : all.front().turn;
+    if (!has_turn)
+      table_.assume("the spectrum's sample turn of " + to_text(spectrum.turn) +
+                    " degrees is not measured: its percentages are applied to turn " + to_text(turn));
     std::optional<std::size_t> below, above;
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].turn != turn) continue;
@@ -244,6 +241,10 @@ class Reader {
       if (all[k].theta >= spectrum.theta && (!above || all[k].theta < all[*above].theta)) above = k;
     }
     const std::size_t low = below ? *below : *above, high = above ? *above : *below;
+    if (!below || !above)
+      table_.assume("the spectrum's angle of incidence, " + to_text(spectrum.theta) +
+                    " degrees, is outside the measured ones: its percentages are applied to " +
+                    to_text(all[low].theta) + " degrees");
     const double a = blocks[low].reflectance(is_intensity_);
     if (all[low].theta == all[high].theta) return a;
     const double share = (spectrum.theta - all[low].theta) / (all[high].theta - all[low].theta);

@@ -172,7 +172,7 @@ def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Setti
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
                            list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
                            repeats, quantity, mirror_side,
-                           finite("--max-theta", max_theta), -1.0 if aperture is None else finite("--aperture", aperture),
+                           finite("--max-theta", max_theta), None if aperture is None else finite("--aperture", aperture),
                            whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
 

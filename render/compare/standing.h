@@ -1,7 +1,7 @@
 // Refines the picture of a view that does not move. The first picture is smooth: without noise, through the
 // pixels' centres. Further pictures are drawn through other places of the pixels and added up on the device,
-// which smooths edges and makes the light of an environment exact. Pictures are drawn in parts, as many in a
-// frame as its time permits.
+// which smooths edges and reduces the noise of the light of an environment. Pictures are drawn in parts, as
+// many in a frame as its time permits.
 #pragma once
 
 #include "render/compare/pace.h"

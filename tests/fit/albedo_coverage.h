@@ -51,6 +51,7 @@ inline std::map<double, Covered> covered_albedos(const CoverageCase& c, int repl
   const std::vector<double> exact = albedos(truth, angles);
   FitOptions options;
   options.metric = metric;
+  options.aperture = 0;
   const Residual residual{.metric = metric};
   const double drift = metric == Metric::log ? 0.00125 : 0;
   FitData data = prepare(measured(truth), options);

@@ -62,10 +62,32 @@ TEST(FirstScreen, TheMedianOfTheQuantilesIsTheMedianOfTheFit) {
     EXPECT_NEAR(quantiles.errors[ErrorQuantiles::kSteps / 2], best.median_relative_error,
                 1e-12 * best.median_relative_error)
         << form;
-    EXPECT_NEAR(quantiles.share_within(best.median_relative_error * (1 + 1e-9)), 0.5, 0.01) << form;
-    EXPECT_EQ(quantiles.share_within(1e9), 1) << form;
-    EXPECT_EQ(quantiles.share_within(0), 0) << form;
   }
+}
+
+// A file that states the detector's width is fitted, judged and drawn with this width, as if --aperture gave
+// the width. --aperture 0 turns the width off.
+TEST(FirstScreen, AStatedApertureHoldsForTheFitAndForThePage) {
+  io::SampleTable stated = table_of();
+  stated.metadata.emplace_back("detector_aperture", "8 degrees");
+  FitOptions given, off;
+  given.aperture = 8;
+  off.aperture = 0;
+  const auto median = [&](const io::SampleTable& table, const FitOptions& options) {
+    return fit(table, {forms({"ward"})}, options).ranking.front().median_relative_error;
+  };
+  EXPECT_EQ(median(stated, {}), median(table_of(), given));
+  EXPECT_EQ(median(stated, off), median(table_of(), {}));
+  EXPECT_NE(median(stated, {}), median(stated, off));
+  const FitResult result = fit(stated, {forms({"ward"})}, {});
+  const FormFit& best = result.ranking.front();
+  EXPECT_NEAR(error_quantiles(best, stated, {}).errors[ErrorQuantiles::kSteps / 2],
+              best.median_relative_error, 1e-12 * best.median_relative_error);
+  EXPECT_NE(error_quantiles(best, stated, off).errors, error_quantiles(best, stated, {}).errors);
+}
+
+TEST(FirstScreen, AnApertureIsNotReadBeforeItIsResolved) {
+  EXPECT_THROW(FitOptions{}.resolved_aperture(), std::logic_error);
 }
 
 TEST(FirstScreen, AToleranceIsAPercentageOrAShare) {

@@ -160,10 +160,11 @@ TEST(LackOfFit, NamesWhatElseIsOffAndItsSign) {
 TEST(LackOfFit, OtherMetricsAreTheThreeOthers) {
   const io::SampleTable table = hemisphere(cook_torrance(0.2, 0.3, 0.5, 0.1), 0.03);
   for (const Metric metric : kResiduals) {
-    const FitOptions options = with(metric);
+    FitOptions options = with(metric);
+    options.aperture = 0;
     const FitData data = prepare(table, options);
     const Model model(forms({"ward"}), table.channels, options);
-    const SampleStream stream(data, model, chosen_residual(data, options), options.aperture);
+    const SampleStream stream(data, model, chosen_residual(data, options), options.resolved_aperture());
     EXPECT_EQ(under_other_metrics(stream, model.initial(), options).size(), 3u);
   }
 }

@@ -287,7 +287,8 @@ TEST_F(StudyOfFiles, AnotherRunShowsTheParametersThatMoved) {
   const auto width = std::ranges::find(rows[1].changes, "alpha", &Change::what);
   ASSERT_NE(width, rows[1].changes.end());
   EXPECT_TRUE(width->is_beyond);
-  EXPECT_THAT(text("index.html"), HasSubstr("parameters of 1 sample left the older 95 % intervals"));
+  EXPECT_THAT(text("index.html"),
+              HasSubstr("1 sample has another form, or a parameter outside its older 95 % interval."));
   EXPECT_THAT(text("index.html"), HasSubstr("alpha from " + width->before + " to " + width->after));
   EXPECT_TRUE(io::read_json(options_.folder / "study.json")["results"][1]["changes"].is_array());
   run();
@@ -304,7 +305,8 @@ TEST_F(StudyOfFiles, AnOlderFolderCanBeNamed) {
     EXPECT_TRUE(row.compared);
     EXPECT_TRUE(row.changes.empty());
   }
-  EXPECT_THAT(text("index.html"), HasSubstr("no parameter left the older 95 % intervals"));
+  EXPECT_THAT(text("index.html"),
+              HasSubstr("every form is the same, and every parameter is within its older 95 % interval."));
   options_.against = folder_ / "in";
   EXPECT_THROW(run(), InputError);
 }

@@ -28,6 +28,7 @@ TEST_P(Coverage, OfNominal95IntervalsIs92To98Percent) {
   truth.terms[0].weights[0] = family.weights;
   synth::Instrument instrument;
   FitOptions options;
+  options.aperture = 0;
   const io::SampleTable exact = synth::measure(truth, instrument);
   FitData data = prepare(exact, options);
   ASSERT_GT(data.rows(), 2000u);
@@ -100,6 +101,7 @@ TEST(TwoLobes, AreFoundAmongOutliersFromNearlyEveryStart) {
   for (double& v : table.values[0])
     if (random() % 1000 < 25) v *= 5;
   FitOptions options;
+  options.aperture = 0;
   options.grid_starts = false;
   options.random_starts = 40;
   const FitData data = prepare(table, options);
