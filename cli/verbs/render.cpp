@@ -32,7 +32,7 @@ std::string noise_words(const render::JobReport& report, const render::Job& job,
   std::string text = "remaining noise at most about " + io::percent(report.noise) + " of the mean";
   if (!says_target || !job.noise) return text;
   if (report.noise <= *job.noise) return text + " (requested: " + io::percent(*job.noise) + ")";
-  return text + "; the requested " + io::percent(*job.noise) + " are not reached within the limit of " +
+  return text + "; the requested " + io::percent(*job.noise) + " is not reached within the limit of " +
          std::to_string(job.most_samples) + " samples";
 }
 
