@@ -30,7 +30,8 @@ std::vector<Lobe> lobes_of(const io::SampleTable& samples, const Material& fitte
   for (const double theta_i : angles)
     lobes.push_back({theta_i, outer,
                      render::png_of(render::lobe_body_picture(fitted, "fitted", theta_i, &samples,
-                                                              kLobePixels, outer, false))});
+                                                              kLobePixels, outer, false)),
+                     render::lobe_to_turn(fitted, theta_i, &samples, outer)});
   return lobes;
 }
 

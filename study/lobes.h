@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/page/body.h"
 #include "io/samples/samples.h"
 
 namespace brdf::study {
@@ -14,6 +15,7 @@ struct Lobe {
   double theta_i;   // angle of incidence, degrees
   double outer;     // f_r of the outer circle, 1/sr: the same for all lobes of a sample
   std::string png;  // the content of the PNG file
+  io::Body body;    // the same to turn
 };
 
 // Returns whether this build draws lobes.

@@ -1,5 +1,7 @@
 #include "study/page.h"
 
+#include <algorithm>
+
 #include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "io/colour/channel_colours.h"
@@ -42,18 +44,24 @@ void add_spheres(io::HtmlReport& report, const Findings& found) {
                 io::percent(spheres.whole.range)}});
 }
 
+// A page stays small: with more dots the picture of a lobe does not turn.
+constexpr std::size_t kMostDots = 4000;
+
 void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
   std::vector<io::Figure> pictures;
   for (const Lobe& lobe : spheres.lobes)
     pictures.push_back({.png = lobe.png,
                         .title = "incidence at " + io::short_number(lobe.theta_i) + " degrees",
-                        .text = "dots: measurements at this incidence, faint behind the lobe"});
+                        .text = "dots: measurements at this incidence, faint behind the lobe",
+                        .body = lobe.body.dots.size() > kMostDots ? std::nullopt : std::optional(lobe.body)});
   if (pictures.empty()) return;
   report.heading("Lobes: fitted (surface) and measured (dots)");
   report.pictures(pictures);
+  const bool turns = std::ranges::any_of(pictures, [](const io::Figure& f) { return f.body.has_value(); });
   report.paragraph(
       "All lobes are drawn on one scale: the radius is the cube root of f_r, and the outer circle is " +
-      io::short_number(spheres.lobes.front().outer, 3) + " 1/sr.");
+      io::short_number(spheres.lobes.front().outer, 3) + " 1/sr." +
+      (turns ? " Drag a lobe, or use the arrow keys while it has the focus: it turns." : ""));
 }
 
 // The properties of the fitted material, and its albedo, lobes and reciprocity.

@@ -11,6 +11,7 @@
 #include "io/material/glsl.h"
 #include "io/material/material_json.h"
 #include "study/page.h"
+#include "study/proofs.h"
 #include "validate/form/checks.h"
 #include "validate/report/report.h"
 
@@ -125,6 +126,7 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
   // Commands use the name that the file has in the page's folder.
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
+  mark_proofs({*found.subject}, found.properties);
   step();
   if (options.pictures)
     found.spheres = draw(found.table, best.material);

@@ -22,7 +22,7 @@
 #include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/material/settings.h"
-#include "prove/proof.h"
+#include "study/proofs.h"
 #include "validate/form/against.h"
 #include "validate/numerics/error_bounds.h"
 #include "validate/numerics/integrators.h"
@@ -152,42 +152,6 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
   return content;
 }
 
-// Proves the properties of a subject that a few boxes, or the formula itself, decide in milliseconds.
-// Returns the proved properties.
-std::vector<prove::Property> proved_of(const validate::Subject& subject) {
-  prove::Options brief;
-  brief.search = {60, 0.2};
-  std::vector<prove::Proof> proofs;
-  brief.properties = {prove::Property::finite, prove::Property::non_negative, prove::Property::reciprocity};
-  if (subject.of_form()) {
-    brief.properties.push_back(prove::Property::energy);
-    proofs = prove::prove(*subject.of_form(), brief);
-  } else {
-    proofs = prove::prove(subject.own(), subject.name(), brief);
-  }
-  std::vector<prove::Property> proved;
-  for (const prove::Property property : brief.properties) {
-    const auto holds = [&](const prove::Proof& p) {
-      return p.claim.property != property || p.verdict == prove::Verdict::proved;
-    };
-    if (std::ranges::all_of(proofs, holds)) proved.push_back(property);
-  }
-  return proved;
-}
-
-// Marks each passed check that has a provable property as "proved" or "sampled".
-void add_proofs(validate::ReportContent& content) {
-  for (const validate::Subject& subject : content.subjects) {
-    std::vector<prove::Property> proved;
-    if (!subject.is_outside()) proved = proved_of(subject);
-    for (validate::Finding& f : content.findings) {
-      const auto property = find_named<prove::Property>(f.check);
-      if (!property || f.subject != subject.name() || f.outcome != validate::Outcome::pass) continue;
-      f.proof = std::ranges::find(proved, *property) == proved.end() ? "sampled" : "proved";
-    }
-  }
-}
-
 void check_output(const ValidateCall& o) {
   text_stream({{"-o", o.output}}, o.json);  // throws before any file is read
   if (!o.output.empty() && !is_stream(o.output) && !o.output.ends_with(".html") && !o.output.ends_with(".md"))
@@ -275,7 +239,7 @@ Exit run_validate(const CLI::App& verb, const ValidateCall& o) {
   options.seed = o.seed;
   options.seconds = o.seconds;
   validate::ReportContent content = judged(verb, o, options);
-  add_proofs(content);
+  study::mark_proofs(content.subjects, content.findings);
   content.pictures = std::move(pictures);
   write_report(o, content);
   if (o.json) {

@@ -1,5 +1,6 @@
 #include "io/page/html_report.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -36,6 +37,13 @@ std::string chart_library() {
     for (std::size_t at; (at = text.find(kScheme, comment)) < text.find("*/", comment);)
       text.erase(at, kScheme.size());
   return text;
+}
+
+// The picture of a figure and the canvas that takes its place.
+std::string turning(const Figure& figure) {
+  return "<canvas tabindex=\"0\" role=\"application\" aria-label=\"" + html_escaped(figure.title) +
+         ". Arrow keys turn the body, Home resets it.\"></canvas>" + image(figure.png, figure.title) +
+         "<script type=\"application/json\">" + within_script(body_json(*figure.body)) + "</script>";
 }
 
 }  // namespace
@@ -82,14 +90,16 @@ void HtmlReport::picture(std::string_view png, std::string_view caption, std::st
 void HtmlReport::pictures(const std::vector<Figure>& row) {
   body_ += "<div class=\"row\">\n";
   for (const Figure& f : row) {
-    const std::string shown = image(f.png, f.title), title = html_escaped(f.title);
-    body_ += "<figure>" + linked(f.link, shown) + "<p class=\"title\">" + linked(f.link, title) + "</p>";
+    const std::string shown = f.body ? turning(f) : image(f.png, f.title), title = html_escaped(f.title);
+    body_ += (f.body ? "<figure class=\"body\">" : "<figure>") + linked(f.link, shown) +
+             "<p class=\"title\">" + linked(f.link, title) + "</p>";
     if (!f.text.empty())
       body_ += "<figcaption" + class_of(f.mark) + ">" + running_text(f.text) + "</figcaption>";
     command(f.command);
     body_ += "</figure>\n";
   }
   body_ += "</div>\n";
+  if (std::ranges::any_of(row, [](const Figure& f) { return f.body.has_value(); })) script(kBodyScript);
 }
 
 void HtmlReport::command(std::string_view text) {

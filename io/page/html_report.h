@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "io/files/provenance.h"
+#include "io/page/body.h"
 #include "io/page/marks.h"
 
 namespace brdf::io {
@@ -106,8 +107,9 @@ struct Figure {
   std::string title;
   std::string text = {};  // one line
   Mark mark = Mark::none;
-  std::string link = {};     // the page that the picture leads to
-  std::string command = {};  // folded
+  std::string link = {};          // the page that the picture leads to
+  std::string command = {};       // folded
+  std::optional<Body> body = {};  // turns in place of the picture if the browser runs scripts
 };
 
 // Colour scales for values: dark to bright, readable in print and without colour vision; or, for values

@@ -14,7 +14,10 @@
 namespace brdf::render {
 namespace {
 
-constexpr int kRings = 90, kSectors = 180;  // of a body
+constexpr double kReach = 89;                     // degrees of theta_o
+constexpr int kRings = 90, kSectors = 180;        // of a body in a picture
+constexpr int kTurnedSectors = 72;                // of a body that readers turn
+constexpr Angle kTurn = 25_deg, kAbove = 28_deg;  // of the eye
 constexpr ByteColor kBackground{28, 28, 32}, kDots{255, 140, 40};
 
 // The view from the side and from above, without perspective. x of the lobe's frame points to the mirror
@@ -168,6 +171,11 @@ Body body_of(const Lobe& lobe, float& largest, float outer) {
   return body;
 }
 
+// The colour (0 to 255) of the body for a value, before the shading.
+glm::vec3 surface_color(const glm::vec3& f) {
+  return 215.0f * glm::mix(glm::vec3(1), f / std::max(largest_of(f), 1e-20f), 0.7f);
+}
+
 void draw_body(Canvas& canvas, const Body& body, const Eye& eye) {
   const glm::vec3 light = glm::normalize(0.5f * eye.up + 0.8f * eye.back - 0.4f * eye.right);
   for (int ring = 0; ring + 1 < kRings; ++ring) {
@@ -180,9 +188,7 @@ void draw_body(Canvas& canvas, const Body& body, const Eye& eye) {
       normal /= length;
       if (glm::dot(normal, a + c) < 0) normal = -normal;
       const float shade = 0.3f + 0.7f * std::max(0.0f, glm::dot(normal, light));
-      const glm::vec3& f = body.values[Body::at(ring, sector)];
-      const glm::vec3 color =
-          215.0f * shade * glm::mix(glm::vec3(1), f / std::max(largest_of(f), 1e-20f), 0.7f);
+      const glm::vec3 color = shade * surface_color(body.values[Body::at(ring, sector)]);
       const ByteColor bytes{std::uint8_t(color.r), std::uint8_t(color.g), std::uint8_t(color.b)};
       canvas.triangle(a, b, c, bytes);
       canvas.triangle(a, c, d, bytes);
@@ -197,7 +203,9 @@ struct MeasuredDot {
   float value;
 };
 
-std::vector<MeasuredDot> dots_of(const io::SampleTable* measured, double theta_i) {
+// An isotropic lobe is its own mirror image. Its dots are mirrored if most of them lie on the side that faces
+// away from the eye.
+std::vector<MeasuredDot> dots_of(const Material& material, const io::SampleTable* measured, double theta_i) {
   std::vector<MeasuredDot> dots;
   for (const LobePoint& p : measured ? points_of_light(*measured, theta_i) : std::vector<LobePoint>{}) {
     float value = 0;
@@ -205,6 +213,10 @@ std::vector<MeasuredDot> dots_of(const io::SampleTable* measured, double theta_i
       value = std::max(value, float(channel[p.row]));
     dots.push_back({p.theta, p.phi, value});
   }
+  double side = 0;
+  for (const MeasuredDot& dot : dots) side += std::sin(degrees(dot.phi).radians());
+  if (side > 0 && !is_anisotropic(material))
+    for (MeasuredDot& dot : dots) dot.phi = -dot.phi;
   return dots;
 }
 
@@ -212,27 +224,48 @@ std::vector<MeasuredDot> dots_of(const io::SampleTable* measured, double theta_i
 
 double largest_of_lobe(const Material& material, double theta_i_degrees, const io::SampleTable* measured) {
   float largest = kLeast;
-  for (const MeasuredDot& dot : dots_of(measured, theta_i_degrees)) largest = std::max(largest, dot.value);
+  for (const MeasuredDot& dot : dots_of(material, measured, theta_i_degrees))
+    largest = std::max(largest, dot.value);
   for (const glm::vec3& f : values_of(Lobe(material, theta_i_degrees)))
     largest = std::max(largest, largest_of(f));
   return double(largest);
+}
+
+io::Body lobe_to_turn(const Material& material, double theta_i_degrees, const io::SampleTable* measured,
+                      double outer) {
+  const auto bytes = [](ByteColor c) { return std::array<unsigned char, 3>{c[0], c[1], c[2]}; };
+  io::Body body{.rings = kRings,
+                .sectors = kTurnedSectors,
+                .reach = kReach,
+                .theta_i = theta_i_degrees,
+                .dot_colour = bytes(kDots),
+                .line_colours = {bytes(kLobeGrid), bytes(kLobeLight), bytes(kLobeWords)},
+                .background = bytes(kBackground),
+                .turn = kTurn.degrees(),
+                .above = kAbove.degrees()};
+  const Lobe lobe(material, theta_i_degrees);
+  for (int ring = 0; ring < body.rings; ++ring)
+    for (int sector = 0; sector < body.sectors; ++sector) {
+      const glm::vec3 f = lobe.at(ring * kReach / (body.rings - 1), sector * 360.0 / body.sectors);
+      const glm::vec3 color = surface_color(f);
+      body.points.push_back({std::cbrt(largest_of(f) / outer),
+                             {std::uint8_t(color.r), std::uint8_t(color.g), std::uint8_t(color.b)}});
+    }
+  for (const MeasuredDot& dot : dots_of(material, measured, theta_i_degrees))
+    body.dots.push_back(
+        {std::abs(dot.theta), dot.theta < 0 ? dot.phi + 180 : dot.phi, std::cbrt(double(dot.value) / outer)});
+  return body;
 }
 
 BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
                               const io::SampleTable* measured, int width, double outer, bool has_words) {
   const Lobe lobe(material, theta_i_degrees);
   float largest = kLeast;
-  std::vector<MeasuredDot> dots = dots_of(measured, theta_i_degrees);
+  const std::vector<MeasuredDot> dots = dots_of(material, measured, theta_i_degrees);
   for (const MeasuredDot& dot : dots) largest = std::max(largest, dot.value);
-  // An isotropic lobe is its own mirror image. The dots are mirrored if most of them lie on the side that
-  // faces away from the eye.
-  double side = 0;
-  for (const MeasuredDot& dot : dots) side += std::sin(degrees(dot.phi).radians());
-  if (side > 0 && !is_anisotropic(material))
-    for (MeasuredDot& dot : dots) dot.phi = -dot.phi;
   const Body body = body_of(lobe, largest, float(outer));
   const int pixels = std::clamp(width / 45, 9, 40);
-  const Eye eye(25_deg, 28_deg);
+  const Eye eye(kTurn, kAbove);
   const float scale = 0.45f * float(width);
   Canvas canvas(width, int(0.72f * float(width)) + (has_words ? 6 : 0) * pixels, eye,
                 {float(width) / 2, 0.48f * float(width) + float(pixels)}, scale);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "brdf/material.h"
+#include "io/page/body.h"
 #include "io/samples/samples.h"
 #include "render/picture/picture.h"
 
@@ -23,6 +24,11 @@ namespace brdf::render {
 BytePicture lobe_body_picture(const Material& material, const std::string& name, double theta_i_degrees,
                               const io::SampleTable* measured, int width, double outer = 0,
                               bool has_words = true);
+
+// Returns the same body for a page whose readers turn it, with one point for every degree of theta_o and every 5
+// degrees of azimuth. `outer` as above.
+io::Body lobe_to_turn(const Material& material, double theta_i_degrees, const io::SampleTable* measured,
+                      double outer);
 
 // Returns the largest f_r (1/sr) that such a picture shows, of the material and of the measured rows.
 double largest_of_lobe(const Material& material, double theta_i_degrees, const io::SampleTable* measured);

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "io/files/base64.h"
 #include "io/files/json.h"
 #include "io/files/png.h"
 #include "io/page/glossary.h"
@@ -107,6 +108,24 @@ TEST(HtmlReport, PicturesStandInARowWithTheirLine) {
   EXPECT_EQ(count_of(html, "<figure>"), 2);
   EXPECT_NE(html.find("<figcaption class=\"good\">median error 3 %</figcaption>"), std::string::npos);
   EXPECT_EQ(count_of(html, "<a href=\"copper/index.html\">"), 2);  // the picture and its name
+}
+
+// A body keeps its picture for browsers without scripts, and only pages with bodies get the script.
+TEST(HtmlReport, ABodyTurnsInPlaceOfItsPicture) {
+  Body body{.rings = 2, .sectors = 2, .points = std::vector<Body::Point>(4, {0.5, {1, 2, 3}})};
+  body.dots = {{90, -90, 1}};
+  HtmlReport still("t"), turning("t");
+  still.pictures({{"abc", "lobe"}});
+  turning.pictures({{.png = "abc", .title = "lobe", .body = body}, {"abcd", "plaster"}});
+  const std::string html = turning.document({"1.0", "", {}});
+  EXPECT_EQ(count_of(html, "<figure class=\"body\">"), 1);
+  EXPECT_EQ(count_of(html, "<img "), 2);
+  EXPECT_EQ(count_of(html, "class Body"), 1);
+  EXPECT_EQ(count_of(still.document({"1.0", "", {}}), "class Body"), 0);
+  const Json json = Json::parse(body_json(body));
+  EXPECT_EQ(json["points"],
+            base64(std::string("\x80\x01\x02\x03\x80\x01\x02\x03\x80\x01\x02\x03\x80\x01\x02\x03", 16)));
+  EXPECT_EQ(json["dots"], base64(std::string("\xff\xff\xff\xbf\xff\xff", 6)));  // azimuth 270 of 360
 }
 
 TEST(HtmlReport, AFactThatIsNotStatedSaysSo) {

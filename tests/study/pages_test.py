@@ -137,6 +137,30 @@ def check_sphere(browser, folder):
         assert not page.console, page.console
 
 
+LOBE = """(async (press) => {
+  const figure = document.querySelector("figure.body"), canvas = figure.querySelector("canvas");
+  canvas.scrollIntoView();
+  canvas.focus();
+  if (press) canvas.dispatchEvent(new KeyboardEvent("keydown", { key: press }));
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+  const bytes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+  const orange = bytes.reduce((sum, v, k) => sum + (k % 4 === 0 && v === 255 && bytes[k + 1] === 140), 0);
+  return [getComputedStyle(figure.querySelector("img")).display, orange, bytes.reduce((sum, v) => sum + v, 0)];
+})"""
+
+
+def check_lobe(browser, folder):
+    """The lobe is drawn in place of its picture, with dots of measurements; the keyboard turns it and turns it back."""
+    with browser.open(folder / "index.html") as page:
+        page.evaluate(LOBE + "('')")  # a browser may draw differently once its pixels have been read
+        picture, dots, first = page.evaluate(LOBE + "('Home')")
+        assert picture == "none" and dots > 100, (picture, dots)
+        turned = page.evaluate(LOBE + "('ArrowLeft')")[2]
+        back = page.evaluate(LOBE + "('Home')")[2]
+        assert turned != first and back == first, (first, turned, back)
+        assert not page.console, page.console
+
+
 def main():
     executable, name, folder = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2], pathlib.Path(sys.argv[3])
     shutil.rmtree(folder, ignore_errors=True)
@@ -148,6 +172,7 @@ def main():
         check_first_screen(browser, folder / "one")
         check_charts(browser, folder / "one")
         check_sphere(browser, study / "paint")
+        check_lobe(browser, study / "paint")
         for page in (study, study / "paint", folder / "one"):
             shots = folder / f"pictures_{page.name}"
             shots.mkdir()

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "io/csv/csv.h"
 #include "io/files/content.h"
@@ -22,6 +23,7 @@ namespace brdf::study {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -177,6 +179,23 @@ TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   EXPECT_EQ(text(kStudio),
             io::sphere::studio_pictures(material, io::sphere::studio_exposure(material), 240).whole);
   EXPECT_NE(text(kDifference), text(kMeasured));
+}
+
+// Each passed property that can be proved says how it is known, on the page and in the file. The largest albedo
+// of a material is searched in a grid of directions, so that its sentence must not say "proved".
+TEST_F(StudyOfFiles, PropertiesSayWhetherTheyAreProved) {
+  files_.resize(1);
+  run();
+  std::map<std::string, std::string> known;
+  const io::Json properties = io::Json::parse(text("properties.json"));
+  for (const io::Json& f : properties["findings"])
+    if (f.contains("proof")) known[f["check"]] = f["proof"];
+  EXPECT_EQ(known, (std::map<std::string, std::string>{{"energy", "sampled"},
+                                                       {"finite", "proved"},
+                                                       {"non_negative", "proved"},
+                                                       {"reciprocity", "proved"}}));
+  EXPECT_THAT(text("index.html"), AllOf(HasSubstr("every value is finite; proved"), HasSubstr("; sampled")));
+  EXPECT_THAT(text("index.html"), Not(HasSubstr("at the pairs tried; proved")));
 }
 
 TEST_F(StudyOfFiles, OneSampleIsThePageItself) {
