@@ -25,8 +25,8 @@ BytePicture lobe_body_picture(const Material& material, const std::string& name,
                               const io::SampleTable* measured, int width, double outer = 0,
                               bool has_words = true);
 
-// Returns the same body for a page whose readers turn it, with one point for every degree of theta_o and every 5
-// degrees of azimuth. `outer` as above.
+// Returns the same body for a page whose readers turn it, with one point for every degree of theta_o and
+// every 5 degrees of azimuth. `outer` as above.
 io::Body lobe_to_turn(const Material& material, double theta_i_degrees, const io::SampleTable* measured,
                       double outer);
 

@@ -181,8 +181,8 @@ TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   EXPECT_NE(text(kDifference), text(kMeasured));
 }
 
-// Each passed property that can be proved says how it is known, on the page and in the file. The largest albedo
-// of a material is searched in a grid of directions, so that its sentence must not say "proved".
+// Each passed property that can be proved says how it is known, on the page and in the file. The largest
+// albedo of a material is searched in a grid of directions, so that its sentence must not say "proved".
 TEST_F(StudyOfFiles, PropertiesSayWhetherTheyAreProved) {
   files_.resize(1);
   run();
