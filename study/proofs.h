@@ -7,9 +7,9 @@
 
 namespace brdf::study {
 
-// Tries to prove the properties of each subject that the formula itself or a few boxes decide. Sets `proof` of
-// each passed finding of a provable property to "proved" or "sampled". The limit is a number of boxes and not
-// a time, so that equal inputs give equal words on every machine.
+// Tries to prove the properties of each subject that the formula itself or a few boxes decide. Sets `proof`
+// of each passed finding of a provable property to "proved" or "sampled". The limit is a number of boxes and
+// not a time, so that equal inputs give equal words on every machine.
 void mark_proofs(const std::vector<validate::Subject>& subjects, std::vector<validate::Finding>& findings);
 
 }  // namespace brdf::study
