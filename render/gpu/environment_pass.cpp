@@ -74,15 +74,16 @@ EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const Ligh
                                      .layout = layout_.get()});
 }
 
-VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number) {
-  Owned<VkPipeline>& found = pipelines_[{number, smooth_}];
+VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number, Blend blend, bool single) {
+  Owned<VkPipeline>& found = pipelines_[{number, smooth_, blend, single}];
   if (!found)
-    found = make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
-                                     .fragment = code_.of(form, number),
-                                     .constants = {std::uint32_t(number), std::uint32_t(bits_), smooth_},
-                                     .colors = {kColorFormat},
-                                     .blend = Blend::add,
-                                     .layout = layout_.get()});
+    found =
+        make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
+                                 .fragment = code_.of(form, number),
+                                 .constants = {std::uint32_t(number), std::uint32_t(bits_), smooth_, single},
+                                 .colors = {kColorFormat},
+                                 .blend = blend,
+                                 .layout = layout_.get()});
   return found.get();
 }
 
@@ -102,9 +103,11 @@ void EnvironmentPass::begin_run(VkCommandBuffer commands) {
 }
 
 void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
-                             std::size_t layer, const VkRect2D& tile, std::uint32_t seed) {
-  run_.transition(commands, Use::color_attachment);
-  begin_colors(commands, {&run_}, VK_ATTACHMENT_LOAD_OP_LOAD);
+                             std::size_t layer, const VkRect2D& tile, std::uint32_t seed, Image& color) {
+  Image& target = smooth_ ? color : run_;
+  deferred_->prepare_to_read(commands);
+  target.transition(commands, Use::color_attachment);
+  begin_colors(commands, {&target}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, layout_.get(), 0, gpu.frame_set());
   bind(commands, layout_.get(), 1, deferred_->targets_set());
   bind(commands, layout_.get(), 2, light_->set());
@@ -115,8 +118,10 @@ void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scen
     const VkRect2D scissor = common(covered_by_form(scene, layer, form, run_.extent()), tile);
     if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
     vkCmdSetScissor(commands, 0, 1, &scissor);
+    push.item = smooth_ ? only_item(scene, layer, form) : -1;
     vkCmdPushConstants(commands, layout_.get(), kDrawingStages, 0, sizeof push, &push);
-    draw_screen(commands, pipeline(form, gpu.number_of(form)));
+    const Blend blend = smooth_ && layer == 0 ? Blend::replace : Blend::add;
+    draw_screen(commands, pipeline(form, gpu.number_of(form), blend, push.item >= 0));
   }
   vkCmdEndRendering(commands);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 
 #include "render/gpu/passes.h"
 #include "render/gpu/running_mean.h"
@@ -41,23 +42,25 @@ class EnvironmentPass {
   // Discards the sum. From here on, each run is the picture without noise of blurred_light.h.
   // `directions`: 1 or 2 for the lobe and as many for the cosine.
   void reset_to_smooth(int directions) { mean_.reset(), smooth_ = true, directions_ = directions; }
+  bool is_smooth() const { return smooth_; }
   // Samples so far; 0 for the picture without noise.
   int samples() const { return smooth_ ? 0 : mean_.count() * count_; }
 
   // Draws the picture of the light behind the objects, over the content of `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
   // A run consists of begin_run(), record() for each layer and each tile of the picture while the layer's
-  // surfaces are in the targets, and end_run(), which adds the mean over all runs so far to `color`.
+  // surfaces are in the targets, and end_run(), which adds the mean over all runs so far to `color`. The
+  // smooth picture consists of calls of record() alone, which draw into `color` and include the lights.
   void begin_run(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
-              const VkRect2D& tile, std::uint32_t seed);
+              const VkRect2D& tile, std::uint32_t seed, Image& color);
   void end_run(VkCommandBuffer commands, Image& color);
 
   // See RunningMean; each picture is a run.
   std::vector<float> standard_error() { return mean_.standard_error(); }
 
  private:
-  VkPipeline pipeline(const Reflectance& form, int number);
+  VkPipeline pipeline(const Reflectance& form, int number, Blend blend, bool single);
 
   Device* device_;
   const LightImages* light_;
@@ -71,7 +74,7 @@ class EnvironmentPass {
   Owned<VkPipelineLayout> layout_;
   Owned<VkPipeline> backdrop_;
   FragmentCode code_;
-  std::map<std::pair<int, bool>, Owned<VkPipeline>> pipelines_;
+  std::map<std::tuple<int, bool, Blend, bool>, Owned<VkPipeline>> pipelines_;
 };
 
 // Returns the bytes of device memory that the sums of a picture with this number of pixels take.

@@ -8,7 +8,6 @@
 #include "render/gpu/gpu_layout.h"
 #include "render/mesh/simplified.h"
 #include "render/scene/camera_view.h"
-#include "render/scene/shadow_view.h"
 
 namespace brdf::render {
 namespace {
@@ -28,7 +27,20 @@ GpuLight gpu_light(const Light& light) {
   return {glm::vec4(-glm::normalize(light.vector), 0), glm::vec4(irradiance, glm::length(light.vector))};
 }
 
-GpuFrame gpu_frame(const PreparedScene& prepared) {
+std::vector<glm::mat4> places_for_shadow(const PreparedScene& prepared) {
+  glm::mat4 light(0);
+  if (const std::optional<std::size_t> k = shadow_light(prepared.scene))
+    light = {glm::vec4(prepared.scene.lights[*k].vector, 1), glm::vec4(float(*k)), glm::vec4(0),
+             glm::vec4(0)};
+  std::vector<glm::mat4> places{light};
+  for (const Item& item : prepared.layers[0]) {
+    places.emplace_back(item.linear);
+    places.back()[3] = glm::vec4(item.origin, 1);
+  }
+  return places;
+}
+
+GpuFrame gpu_frame(const PreparedScene& prepared, const std::optional<ShadowView>& shadow) {
   const Scene& scene = prepared.scene;
   const View view = make_view(scene.camera);
   GpuFrame frame{};
@@ -51,7 +63,6 @@ GpuFrame gpu_frame(const PreparedScene& prepared) {
                   : scene.backdrop_top ? kBackdrop
                                        : 0,
                   scene.camera.width, scene.camera.height};
-  const std::optional<ShadowView> shadow = shadow_view(prepared);
   if (shadow) frame.shadow_projection = shadow->projection;
   const auto objects = float(prepared.meshes.size());
   frame.shadow = shadow ? glm::vec4(shadow->light, kShadowMapSize, objects, 0) : glm::vec4(-1, 0, objects, 0);
@@ -177,7 +188,11 @@ void GpuScene::upload_textures(const PreparedScene& scene) {
 }
 
 void GpuScene::update(const PreparedScene& scene) {
-  const GpuFrame frame = gpu_frame(scene);
+  if (std::vector<glm::mat4> places = places_for_shadow(scene); places != shadow_places_) {
+    shadow_places_ = std::move(places);
+    shadow_ = shadow_view(scene);
+  }
+  const GpuFrame frame = gpu_frame(scene, shadow_);
   std::vector<GpuItem> items;
   if (scene.layers.size() * scene.meshes.size() > kMostItems) {
     throw InputError("the renderer draws at most " + std::to_string(kMostItems) +

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "render/gpu/fragment_code.h"
 #include "render/scene/prepared.h"
+#include "render/scene/shadow_view.h"
 #include "render/vulkan/pipeline.h"
 #include "render/vulkan/resource.h"
 
@@ -31,6 +33,8 @@ class GpuScene {
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
   // Sets the shadow map that the lighting reads (white until then).
   void set_shadow_map(VkImageView view, VkSampler sampler);
+  // Returns all that the shadow map depends on if the meshes stay the same: the light, then the objects' places.
+  const std::vector<glm::mat4>& shadow_places() const { return shadow_places_; }
   // Returns the number by which shaders know a reflectance of the scene.
   int number_of(const Reflectance& reflectance) const { return numbers_.of(reflectance); }
   bool textured(std::size_t object) const { return textured_[object]; }
@@ -69,6 +73,8 @@ class GpuScene {
   VkDescriptorSet frame_set_ = VK_NULL_HANDLE;
   std::vector<VkDescriptorSet> maps_sets_;
   std::vector<bool> textured_;
+  std::vector<glm::mat4> shadow_places_;
+  std::optional<ShadowView> shadow_;  // for these places
   ReflectanceNumbers numbers_;
 };
 

@@ -36,7 +36,8 @@ VkRenderingAttachmentInfo cleared_depth(VkCommandBuffer commands, Image& depth) 
   return info;
 }
 
-// Returns the index of the only item of this form, or -1 if there are several items or no item.
+}  // namespace
+
 int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& form) {
   int found = -1;
   for (const Item& item : scene.layers[layer]) {
@@ -46,8 +47,6 @@ int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& 
   }
   return found;
 }
-
-}  // namespace
 
 void bind(VkCommandBuffer commands, VkPipelineLayout layout, std::uint32_t first, VkDescriptorSet set) {
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, first, 1, &set, 0, nullptr);
@@ -236,9 +235,13 @@ void DeferredPass::record_geometry(VkCommandBuffer commands, const PreparedScene
   vkCmdEndRendering(commands);
 }
 
+void DeferredPass::prepare_to_read(VkCommandBuffer commands) const {
+  for (Image& target : gbuffer_->targets) target.transition(commands, Use::sampled);
+}
+
 void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                                    std::size_t layer, const VkRect2D& tile, Image& color) {
-  for (Image& target : gbuffer_->targets) target.transition(commands, Use::sampled);
+  prepare_to_read(commands);
   color.transition(commands, Use::color_attachment);
   begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, lighting_layout_.get(), 0, gpu.frame_set());

@@ -35,6 +35,8 @@ void begin_colors(VkCommandBuffer commands, std::initializer_list<Image*> images
 void draw_screen(VkCommandBuffer commands, VkPipeline pipeline);
 // Returns the reflectances of a layer, each once.
 std::vector<Reflectance> forms_in(const std::vector<Item>& layer);
+// Returns the index of the layer's only item of this form, or -1 if there are several items or no item.
+int only_item(const PreparedScene& scene, std::size_t layer, const Reflectance& form);
 
 // Begins drawing meshes over the content of `color` (or over zeros), with a fresh depth buffer, and sets
 // the viewport.
@@ -66,6 +68,7 @@ class DeferredPass {
   void record_lighting(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                        std::size_t layer, const VkRect2D& tile, Image& color);
   // For other passes that read the targets.
+  void prepare_to_read(VkCommandBuffer commands) const;
   VkDescriptorSetLayout targets_layout() const { return targets_layout_.get(); }
   VkDescriptorSet targets_set() const { return targets_set_; }
 

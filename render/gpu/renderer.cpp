@@ -152,18 +152,22 @@ int Renderer::parts() const {
 void Renderer::record_tiles(VkCommandBuffer commands, std::size_t layer, int first, int count,
                             Timestamps* times) {
   const std::vector<VkRect2D> tiles = rectangles(color_.extent(), first, count);
-  for (const VkRect2D& tile : tiles) deferred_->record_lighting(commands, scene_, gpu_, layer, tile, color_);
-  if (times) times->mark(commands, "lighting");
+  if (!environment_ || !environment_->is_smooth()) {
+    for (const VkRect2D& tile : tiles)
+      deferred_->record_lighting(commands, scene_, gpu_, layer, tile, color_);
+    if (times) times->mark(commands, "lighting");
+  }
   if (!environment_) return;
   for (const VkRect2D& tile : tiles)
-    environment_->record(commands, scene_, gpu_, layer, tile,
-                         options_.seed + std::uint32_t(layer) * 0x10000u);
+    environment_->record(commands, scene_, gpu_, layer, tile, options_.seed + std::uint32_t(layer) * 0x10000u,
+                         color_);
   if (times) times->mark(commands, "environment");
 }
 
 void Renderer::record_parts(VkCommandBuffer commands, int first, int count, Timestamps* times) {
   const int meshes = int(mesh_parts_.size()), of_a_layer = parts() / int(scene_.layers.size());
-  if (first == 0 && environment_) environment_->begin_run(commands);
+  const bool has_run = environment_ && !environment_->is_smooth();
+  if (first == 0 && has_run) environment_->begin_run(commands);
   for (int part = first, end = first + count; part < end;) {
     const int layer = part / of_a_layer, within = part % of_a_layer;
     const int kind_end = within < meshes ? meshes : of_a_layer;
@@ -178,7 +182,7 @@ void Renderer::record_parts(VkCommandBuffer commands, int first, int count, Time
     }
     part += together;
   }
-  if (first + count < parts() || !environment_) return;
+  if (first + count < parts() || !has_run) return;
   environment_->end_run(commands, color_);
   if (times) times->mark(commands, "environment");
 }

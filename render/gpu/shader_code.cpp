@@ -54,6 +54,9 @@ constexpr std::uint32_t kAccumulate[] =
 constexpr std::uint32_t kMean[] =
 #include "mean.frag.inc"
     ;
+constexpr std::uint32_t kEnlarge[] =
+#include "enlarge.frag.inc"
+    ;
 
 }  // namespace
 
@@ -61,7 +64,7 @@ const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = 
             lighting = kLighting, forward = kForward, sky = kSky, classic_vertex = kClassicVertex,
             classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
             shadow_vertex = kShadowVertex, shadow = kShadow, environment = kEnvironment,
-            backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean;
+            backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean, enlarge = kEnlarge;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"

@@ -10,17 +10,6 @@ namespace {
 constexpr VkFormat kMapFormat = VK_FORMAT_R32G32_SFLOAT;
 constexpr VkExtent2D kMapExtent{kShadowMapSize, kShadowMapSize};
 
-// Returns all that the map depends on if the meshes stay the same.
-std::vector<glm::mat4> placed(const PreparedScene& scene) {
-  const std::optional<ShadowView> view = shadow_view(scene);
-  std::vector<glm::mat4> out{view ? view->projection : glm::mat4(1)};
-  for (const Item& item : scene.layers[0]) {
-    out.emplace_back(item.linear);
-    out.back()[3] = glm::vec4(item.origin, 1);
-  }
-  return out;
-}
-
 }  // namespace
 
 ShadowPass::ShadowPass(Device& device, GpuScene& gpu)
@@ -39,9 +28,8 @@ ShadowPass::ShadowPass(Device& device, GpuScene& gpu)
 }
 
 void ShadowPass::record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu) {
-  std::vector<glm::mat4> wanted = placed(scene);
-  if (wanted == drawn_) return;
-  drawn_ = std::move(wanted);
+  if (gpu.shadow_places() == drawn_) return;
+  drawn_ = gpu.shadow_places();
   begin_forward(commands, map_, depth_, VK_ATTACHMENT_LOAD_OP_CLEAR);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
   bind(commands, layout_.get(), 0, gpu.frame_set());

@@ -13,7 +13,7 @@ class ShadowPass {
   void record(VkCommandBuffer commands, const PreparedScene& scene, GpuScene& gpu);
 
  private:
-  std::vector<glm::mat4> drawn_;  // the projection and the objects' places in the map
+  std::vector<glm::mat4> drawn_;  // GpuScene::shadow_places() of the map
   Image map_, depth_;
   Owned<VkSampler> sampler_;
   Owned<VkPipelineLayout> layout_;

@@ -81,8 +81,8 @@ void update_items(PreparedScene& prepared) {
   prepared.layers.assign(layers, {});
   PointBox box;
   for (std::size_t k = 0; k < objects.size(); ++k) {
-    const auto [box_low, box_high] = bounding_box(*prepared.meshes[k]);
-    const glm::vec4 bound = bounding_sphere(*prepared.meshes[k]);
+    const MeshBounds& mesh = prepared.mesh_bounds[k];
+    const glm::vec4 bound = mesh.sphere;
     items[k].resize(layers);
     for (std::size_t layer = 0; layer < layers; ++layer) {
       Item& item = items[k][layer];
@@ -90,8 +90,8 @@ void update_items(PreparedScene& prepared) {
       item.linear = linear_part(objects[k]);
       item.normals = glm::transpose(glm::inverse(item.linear));
       item.origin = objects[k].position;
-      item.low = box_low;
-      item.high = box_high;
+      item.low = mesh.low;
+      item.high = mesh.high;
       const float stretch =
           std::max({glm::length(item.linear[0]), glm::length(item.linear[1]), glm::length(item.linear[2])});
       item.extent = stretch * (glm::length(glm::vec3(bound)) + bound.w);
@@ -129,6 +129,8 @@ PreparedScene prepare(Scene scene) {
     triangles += mesh->triangles();
     if (triangles > kMostTriangles) refuse(k, "triangles", kMostTriangles);
     prepared.meshes.push_back(mesh);
+    const auto [low, high] = bounding_box(*mesh);
+    prepared.mesh_bounds.push_back({low, high, bounding_sphere(*mesh)});
     TextureSet textures;
     for (std::size_t slot = 0; slot < 4; ++slot) {
       if (!object.textures[slot]) continue;

@@ -33,9 +33,16 @@ struct Item {
   std::vector<Rule> weight_rules, shape_rules;
 };
 
+// Kept because meshes have many vertices, and items are updated in every frame.
+struct MeshBounds {
+  glm::vec3 low, high;  // the box
+  glm::vec4 sphere;     // centre and radius
+};
+
 struct PreparedScene {
   Scene scene;
   std::vector<std::shared_ptr<const Mesh>> meshes;  // per object
+  std::vector<MeshBounds> mesh_bounds;              // per object
   std::vector<TextureSet> textures;                 // per object
   std::vector<std::vector<Item>> layers;            // every layer has an item per object
   std::shared_ptr<const LightMap> environment;      // null: no environment

@@ -10,7 +10,7 @@ layout(constant_id = 2) const int kDitherTile = 32;  // thresholds across: as a 
 layout(push_constant) uniform Push {
   ivec2 size;      // of the pictures
   ivec2 origin;    // in the window, of what is shown
-  ivec2 place;     // its size there
+  ivec2 place;     // its size there; that of the pictures, except for the targets
   float gain;      // 2^exposure
   float split;
   float extent;    // of the largest object: scales the position target
@@ -50,32 +50,18 @@ vec3 gbuffer(vec2 uv) {
   return tone_curve(tone_map_srgb, v);
 }
 
-// A picture with fewer pixels than its place is interpolated. The alpha is that of the nearest pixel.
-vec4 shown_at(int which, vec2 at, ivec2 pixel) {
-  const vec4 nearest = texelFetch(pictures[which], pixel, 0);
-  if (push.size == push.place) return nearest;
-  const vec2 place = at * vec2(push.size) / vec2(push.place) - 0.5, base = floor(place), t = place - base;
-  const ivec2 end = push.size - 1;
-  const ivec2 low = clamp(ivec2(base), ivec2(0), end), high = clamp(ivec2(base) + 1, ivec2(0), end);
-  const vec3 a = texelFetch(pictures[which], low, 0).rgb;
-  const vec3 b = texelFetch(pictures[which], ivec2(high.x, low.y), 0).rgb;
-  const vec3 c = texelFetch(pictures[which], ivec2(low.x, high.y), 0).rgb;
-  const vec3 d = texelFetch(pictures[which], high, 0).rgb;
-  return vec4(mix(mix(a, b, t.x), mix(c, d, t.x), t.y), nearest.a);
-}
-
 void main() {
   const vec2 at = gl_FragCoord.xy - vec2(push.origin);  // in what is shown
-  const ivec2 pixel = push.size == push.place ? ivec2(at) : ivec2(at * vec2(push.size) / vec2(push.place));
   if (kDisplay == display_gbuffer) {
     color = vec4(gbuffer(at / vec2(push.place)), 1.0);
     return;
   }
+  const ivec2 pixel = ivec2(at);
   // Where nobody measured (picture.h: kNotMeasured), as io/page/hatching.h.
   const bool dark = (pixel.x + pixel.y) % kHatchPeriod < kHatchPeriod / 2;
   const vec3 hatching = vec3(float(dark ? kHatchDark : kHatchBright) / 255.0);
-  const vec4 a = shown_at(0, at, pixel);
-  const vec4 b = kDisplay == display_picture ? a : shown_at(1, at, pixel);
+  const vec4 a = texelFetch(pictures[0], pixel, 0);
+  const vec4 b = kDisplay == display_picture ? a : texelFetch(pictures[1], pixel, 0);
   if (kDisplay == display_difference) {
     const vec3 relative = (a.rgb - b.rgb) / max(abs(b.rgb), 1e-6), size = abs(relative);
     const float most = max(max(size.r, size.g), size.b);

@@ -2,20 +2,22 @@
 #extension GL_GOOGLE_include_directive : require
 // One run of points of environment light for every pixel of a form: the mean over the run. See
 // reference/environment_light.h for what is drawn and how it is weighted.
+// Or the smooth picture: the lights and the environment's light in one pass, which reads the targets once.
 layout(constant_id = 0) const int kForm = 0;
 layout(constant_id = 1) const int kBits = 16;
 // Instead of a run: few directions, the same in every pixel. Each takes the light's mean over its share.
 layout(constant_id = 2) const bool kSmooth = false;
+layout(constant_id = 3) const bool kSingle = false;  // as in lighting.frag
 #include "frame.glsl"
 layout(push_constant) uniform Push {
-  int item;  // unused here: stored_surface.glsl
+  int item;  // the only item if kSingle
   uint seed;
   int count;  // of a run; smooth: half the number of directions
   float first[kPointDimensions];  // how far each coordinate has moved before this run
 } push;
 #include "brdf.glsl"
 #include "samplers.glsl"
-const bool kSingle = false;
+#include "shade.glsl"
 #include "stored_surface.glsl"
 #include "points.glsl"
 #include "rules.glsl"
@@ -72,11 +74,18 @@ vec3 smooth_light(StoredSurface s, mat3 basis, vec3 wo) {
 
 void main() {
   const StoredSurface s = stored_surface();
-  if (!s.front) discard;
+  if (!s.front) {
+    if (!kSmooth) discard;
+    color = vec4(frame.back_color.rgb, 1.0);
+    return;
+  }
   const mat3 basis = mat3(s.tangent, s.bitangent, s.normal);
   const vec3 wo = -normalize(s.ray) * basis;
   if (kSmooth) {
-    color = vec4(smooth_light(s, basis, wo) * frame.environment.z, 0.0);
+    shadow_receiver = s.item;
+    const vec3 direct = shade(kForm, s.position, normalize(s.ray), s.normal, s.tangent, s.bitangent, s.weights,
+                              items[s.item].form.z, s.shape);
+    color = vec4(direct + smooth_light(s, basis, wo) * frame.environment.z, 1.0);
     return;
   }
   const float starts[kPointDimensions] = point_starts(uvec2(gl_FragCoord.xy), push.seed);

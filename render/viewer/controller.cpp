@@ -101,15 +101,16 @@ void Controller::frame() {
   const Answers answers = prompts_.draw(scale_);
   if (asking && !prompts_.asking()) late_keys_.wait(3);
   ImGui::Render();
-  swapchain_.frame([&](VkCommandBuffer commands) { shown_.prepare(commands); },
-                   [&](VkCommandBuffer commands) {
-                     // After a resize between the drawing of the pictures and the swapchain's frame, the
-                     // pictures are shown in the next frame.
-                     const VkExtent2D now = swapchain_.extent();
-                     if (now.width == size.width && now.height == size.height)
-                       shown_.record(commands, state(), pixels_of(layout_.picture));
-                     interface_->record(commands);
-                   });
+  swapchain_.frame(
+      [&](VkCommandBuffer commands) { shown_.prepare(commands, state(), pixels_of(layout_.picture).extent); },
+      [&](VkCommandBuffer commands) {
+        // After a resize between the drawing of the pictures and the swapchain's frame, the
+        // pictures are shown in the next frame.
+        const VkExtent2D now = swapchain_.extent();
+        if (now.width == size.width && now.height == size.height)
+          shown_.record(commands, state(), pixels_of(layout_.picture));
+        interface_->record(commands);
+      });
   times_.end();
   for (const Request asked : requests) request(asked);
   obey(answers);

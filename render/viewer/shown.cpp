@@ -62,15 +62,26 @@ void Shown::update(const ViewState& state, VkExtent2D size, bool held) {
     display_.show(wanted.a_image(), wanted.b_image(), wanted.has_targets() ? &wanted.a() : nullptr);
 }
 
-void Shown::prepare(VkCommandBuffer commands) {
-  if (drawn_) drawn_->prepare_to_sample(commands);
+DisplayPass::Look Shown::look(const ViewState& state) const {
+  const bool without_targets = state.display == Display::gbuffer && !drawn_->has_targets();
+  return {.display = without_targets ? Display::picture : state.display,
+          .tone_map = state.scene.tone_map,
+          .exposure = state.scene.exposure,
+          .split = state.split,
+          .plus_minus = state.other == Other::samples,
+          .pictures = drawn_->a().color().extent(),
+          .object_extent = drawn_->extent(),
+          .bits = drawn_->bits()};
+}
+
+void Shown::prepare(VkCommandBuffer commands, const ViewState& state, VkExtent2D place) {
+  if (!drawn_) return;
+  drawn_->prepare_to_sample(commands);
+  display_.prepare(commands, look(state), place);
 }
 
 void Shown::record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place) {
-  if (!drawn_) return;
-  ViewState shown = state;
-  if (shown.display == Display::gbuffer && !drawn_->has_targets()) shown.display = Display::picture;
-  display_.record(commands, shown, place, drawn_->a().color().extent(), drawn_->extent(), drawn_->bits());
+  if (drawn_) display_.record(commands, look(state), place);
 }
 
 BytePicture Shown::capture(const ViewState& state) {

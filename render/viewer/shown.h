@@ -27,7 +27,8 @@ class Shown {
   bool unfinished() const { return drawn_ && resting_ && (postponed_ || fine_.unfinished()); }
   const Pictures* drawn() const { return drawn_; }
 
-  void prepare(VkCommandBuffer commands);
+  // Both for the same place in the window, in pixels; prepare() before the window's own pass.
+  void prepare(VkCommandBuffer commands, const ViewState& state, VkExtent2D place);
   void record(VkCommandBuffer commands, const ViewState& state, const VkRect2D& place);
   // Returns the picture at full size.
   BytePicture capture(const ViewState& state);
@@ -39,6 +40,7 @@ class Shown {
   Probe probe(const ViewState& state, const Area& picture, const glm::vec2& place) const;
 
  private:
+  DisplayPass::Look look(const ViewState& state) const;
   void draw_coarse(const ViewState& state, VkExtent2D size);
 
   Pictures fine_, coarse_;
