@@ -62,9 +62,12 @@ class Study {
   void check_outputs() const {
     std::vector<fs::path> inputs;
     for (const Row& row : rows_) inputs.emplace_back(row.file);
-    io::check_folder_target({"-o", options_.folder}, {kPage, kResults}, inputs);
-    for (const Row& row : rows_)
-      io::check_folder_target({"-o", row.folder}, {kSampleFiles.begin(), kSampleFiles.end()}, inputs);
+    const io::Inputs read(inputs);
+    io::check_folder_target({"-o", options_.folder}, {kPage, kResults}, read);
+    for (const Row& row : rows_) {
+      if (options_.sample.fit.stop()) return;  // each sample then reports the interruption
+      io::check_folder_target({"-o", row.folder}, {kSampleFiles.begin(), kSampleFiles.end()}, read);
+    }
   }
 
   void work(std::size_t k) {

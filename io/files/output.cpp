@@ -72,18 +72,15 @@ std::optional<struct stat> checked(const fs::path& path) {
   return old;
 }
 
-// The identity of a file: its device and inode number. A file that does not exist is identified by the
-// device and inode number of its folder and by its name.
-using Identity = std::tuple<dev_t, ino_t, std::string>;
-std::optional<Identity> identity(const fs::path& path) {
+std::optional<Inputs::Identity> identity(const fs::path& path) {
   if (const auto status = status_of(path)) {
     if (!S_ISREG(status->st_mode)) return std::nullopt;  // a terminal may be written to twice
-    return Identity{status->st_dev, status->st_ino, ""};
+    return Inputs::Identity{status->st_dev, status->st_ino, ""};
   }
   const fs::path target = resolved(path);
   const auto folder = status_of(folder_of(target));
   if (!folder) return std::nullopt;
-  return Identity{folder->st_dev, folder->st_ino, target.filename().string()};
+  return Inputs::Identity{folder->st_dev, folder->st_ino, target.filename().string()};
 }
 
 }  // namespace
@@ -119,24 +116,41 @@ void write_file_atomically(const fs::path& path, const std::function<void(std::o
   temporary.rename_to(target);
 }
 
+Inputs::Inputs(const std::vector<fs::path>& paths) {
+  for (const fs::path& path : paths)
+    if (const std::optional<Identity> id = identity(path)) paths_.emplace(*id, path);
+}
+
+const fs::path* Inputs::find(const Identity& file) const {
+  const auto found = paths_.find(file);
+  return found == paths_.end() ? nullptr : &found->second;
+}
+
 void check_targets(const std::vector<Target>& targets, const std::vector<fs::path>& inputs) {
-  std::vector<std::pair<Identity, const Target*>> seen;
+  check_targets(targets, Inputs(inputs));
+}
+
+void check_targets(const std::vector<Target>& targets, const Inputs& inputs) {
+  std::map<Inputs::Identity, const Target*> seen;
   for (const Target& target : targets) {
     if (target.path.empty()) continue;
     checked(target.path);
-    const std::optional<Identity> id = identity(target.path);
+    const std::optional<Inputs::Identity> id = identity(target.path);
     if (!id) continue;
     const std::string name = target.option + " " + target.path.string();
-    for (const fs::path& input : inputs)
-      if (identity(input) == id) throw InputError(name + ": is the input " + input_name(input.string()));
-    for (const auto& [other, earlier] : seen)
-      if (other == *id) throw InputError(name + ": is also the output of " + earlier->option);
-    seen.emplace_back(*id, &target);
+    if (const fs::path* input = inputs.find(*id))
+      throw InputError(name + ": is the input " + input_name(input->string()));
+    if (const auto [at, fresh] = seen.emplace(*id, &target); !fresh)
+      throw InputError(name + ": is also the output of " + at->second->option);
   }
 }
 
 void check_folder_target(const Target& folder, const std::vector<std::string>& names,
                          const std::vector<fs::path>& inputs) {
+  check_folder_target(folder, names, Inputs(inputs));
+}
+
+void check_folder_target(const Target& folder, const std::vector<std::string>& names, const Inputs& inputs) {
   fs::path existing = folder.path;
   while (!status_of(existing)) {
     if (errno != ENOENT) cannot_write(folder.path, errno);

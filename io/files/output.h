@@ -1,11 +1,15 @@
 // Writes output files atomically and checks beforehand that they can be written.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 namespace brdf::io {
@@ -25,12 +29,27 @@ struct Target {
   std::filesystem::path path;  // empty if the output is not requested
 };
 
+// Files that are read, looked up once for many checks. The device, the inode and, for a file that does not
+// exist, the name in its folder identify a file.
+class Inputs {
+ public:
+  using Identity = std::tuple<dev_t, ino_t, std::string>;
+  explicit Inputs(const std::vector<std::filesystem::path>& paths);
+  // Returns the input that is this file, or null.
+  const std::filesystem::path* find(const Identity& file) const;
+
+ private:
+  std::map<Identity, std::filesystem::path> paths_;
+};
+
 // Checks the targets before the work begins. Throws InputError if a target cannot be written (a missing
 // folder, a read-only file, a loop of links), is one of the inputs, or is named twice.
 void check_targets(const std::vector<Target>& targets, const std::vector<std::filesystem::path>& inputs = {});
+void check_targets(const std::vector<Target>& targets, const Inputs& inputs);
 // Does the same for files with these names in a folder, which need not exist yet.
 void check_folder_target(const Target& folder, const std::vector<std::string>& names,
                          const std::vector<std::filesystem::path>& inputs = {});
+void check_folder_target(const Target& folder, const std::vector<std::string>& names, const Inputs& inputs);
 
 // Creates a folder and its missing parent folders.
 void make_folder(const std::filesystem::path& folder);
