@@ -30,7 +30,9 @@ bool is_main(const std::string& name) {
 std::vector<const spirv::Function*> own_functions(const Module& module) {
   std::vector<const spirv::Function*> out;
   for (const auto& [id, f] : module.functions)
-    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") && !is_main(f.name))
+    // An entry point with arguments is that of a SPIR-V file.
+    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") &&
+        (!is_main(f.name) || (f.name == "main" && !f.parameters.empty())))
       out.push_back(&f);
   return out;
 }
@@ -307,6 +309,13 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
   const std::vector<Token> tokens = tokens_of(source.whole);
   const bool has_main =
       std::ranges::any_of(tokens, [](const Token& t) { return t.is("brdf_own_main") || t.is("mainImage"); });
+  if (!source.module.empty())
+    throw InputError(source.name +
+                     ": no function of this module has the name and the arguments of a reflectance: select a "
+                     "function and name its arguments by their order, as in --entry 'NAME(L, V, N, "
+                     "roughness)', or the inputs of an entry point by their locations, as in --entry "
+                     "'main(0=L, 1=V)'; the module has " +
+                     (all.empty() ? "no function with arguments" : listed(module, all)));
   std::string what = source.name + ": has ";
   what += has_main ? "main() and no function brdf of directions" : "no function brdf of directions";
   throw InputError(what + kHelp + (all.empty() ? "" : "; the file has " + listed(module, all)) +

@@ -14,6 +14,7 @@
 #include "shader/entry.h"
 #include "shader/front/compile.h"
 #include "shader/front/languages.h"
+#include "shader/front/module_file.h"
 #include "shader/front/stripped.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
@@ -204,11 +205,67 @@ std::string said_of_half(const Source& source) {
   return "";
 }
 
+// The names of --entry take the places of names that a module has lost: by their order, or, as "0=L", by the
+// location of an input. `words` becomes a list by order.
+void name_arguments(spirv::Module& module, const spirv::Function& function, std::vector<std::string>& words) {
+  std::vector<std::string> ordered;
+  for (const spirv::Id parameter : function.parameters) ordered.push_back(module.name(parameter));
+  if (words.size() > ordered.size()) return;  // of another function of this name
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::size_t equals = words[k].find('=');
+    std::size_t place = k;
+    if (equals != words[k].npos)
+      for (place = 0; place < ordered.size(); ++place)
+        if (const auto found = module.locations.find(function.parameters[place]);
+            found != module.locations.end() && std::to_string(found->second) == words[k].substr(0, equals))
+          break;
+    if (place == ordered.size())
+      throw InputError("--entry " + function.name + "(" + words[k] +
+                       "): the entry point has no input at this location");
+    ordered[place] = words[k].substr(equals == words[k].npos ? 0 : equals + 1);
+    if (std::string& name = module.names[function.parameters[place]]; name.starts_with('%'))
+      name = ordered[place];
+  }
+  words = ordered;
+}
+
+// Completes a SPIR-V file. Returns its entry point if this is, with inputs as arguments, a candidate for the
+// reflectance: it is the only function, because an optimiser has merged the others into it, or --entry names it.
+spirv::Id complete(spirv::Module& module, Source& source) {
+  spirv::name_all(module);
+  const auto main = module.functions.find(module.entry);
+  const bool is_candidate =
+      main != module.functions.end() &&
+      (module.functions.size() == 1 || (source.entry && source.entry->name == main->second.name));
+  const spirv::Id candidate = is_candidate ? module.entry : 0;
+  if (is_candidate) spirv::give_arguments(module);
+  // In a text that this program completes, main initialises globals. In a foreign module main is a program.
+  module.entry = 0;
+  if (!source.entry || !source.entry->arguments) return candidate;
+  for (auto& [id, function] : module.functions)
+    if (function.name == source.entry->name) name_arguments(module, function, *source.entry->arguments);
+  return candidate;
+}
+
+constexpr const char* kMerged =
+    "the reflectance is the entry point of the module: if an optimiser has written the module, the order of "
+    "operations is the optimiser's";
+
+std::string said_of_relaxed(const spirv::Module& module) {
+  if (module.relaxed == 0) return "";
+  return io::plural(module.relaxed, "value") +
+         " of the module may be computed in 16 bits (RelaxedPrecision) and are computed in 32 bits here: "
+         "loss "
+         "of precision and overflow on a device are not checked";
+}
+
 Function function_of(Source source, const Compiled& compiled) {
   static std::atomic<std::uint64_t> count{0};
   source.whole = compiled.whole;
   Function f;
-  const spirv::Module module = spirv::parse(compiled.spirv, source.name);
+  const bool is_module = !source.module.empty();
+  spirv::Module module = spirv::parse(compiled.spirv, is_module ? "" : source.name);
+  const spirv::Id entry_point = is_module ? complete(module, source) : 0;
   const Chosen chosen = choose_entry(module, source, compiled);
   LowerOptions options;
   for (const Declared& d : source.parameters) options.parameters.insert(d.name);
@@ -251,8 +308,10 @@ Function function_of(Source source, const Compiled& compiled) {
   f.constant = constant_value(f);
   f.notes = compiled.notes;
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
-  for (const std::string& note : {chosen.note, chosen.results.note, undeclared(f),
-                                  unmentioned(compiled.unmentioned), said_of_half(f.source)})
+  for (const std::string& note :
+       {chosen.note, chosen.results.note, undeclared(f), unmentioned(compiled.unmentioned),
+        is_module ? said_of_relaxed(module) : said_of_half(f.source),
+        std::string(entry_point == chosen.function->id ? kMerged : "")})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(
@@ -277,13 +336,14 @@ Function with_missing_files(Source source, const Compiled& compiled) {
 
 Function make_function(Source source, const ShaderChoice& choice) {
   choose(source, choice);
-  const Compiled compiled = compile(source);
+  const Compiled compiled = source.module.empty() ? compile(source) : compile(source, checked_module);
   return with_missing_files(std::move(source), compiled);
 }
 
 Function make_function(Source source, const ShaderChoice& choice, Compiler& compiler) {
   choose(source, choice);
-  const Compiled compiled = compiler.compile(source);
+  const Compiled compiled =
+      source.module.empty() ? compiler.compile(source) : compile(source, checked_module);
   return with_missing_files(std::move(source), compiled);
 }
 

@@ -9,6 +9,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "shader/front/includes.h"
+#include "shader/front/module_file.h"
 #include "shader/front/stripped.h"
 
 namespace brdf::shader {
@@ -63,6 +64,7 @@ struct Expansion {
 
 std::string whole_text(const ShaderChoice& choice) {
   Source source = read_source(choice.file);
+  if (!source.module.empty()) return io::read_content(choice.file, kLargestModule).bytes;
   choose(source, choice);
   const std::string text = text_of_bytes(source.name, io::read_content(choice.file, kLargestShader).bytes);
   Files files(source);
@@ -76,6 +78,10 @@ ShaderOrigin origin_of(const ShaderChoice& choice, bool embedded) {
   std::string text = whole_text(choice);
   origin.sha256 = io::sha256(text);
   if (!embedded) return origin;
+  if (is_module(text))
+    throw InputError("--embed: " + choice.file +
+                     " is SPIR-V, which a material cannot contain: leave --embed out, and the material names "
+                     "the file");
   if (text.size() > kLargestShader)
     throw InputError("--embed: " + choice.file +
                      " exceeds, with its includes, the largest text in a material (" +

@@ -162,7 +162,9 @@ EntryLine parse_entry(const std::string& text) {
     for (const std::string_view field : fields)
       if (!field.empty()) entry.arguments->emplace_back(field.substr(field.find_last_of(" \t") + 1));
   }
-  if (entry.name.empty() || !std::ranges::all_of(entry.name, is_word))
+  // SPIR-V without names numbers its functions: %16.
+  const std::string_view name = std::string_view(entry.name).substr(entry.name.starts_with('%') ? 1 : 0);
+  if (name.empty() || !std::ranges::all_of(name, is_word))
     throw InputError("entry '" + text + "': must be NAME or NAME(L, V, N, ...)");
   return entry;
 }

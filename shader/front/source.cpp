@@ -7,6 +7,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "shader/front/definitions.h"
+#include "shader/front/module_file.h"
 #include "shader/front/notes.h"
 #include "shader/front/stripped.h"
 
@@ -99,6 +100,11 @@ std::string line_of_text(std::string_view text, std::uint32_t line) {
 }
 
 Source parse_source(std::string name, std::string text, std::filesystem::path folder) {
+  if (is_module(text)) {
+    Source source{name, std::move(folder), ""};
+    source.module = module_words(name, text);
+    return source;
+  }
   text = text_of_bytes(name, std::move(text));
   Source source{std::move(name), std::move(folder), std::move(text)};
   const std::string kind = io::lower_case(std::filesystem::path(source.name).extension().string());
@@ -131,7 +137,10 @@ Source parse_source(std::string name, std::string text, std::filesystem::path fo
 }
 
 Source read_source(const std::filesystem::path& path) {
-  io::Content content = io::read_content(path, kLargestShader);
+  io::Content content = io::read_content(path, kLargestModule);
+  if (!is_module(content.bytes) && content.bytes.size() > kLargestShader)
+    throw InputError(content.name + ": is larger than " + std::to_string(kLargestShader >> 10) +
+                     " KiB, the largest text of a shader");
   return parse_source(content.name, std::move(content.bytes), std::filesystem::absolute(path).parent_path());
 }
 

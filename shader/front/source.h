@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -46,7 +47,8 @@ struct Source {
   std::string text;              // the same lines as in the file
   // The text without comments and the contents of quotes. All guesses are based on this text.
   std::string bare = {};
-  std::string whole = {};  // with its includes, macros replaced; set after compilation
+  std::string whole = {};                  // with its includes, macros replaced; set after compilation
+  std::vector<std::uint32_t> module = {};  // the words of a SPIR-V file, which has no text
   Language language = Language::glsl;
   std::vector<Declared> parameters = {};
   // Parameters that the text declares as globals, in a .brdf file.
@@ -62,10 +64,10 @@ struct Source {
 
 constexpr std::size_t kLargestShader = 1u << 18;
 
-// Reads a shader's file. Throws InputError if the file cannot be read, is too large or nested too deeply,
+// Reads a shader's file: a text, or a SPIR-V module (front/module_file.h). Throws InputError if the file cannot be read, is too large or nested too deeply,
 // or if a `//:` line or a block cannot be parsed.
 Source read_source(const std::filesystem::path& path);
-// Reads a shader from a text, with `name` as its file name. HLSL is detected from its words (float3,
+// Reads a shader from the content of a file, a text or a module, with `name` as its file name. HLSL is detected from its words (float3,
 // cbuffer), otherwise from the suffix of the name (.hlsl, .hlsli, .fx, .fxh, .usf, .ush, .cginc). A text
 // with ::begin is a .brdf file. In a script with shaders in backticks, and in Unity's ShaderLab, both
 // detected from their suffixes, only the shaders are read. Throws InputError like read_source().

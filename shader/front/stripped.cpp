@@ -155,7 +155,7 @@ std::size_t find_word(std::string_view text, std::string_view word, std::size_t 
 
 std::string text_of_bytes(const std::string& name, std::string bytes) {
   if (bytes.starts_with("\x03\x02\x23\x07") || bytes.starts_with("\x07\x23\x02\x03"))
-    throw InputError(name + ": is SPIR-V, which is not read: give the source text instead");
+    throw InputError(name + ": is SPIR-V, and a text is needed here: give the source text instead");
   io::Content content{name, std::move(bytes)};
   if (content.bytes.find('\0') != content.bytes.npos) io::make_utf8(content);
   const std::string& text = content.bytes;

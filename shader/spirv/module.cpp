@@ -1,5 +1,6 @@
 #include "shader/spirv/module.h"
 
+#include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
 
 #include "io/files/error.h"
@@ -56,6 +57,11 @@ class Parser {
         word(w, 1);
         module_.member_names[w[0]][w[1]] = text(w, 2);
         return;
+      case spv::OpDecorate:
+        if (word(w, 1) == spv::DecorationRelaxedPrecision) ++module_.relaxed;
+        if (w[1] == spv::DecorationLinkageAttributes) module_.exported[w[0]] = text(w, 2);
+        if (w[1] == spv::DecorationLocation) module_.locations[w[0]] = word(w, 2);
+        return;
       case spv::OpString:
         files_[word(w, 0)] = text(w, 1);
         return;
@@ -67,6 +73,7 @@ class Parser {
         return;
       case spv::OpEntryPoint:
         module_.entry = word(w, 1);
+        module_.exported[module_.entry] = text(w, 2);
         return;
       case spv::OpExtInstImport:
         if (text(w, 1) == "GLSL.std.450") module_.extended = word(w, 0);
@@ -294,6 +301,50 @@ std::string Module::spelled(Id id) const {
       return name(id);
     default:
       return "a type that is not a number";
+  }
+}
+
+void name_all(Module& module) {
+  const auto named = [&](Id id) {
+    std::string& name = module.names[id];
+    if (name.empty())
+      if (const auto found = module.exported.find(id); found != module.exported.end()) name = found->second;
+    if (name.empty()) name = "%" + std::to_string(id);
+    return name;
+  };
+  for (auto& [id, function] : module.functions) {
+    if (function.name.empty()) function.name = named(id);
+    for (const Id parameter : function.parameters) named(parameter);
+  }
+  for (const auto& [id, global] : module.globals) {
+    if (!global.variable) continue;
+    named(id);
+    const Type& pointer = module.type(global.instruction.type);
+    if (pointer.kind != Kind::pointer || module.type(pointer.element).kind != Kind::structure) continue;
+    const std::size_t members = module.type(pointer.element).members.size();
+    for (std::uint32_t k = 0; k < members; ++k)
+      if (std::string& name = module.member_names[pointer.element][k]; name.empty())
+        name = "m" + std::to_string(k);
+  }
+}
+
+void give_arguments(Module& module) {
+  const auto found = module.functions.find(module.entry);
+  if (found == module.functions.end() || !found->second.parameters.empty()) return;
+  std::vector<std::pair<std::uint32_t, Id>> inputs, outputs;
+  for (const auto& [id, location] : module.locations) {
+    const auto global = module.globals.find(id);
+    if (global == module.globals.end() || !global->second.variable) continue;
+    const std::uint32_t storage = module.type(global->second.instruction.type).storage;
+    if (storage == spv::StorageClassInput) inputs.emplace_back(location, id);
+    if (storage == spv::StorageClassOutput) outputs.emplace_back(location, id);
+  }
+  if (inputs.empty() || outputs.empty()) return;
+  std::ranges::sort(inputs);
+  inputs.push_back(*std::ranges::min_element(outputs));
+  for (const auto& [location, id] : inputs) {
+    found->second.parameters.push_back(id);
+    found->second.parameter_types.push_back(module.globals.at(id).instruction.type);
   }
 }
 

@@ -66,9 +66,12 @@ struct Module {
   std::map<Id, Global> globals;
   std::map<Id, Function> functions;
   std::map<Id, std::string> names;
+  std::map<Id, std::string> exported;     // names by which a driver or a linker knows functions
+  std::map<Id, std::uint32_t> locations;  // of the inputs and outputs of an entry point
   std::map<Id, std::map<std::uint32_t, std::string>> member_names;
-  Id entry = 0;     // id of the function that a driver would call
-  Id extended = 0;  // id of the set of GLSL's built-in functions
+  Id entry = 0;             // id of the function that a driver would call
+  std::size_t relaxed = 0;  // values that a device may compute with less precision
+  Id extended = 0;          // id of the set of GLSL's built-in functions
 
   // Returns the type with this id. Throws InputError if the type is not declared.
   const Type& type(Id id) const;
@@ -81,6 +84,13 @@ struct Module {
   // "void".
   std::string spelled(Id type) const;
 };
+
+// Gives names to functions, arguments and variables of a module that has lost them: the exported name,
+// otherwise "%16", the number by which disassemblers show them.
+void name_all(Module& module);
+// Makes the inputs of the module's entry point its arguments, in the order of their locations, and then its
+// first output. Does nothing if the entry point has no inputs, or no output.
+void give_arguments(Module& module);
 
 // Reads a module. Line numbers refer to the source file `own`: instructions from other files get line 0. If
 // `own` is empty, lines of all files are kept. An instruction for which the module gives no line gets line

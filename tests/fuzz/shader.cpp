@@ -79,7 +79,9 @@ const Registered spirv(
       std::vector<std::uint32_t> words(input.size() / 4);
       if (words.empty()) return;
       std::memcpy(words.data(), input.data(), words.size() * 4);
-      const shader::spirv::Module module = shader::spirv::parse(words);
+      shader::spirv::Module module = shader::spirv::parse(words);
+      shader::spirv::name_all(module);
+      shader::spirv::give_arguments(module);
       for (const auto& [id, function] : module.functions) {
         shader::Program program;
         try {

@@ -361,7 +361,7 @@ TEST(Refused, FunctionsOfTheLanguageByTheirNames) {
       value_at(shader_of("float brdf(vec3 L, vec3 V, float k) { return float(clamp(int(10.0 * k), 1, 3)); }"),
                0, 0, 0, 0),
       3);
-  EXPECT_THAT(refusal(std::string("\x03\x02\x23\x07\0\0\1\0", 8)), HasSubstr("is SPIR-V, which is not read"));
+  EXPECT_THAT(refusal(std::string("\x03\x02\x23\x07\0\0\1\0", 8)), HasSubstr("is not valid SPIR-V"));
 }
 
 TEST(Lines, OfIncludedFilesAreNotTakenForTheShadersOwn) {
