@@ -41,6 +41,7 @@ void add_convert(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_work(CLI::App& app);
 void add_collect(CLI::App& app);
+void add_check_shader(CLI::App& app);
 void add_prove(CLI::App& app);
 void add_albedo(CLI::App& app);
 void add_recommend(CLI::App& app);

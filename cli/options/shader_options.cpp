@@ -94,8 +94,9 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
 #endif
 
 void add_shader_options(CLI::App& verb, ShaderOptions& options) {
-  verb.add_option("--shader", options.file,
-                  "A shader's file (GLSL, HLSL, SPIR-V, BRDF Explorer's .brdf) with the reflectance as a function");
+  verb.add_option(
+      "--shader", options.file,
+      "A shader's file (GLSL, HLSL, SPIR-V, BRDF Explorer's .brdf) with the reflectance as a function");
   add_repeated_option(verb, "--param", options.parameters,
                       "A parameter's range, NAME=MIN:MAX or NAME=MIN:MAX:DEFAULT, :log after it for a log "
                       "scale (of --shader)");

@@ -13,6 +13,7 @@
 #include "cli/options/terminal.h"
 #include "cli/steps/microsurface.h"
 #include "cli/steps/shader_proof.h"
+#include "cli/steps/shader_subject.h"
 #include "cli/verb.h"
 #include "io/columns/supplied.h"
 #include "io/files/content.h"
@@ -86,17 +87,6 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
     pictures.push_back({path, std::move(bytes)});
   }
   return pictures;
-}
-
-// Returns the facts about a finding that a shader's source provides.
-validate::OutsideFacts facts_of(const LoadedShader& shader) {
-  return {shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
-          shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
-}
-
-// Returns a shader's function as a subject.
-validate::Subject subject_of(const LoadedShader& shader, const std::string& file) {
-  return validate::Subject::outside(file, shader.material, facts_of(shader));
 }
 
 // Applies --such-that to all subjects that are judged over a domain.

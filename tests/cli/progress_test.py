@@ -26,6 +26,7 @@ COMMANDS = {
     "export m.json --to glsl --max-loss 1": "brdf export: comparing the formula with the material",
     "export m.json --to rgl --size 200K -o m.bsdf": "brdf export: computing the values of the table",
     "parity --form lambert": "brdf parity: forms: 0 of 1",
+    "check-shader own.glsl": "brdf check-shader: files: 0 of 1",
 }
 # A build without the renderer lacks these verbs; each of them then ends with exit code 3.
 OF_THE_RENDERER = {"maps", "lobes", "parity"}
@@ -69,6 +70,7 @@ def left(written):
 
 listed = subprocess.run([brdf, "--help"], text=True, capture_output=True, check=True).stdout
 with tempfile.TemporaryDirectory() as name:
+    (pathlib.Path(name) / "own.glsl").write_text("float brdf(vec3 L, vec3 V) { return 0.3; }\n")
     for command, shown in COMMANDS.items():
         verb = command.split()[0]
         if verb in OF_THE_RENDERER and not re.search(rf"^  {verb} ", listed, re.M):

@@ -73,6 +73,7 @@ with tempfile.TemporaryDirectory() as folder:
     for picture in pictures:
         if picture:
             check("render", picture)
+    check("check-shader", said("check-shader", source / "data/shaders", "--seconds", 5, "--json"))
     if rows := said("parity", "--form", "lambert", "--json"):
         check("parity", rows)
     scene = json.loads((source / "data/scenes/recommend_close_up.json").read_text())
