@@ -230,7 +230,8 @@ void name_arguments(spirv::Module& module, const spirv::Function& function, std:
 }
 
 // Completes a SPIR-V file. Returns its entry point if this is, with inputs as arguments, a candidate for the
-// reflectance: it is the only function, because an optimiser has merged the others into it, or --entry names it.
+// reflectance: it is the only function, because an optimiser has merged the others into it, or --entry names
+// it.
 spirv::Id complete(spirv::Module& module, Source& source) {
   spirv::name_all(module);
   const auto main = module.functions.find(module.entry);

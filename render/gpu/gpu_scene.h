@@ -33,7 +33,8 @@ class GpuScene {
   VkDescriptorSet maps_set(std::size_t object) const { return maps_sets_[object]; }
   // Sets the shadow map that the lighting reads (white until then).
   void set_shadow_map(VkImageView view, VkSampler sampler);
-  // Returns all that the shadow map depends on if the meshes stay the same: the light, then the objects' places.
+  // Returns all that the shadow map depends on if the meshes stay the same: the light, then the objects'
+  // places.
   const std::vector<glm::mat4>& shadow_places() const { return shadow_places_; }
   // Returns the number by which shaders know a reflectance of the scene.
   int number_of(const Reflectance& reflectance) const { return numbers_.of(reflectance); }

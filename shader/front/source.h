@@ -64,13 +64,14 @@ struct Source {
 
 constexpr std::size_t kLargestShader = 1u << 18;
 
-// Reads a shader's file: a text, or a SPIR-V module (front/module_file.h). Throws InputError if the file cannot be read, is too large or nested too deeply,
-// or if a `//:` line or a block cannot be parsed.
+// Reads a shader's file: a text, or a SPIR-V module (front/module_file.h). Throws InputError if the file
+// cannot be read, is too large or nested too deeply, or if a `//:` line or a block cannot be parsed.
 Source read_source(const std::filesystem::path& path);
-// Reads a shader from the content of a file, a text or a module, with `name` as its file name. HLSL is detected from its words (float3,
-// cbuffer), otherwise from the suffix of the name (.hlsl, .hlsli, .fx, .fxh, .usf, .ush, .cginc). A text
-// with ::begin is a .brdf file. In a script with shaders in backticks, and in Unity's ShaderLab, both
-// detected from their suffixes, only the shaders are read. Throws InputError like read_source().
+// Reads a shader from the content of a file, a text or a module, with `name` as its file name. HLSL is
+// detected from its words (float3, cbuffer), otherwise from the suffix of the name (.hlsl, .hlsli, .fx,
+// .fxh, .usf, .ush, .cginc). A text with ::begin is a .brdf file. In a script with shaders in backticks, and
+// in Unity's ShaderLab, both detected from their suffixes, only the shaders are read. Throws InputError like
+// read_source().
 Source parse_source(std::string name, std::string text, std::filesystem::path folder = {});
 
 // Parses "NAME=MIN:MAX" or "NAME=MIN:MAX:DEFAULT", with an optional ":log", from the command line. Throws
