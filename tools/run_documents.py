@@ -98,7 +98,7 @@ def verbs_of_help(brdf):
     rows = []
     text = subprocess.run([brdf, "--help"], check=True, capture_output=True, text=True).stdout
     for line in text.partition("\nOptions:\n")[2].split("\n"):  # the introduction above it may have lines of the same shape
-        if found := re.match(r"  (\w+) +(\S.*)", line):
+        if found := re.match(r"  (\w[\w-]*) +(\S.*)", line):
             rows.append([found[1], found[2]])
         elif rows and line.startswith(" " * 30) and line.strip():
             rows[-1][1] += " " + line.strip()

@@ -31,7 +31,7 @@ def groups_of(lines):
     for line in lines[lines.index("Options:") + 1 :]:
         if heading := re.fullmatch(r"(\S[^:]*):", line):
             group = heading[1]
-        elif group and (row := re.match(r"  (\w+)(?: +(\S.*))?$", line)):
+        elif group and (row := re.match(r"  (\w[\w-]*)(?: +(\S.*))?$", line)):
             groups.setdefault(group, []).append([row[1], row[2] or ""])
         elif group in groups and re.match(r" {20,}\S", line):
             groups[group][-1][1] = f"{groups[group][-1][1]} {line.strip()}".strip()

@@ -27,7 +27,7 @@ def expect(holds, what):
 
 verbs = json.loads(run(brdf, "describe", "json"))["verbs"]
 # `brdf --help` lists the same verbs as `brdf describe`.
-listed = re.findall(r"^  (\w+) +\S", run(brdf, "--help").split("\nBegin here:")[1], re.M)
+listed = re.findall(r"^  (\w[\w-]*) +\S", run(brdf, "--help").split("\nBegin here:")[1], re.M)
 assert sorted(listed) == sorted(v["name"] for v in verbs), (listed, [v["name"] for v in verbs])
 
 # An option that verbs share, in words too, has its example with any of them.

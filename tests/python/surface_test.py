@@ -21,7 +21,7 @@ def help_of(*words):
 
 
 def verbs_of_program():
-    return re.findall(r"^  (\w+) ", help_of().partition("\nLook:")[2], re.M)
+    return re.findall(r"^  (\w[\w-]*) ", help_of().partition("\nLook:")[2], re.M)
 
 
 def options_of(verb):
