@@ -98,17 +98,32 @@ void refuse_layout(const Content& content, const std::string& format, const Supp
                      format + ": leave --layout out");
 }
 
+// Reads a table by a layout. The message of a refusal names the format of text that the file is in, if any.
+SampleTable read_by_layout(const Content& text, const Supplied& supplied) {
+  try {
+    return read_csv(text, true, supplied);
+  } catch (const InputError& error) {
+    const Format* const format = format_of(kOfText, text);
+    if (!format) throw;
+    throw InputError(std::string(error.what()) + "; the file is in the format " + format->name +
+                     ", whose reader needs no layout: leave --layout out");
+  }
+}
+
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   const std::string transcoded = make_utf8(text);
   // JSON is tried apart from other text, because a document of one line may exceed the limit of lines.
   const bool is_any_json = is_json(text) || is_json_array(text);
   if (is_any_json) refuse_layout(text, "JSON", supplied);
   // A layout takes precedence over the formats of text, which resemble tables of columns.
-  const Format* const format = !need_values || !supplied.layout.empty() ? nullptr
-                               : is_any_json                            ? format_of(kOfJson, text)
-                                                                        : format_of(kOfText, text);
+  const bool has_layout = !supplied.layout.empty();
+  const Format* const format = !need_values || has_layout ? nullptr
+                               : is_any_json              ? format_of(kOfJson, text)
+                                                          : format_of(kOfText, text);
   if (!format && is_any_json) refuse_json(text);
-  SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
+  SampleTable table = format       ? format->read(text, supplied)
+                      : has_layout ? read_by_layout(text, supplied)
+                                   : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
 }

@@ -211,6 +211,7 @@ TEST(Layout, OnlyTablesOfTextHaveALayout) {
   EXPECT_THAT(refused("{\"a\": 1}"),
               HasSubstr("x: --layout applies to tables of columns of text, and this file is JSON"));
   EXPECT_EQ(refused(kAbc), "accepted");
+  EXPECT_THAT(refused(kAstm), HasSubstr("; the file is in the format astm, whose reader needs no layout"));
 }
 
 // Returns the paths of a proposal's unsure places.
