@@ -161,6 +161,7 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
   if (!o.options.supplied.quantity.empty()) add("--quantity", o.options.supplied.quantity);
   if (o.options.supplied.mirror_side != plain.options.supplied.mirror_side)
     add("--mirror-side", std::string(name_of(o.options.supplied.mirror_side)));
+  if (!o.options.supplied.layout.empty()) add("--layout", o.options.supplied.layout);
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
   if (o.options.aperture) add("--aperture", io::to_text(*o.options.aperture));
   add_number("--starts", o.options.random_starts, plain.options.random_starts);

@@ -45,7 +45,8 @@ void check(const Settings& s) {
   if (s.options.arrangement != io::Arrangement())
     throw InputError("--polarisation, --repeats: not for stacks, because images are used unchanged");
   if (s.options.supplied != io::Supplied())
-    throw InputError("--quantity, --mirror-side: not for stacks, because lights.csv gives the directions");
+    throw InputError(
+        "--quantity, --mirror-side, --layout: not for stacks, because lights.csv gives the directions");
   if (s.options.smooth > 0)
     throw InputError("--shape smooth: not for stacks, because maps have one shape or one shape per channel");
   if (s.options.random_starts > 0 || !s.options.start.empty())

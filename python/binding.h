@@ -42,10 +42,12 @@ inline io::Arrangement arrangement_of(const std::string& polarisation, const std
   return {named<io::Polarisation>("--polarisation", polarisation), named<io::Repeats>("--repeats", repeats)};
 }
 
-// Returns the supplied facts. If nothing is supplied, `quantity` is empty and `mirror_side` is "auto".
-inline io::Supplied supplied_of(const std::string& quantity, const std::string& mirror_side) {
+// Returns the supplied facts. If nothing is supplied, `quantity` and `layout` are empty and `mirror_side` is
+// "auto".
+inline io::Supplied supplied_of(const std::string& quantity, const std::string& mirror_side,
+                                const std::string& layout) {
   io::stated_by_option(quantity);  // throws before any file is read
-  return {quantity, named<io::MirrorSide>("--mirror-side", mirror_side)};
+  return {quantity, named<io::MirrorSide>("--mirror-side", mirror_side), false, layout};
 }
 
 void bind_samples(py::module_& module);

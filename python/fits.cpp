@@ -26,8 +26,9 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          const std::vector<std::string>& tie, bool physical, bool anisotropic,
                          bool per_channel, bool free_scale, bool keep_fill, const std::string& polarisation,
                          const std::string& repeats, const std::string& quantity,
-                         const std::string& mirror_side, double max_theta, std::optional<double> aperture,
-                         int starts, std::uint64_t seed, const std::string& shape) {
+                         const std::string& mirror_side, const std::string& layout, double max_theta,
+                         std::optional<double> aperture, int starts, std::uint64_t seed,
+                         const std::string& shape) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
                                 .weighting = named<fit::Weighting>("--weights", weights),
                                 .max_theta = max_theta,
@@ -36,7 +37,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                                 .free_scale = free_scale,
                                 .keep_fill = keep_fill,
                                 .arrangement = arrangement_of(polarisation, repeats),
-                                .supplied = supplied_of(quantity, mirror_side),
+                                .supplied = supplied_of(quantity, mirror_side, layout),
                                 .tie = tie,
                                 .random_starts = starts,
                                 .seed = seed,

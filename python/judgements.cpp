@@ -22,8 +22,8 @@ io::Progress told_to(Watch& watch) {
 // Judges whole forms first, then files, materials and tables in their order.
 Judged judge(const std::vector<std::string>& forms, const py::list& items, const std::string& effort,
              double max_theta, bool keep_fill, std::uint64_t seed, const std::string& quantity,
-             const std::string& mirror_side, py::object progress) {
-  const io::Supplied supplied = supplied_of(quantity, mirror_side);
+             const std::string& mirror_side, const std::string& layout, py::object progress) {
+  const io::Supplied supplied = supplied_of(quantity, mirror_side, layout);
   if (effort != "quick" && effort != "full")
     throw InputError("--effort: " + effort + ": must be quick or full");
   validate::check_max_theta(max_theta);

@@ -149,22 +149,22 @@ void bind_samples(py::module_& module) {
         const py::gil_scoped_release unlocked;
         return io::write_table(path, s.table());
       });
-  module.def("read",
-             [](const std::string& path, const std::string& quantity, const std::string& mirror_side) {
-               return read([&] { return io::read_samples(path, supplied_of(quantity, mirror_side)); });
-             });
+  module.def("read", [](const std::string& path, const std::string& quantity, const std::string& mirror_side,
+                        const std::string& layout) {
+    return read([&] { return io::read_samples(path, supplied_of(quantity, mirror_side, layout)); });
+  });
   module.def("read_text", [](const std::string& text, const std::string& name, const std::string& quantity,
-                             const std::string& mirror_side) {
+                             const std::string& mirror_side, const std::string& layout) {
     return read([&] {
-      return io::read_samples(io::Content{name, text}, supplied_of(quantity, mirror_side));
+      return io::read_samples(io::Content{name, text}, supplied_of(quantity, mirror_side, layout));
     });
   });
   module.def("read_directions",
              [](const std::string& path) { return read([&] { return io::read_directions(path); }); });
-  module.def("table_of_file",
-             [](const std::string& path, const std::string& quantity, const std::string& mirror_side) {
-               return read([&] { return synth::table_of_file(path, supplied_of(quantity, mirror_side)); });
-             });
+  module.def("table_of_file", [](const std::string& path, const std::string& quantity,
+                                 const std::string& mirror_side, const std::string& layout) {
+    return read([&] { return synth::table_of_file(path, supplied_of(quantity, mirror_side, layout)); });
+  });
   module.def("check_table_format", [](const std::string& path) { io::check_table_format(path); });
   module.def("from_arrays", &from_arrays);
   module.def("angles_of", &angles_of);

@@ -174,7 +174,8 @@ io::SampleTable table_of_file(const std::filesystem::path& path, const io::Suppl
   io::Supplied stated = supplied;
   stated.polarised = false;  // a material has no Mueller matrix, and its channels are chosen by their names
   if (stated != io::Supplied())
-    throw InputError(path.string() + ": --quantity and --mirror-side apply to samples, not to a material");
+    throw InputError(path.string() +
+                     ": --quantity, --mirror-side and --layout apply to samples, not to a material");
   Instrument instrument;
   instrument.grid.parts = {"merl"};
   io::SampleTable table = measure(io::read_material(content), instrument);

@@ -6,7 +6,9 @@
 #include <filesystem>
 
 #include "fit/file_batch.h"
+#include "io/columns/layout.h"
 #include "io/files/error.h"
+#include "io/files/json.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
@@ -55,6 +57,14 @@ void divide(std::size_t all, const std::string& size, std::size_t usual, const c
   plan.height = plan.unit_height = 1;
   plan.unit_width = size.empty() ? usual : count_in(size);
   if (plan.unit_width == 0) throw InputError("--unit-size " + size + ": " + things + ", 1 or more");
+}
+
+// Replaces the name of a layout's file by the layout, so that the units do not depend on the file. Throws
+// the errors of io::read_layout().
+void hold_layout(io::Supplied& supplied) {
+  if (supplied.layout.empty()) return;
+  io::read_layout(supplied.layout);
+  supplied.layout = io::to_line(io::parse_json(io::layout_text(supplied.layout), supplied.layout));
 }
 
 // Divides the refits of one table.
@@ -113,6 +123,7 @@ Plan plan_of(const std::string& verb, const std::vector<std::string>& named, con
       throw InputError("--normals applies to a stack of photographs");
     fit_options(options.choice, 1, nullptr);
     fit::models_of(options.choice.form);
+    hold_layout(options.choice.options.supplied);
     files = sample_files(named);
     if (!is_fit && options.choice.options.bootstrap > 0) throw InputError("--bootstrap applies to fit");
     if (is_fit && files.size() == 1 && !names_folder(named)) {

@@ -77,6 +77,8 @@ void add_supplied_options(CLI::App& verb, io::Supplied& supplied) {
       "Quantity of the values if the file does not state it: " + io::known_quantities());
   add_named_option(verb, "--mirror-side", supplied.mirror_side,
                    "Tables of two signed angles: the sign of the viewer's angle on the mirror side");
+  verb.add_option("--layout", supplied.layout,
+                  "JSON that describes the columns of a table of text; describe-table proposes one");
 }
 
 void add_memory_option(CLI::App& verb, std::uint64_t& bytes, const std::string& name,

@@ -55,7 +55,7 @@ void add_arrangement_options(CLI::App& verb, io::Arrangement& arrangement);
 // Adds --keep-fill, identical in every verb that reads samples.
 void add_keep_fill_option(CLI::App& verb, bool& keep_fill);
 
-// Adds --quantity and --mirror-side, identical in every verb that reads samples.
+// Adds --quantity, --mirror-side and --layout, identical in every verb that reads samples.
 void add_supplied_options(CLI::App& verb, io::Supplied& supplied);
 
 // Adds an option that takes a number of bytes above 0, optionally with K, M or G (powers of 1024).

@@ -63,6 +63,7 @@ constexpr OptionRow kTable[] = {
     {"validate --microsurface", Group::checks},
     {"--quantity", Group::measurements, Value::text},
     {"--mirror-side", Group::measurements},
+    {"--layout", Group::measurements, Value::json},
     {"--polarisation", Group::measurements},
     {"--repeats", Group::measurements},
     {"--keep-fill", Group::measurements},

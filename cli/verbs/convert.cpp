@@ -109,7 +109,8 @@ void add_convert(CLI::App& app) {
       "          zcat paper.csv.gz | brdf convert - - --repeats average\n"
       "          brdf convert scan.csv scan.zemax --keep-fill\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
-      "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative");
+      "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative\n"
+      "          brdf convert lab.txt f_r.csv --layout lab.json");
   on_run(*verb, [options] { return run_convert(*options); });
 }
 

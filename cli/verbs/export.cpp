@@ -226,7 +226,7 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
 Made made_by(const ExportCall& o, const interop::Program* program) {
   if (!o.measured.empty()) check_measured(o);
   if (o.measured.empty() && o.supplied != io::Supplied())
-    throw InputError("--quantity, --mirror-side: apply to --measured only");
+    throw InputError("--quantity, --mirror-side, --layout: apply to --measured only");
   if (o.to == kMerl) return export_merl(o);
   if (o.to == kRgl) return export_rgl(o);
   return program ? export_program(o, *program) : export_formula(o);

@@ -30,7 +30,7 @@ constexpr OptionOf kFitOptions[] = {
      "--fix --start --bounds --tie --physical --robust --weights --starts --aperture "
      "--bootstrap --output --jobs --json",
      kAnyFit},
-    {"--keep-fill --polarisation --repeats --quantity --mirror-side", kSamples},
+    {"--keep-fill --polarisation --repeats --quantity --mirror-side --layout", kSamples},
     {"--seed", kAnyFit, "--starts --bootstrap"},
     {"--shader", kOneTable},
     {"--param --entry --returns --define --include-folder --embed", kOneTable, "--shader"},
@@ -80,7 +80,7 @@ Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   const auto models = models_of(o);
   watch_for_interrupt();
   const fit::FitResult result = fit::fit(samples, models, options, step_line("brdf fit"));
-  // The window reads samples without --quantity and --mirror-side.
+  // The window reads samples without --quantity, --mirror-side and --layout.
   const bool is_readable = o.choice.options.supplied == io::Supplied();
   return write_fit(result, samples.table, options,
                    {o.output, o.report, is_readable ? o.samples[0] : "", o.json, tolerance});

@@ -19,14 +19,15 @@ struct PlanCall {
 };
 
 enum Planned : unsigned { kPlannedFit = 1, kPlannedStudy = 2, kAnyPlan = 3 };
-constexpr OptionOf kPlanOptions[] = {{"VERB SAMPLES --form --metric --anisotropic --per-channel --shape "
-                                      "--free-scale --keep-fill --polarisation --repeats "
-                                      "--quantity --mirror-side --max-theta --fix --start --bounds --tie "
-                                      "--physical --robust --weights --starts --aperture "
-                                      "--no-pictures --unit-size --output",
-                                      kAnyPlan},
-                                     {"--bootstrap --normals", kPlannedFit},
-                                     {"--seed", kAnyPlan, "--starts --bootstrap"}};
+constexpr OptionOf kPlanOptions[] = {
+    {"VERB SAMPLES --form --metric --anisotropic --per-channel --shape "
+     "--free-scale --keep-fill --polarisation --repeats "
+     "--quantity --mirror-side --layout --max-theta --fix --start --bounds --tie "
+     "--physical --robust --weights --starts --aperture "
+     "--no-pictures --unit-size --output",
+     kAnyPlan},
+    {"--bootstrap --normals", kPlannedFit},
+    {"--seed", kAnyPlan, "--starts --bootstrap"}};
 
 Exit run_plan(const CLI::App& verb, const PlanCall& o) {
   refuse_without_effect(verb, kPlanOptions, o.verb == "fit" ? kPlannedFit : kPlannedStudy, o.verb);

@@ -20,13 +20,14 @@ struct StudyCall {
   fit::FitChoice choice;
 };
 
-constexpr OptionOf kStudyOptions[] = {{"SAMPLES --form --metric --anisotropic --per-channel --shape "
-                                       "--free-scale --keep-fill --polarisation --repeats "
-                                       "--quantity --mirror-side --max-theta --fix --start --bounds --tie "
-                                       "--physical --robust --weights --starts --aperture "
-                                       "--output --jobs --no-pictures --tolerance --against --json",
-                                       1},
-                                      {"--seed", 1, "--starts"}};
+constexpr OptionOf kStudyOptions[] = {
+    {"SAMPLES --form --metric --anisotropic --per-channel --shape "
+     "--free-scale --keep-fill --polarisation --repeats "
+     "--quantity --mirror-side --layout --max-theta --fix --start --bounds --tie "
+     "--physical --robust --weights --starts --aperture "
+     "--output --jobs --no-pictures --tolerance --against --json",
+     1},
+    {"--seed", 1, "--starts"}};
 
 Exit run_study(const CLI::App& verb, const StudyCall& o) {
   refuse_without_effect(verb, kStudyOptions, 1, "a study");

@@ -54,7 +54,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"--effort", kFunctions | kIntegrators | kTraced | kNumerics},
     {"--seconds", kFunctions},
     {"--require --max-theta --picture --output", kFindings},
-    {"--keep-fill --quantity --mirror-side", kTable},
+    {"--keep-fill --quantity --mirror-side --layout", kTable},
     {"--seed", kFunctions | kIntegrators | kTraced | kNumerics | kOnDevice},
     {"--json", kEverything},
     {"--integrators", kIntegrators},

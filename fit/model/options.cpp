@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "io/columns/layout.h"
 #include "io/files/text.h"
 #include "io/samples/aperture.h"
 
@@ -26,7 +27,7 @@ std::string constants_text(const FitOptions& options) {
           io::append_number(text, x);
           text += ' ';
         }
-  return text;
+  return text + io::layout_text(options.supplied.layout);
 }
 
 }  // namespace brdf::fit

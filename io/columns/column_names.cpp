@@ -38,7 +38,7 @@ class HeaderReading {
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
     place_angles();
     announce_bands_and_turns();
-    if (out_.has_angle(0) && out_.has_angle(2))
+    if ((out_.has_angle(0) && out_.has_angle(2)) || facts_.doubts)
       place_values(out_, facts_,
                    [this](std::string_view theirs, const std::string& ours) { announce(theirs, ours); });
     if (!read_as_.empty()) out_.notes.insert(out_.notes.begin(), "read as: " + read_as_);
@@ -47,7 +47,11 @@ class HeaderReading {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(facts_.where + ": " + what); }
+  // Refuses the table, or notes the doubt if the caller collects doubts.
+  void refuse(std::size_t column, ColumnDoubt::Of of, const std::string& what) const {
+    if (!facts_.doubts) throw InputError(facts_.where + ": " + what);
+    facts_.doubts->push_back({of, column, what});
+  }
 
   // Adds "'their name' our name" to the notes if the two names differ.
   void announce(std::string_view theirs, const std::string& ours) {
@@ -90,7 +94,8 @@ class HeaderReading {
   bool read_as_wavelength(Column& column) {
     const auto found = wavelength_column(column.name);
     if (!found) return false;
-    if (!found->fault.empty()) refuse("column " + shown(column.name) + " " + found->fault);
+    if (!found->fault.empty())
+      refuse(out_.columns.size(), ColumnDoubt::Of::unit, "column " + shown(column.name) + " " + found->fault);
     column.kind = Column::Kind::wavelength;
     column.unit = found->unit;
     return true;
@@ -116,8 +121,9 @@ class HeaderReading {
     if (angle.side != AngleSide::scatter_or_source)
       return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
     if (light == viewer)
-      refuse("column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +
-             (light ? "other columns give both" : "no other column gives one of the two"));
+      refuse(k, ColumnDoubt::Of::meaning,
+             "column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +
+                 (light ? "other columns give both" : "no other column gives one of the two"));
     return light ? AngleSide::viewer : AngleSide::light;
   }
 
@@ -131,7 +137,8 @@ class HeaderReading {
       const auto [first, is_new] = taken.emplace(column.index, std::string(names_[k]));
       const std::string ours(kAngleNames[column.index]);
       if (!is_new)
-        refuse("columns " + shown(first->second) + " and " + shown(names_[k]) + " are both " + ours);
+        refuse(k, ColumnDoubt::Of::meaning,
+               "columns " + shown(first->second) + " and " + shown(names_[k]) + " are both " + ours);
       announce_angle(column, ours);
     }
     place_weak_angles();
@@ -140,9 +147,10 @@ class HeaderReading {
     out_.in_plane = !of_light && !of_viewer;
     if (out_.in_plane) place_phase();
     if (alone_ && of_light && of_viewer)
-      refuse("column " + shown(names_[*alone_]) +
-             " does not name the direction of its azimuth, and another column gives " +
-             std::string(kAngleNames[1]));
+      refuse(*alone_, ColumnDoubt::Of::meaning,
+             "column " + shown(names_[*alone_]) +
+                 " does not name the direction of its azimuth, and another column gives " +
+                 std::string(kAngleNames[1]));
     refuse_other_angles();
   }
 
@@ -196,10 +204,12 @@ class HeaderReading {
   // Refuses an angle that is not read if the angle that it replaces is missing.
   void refuse_other_angles() const {
     const bool lacks_polar = !out_.has_angle(0) || !out_.has_angle(2);
-    for (const Column& column : out_.columns)
-      for (const auto& [bare, unit] : ways_to_part(column.name)) {
+    for (std::size_t k = 0; k < out_.columns.size(); ++k)
+      for (const auto& [bare, unit] : ways_to_part(out_.columns[k].name)) {
         const auto refused = refused_angle(bare);
-        if (refused && lacks_polar) refuse("column " + shown(column.name) + " " + refused->reason);
+        if (refused && lacks_polar)
+          refuse(k, ColumnDoubt::Of::meaning,
+                 "column " + shown(out_.columns[k].name) + " " + refused->reason);
       }
   }
 

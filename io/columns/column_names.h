@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/columns/quantities.h"
@@ -32,6 +33,10 @@ struct Column {
   std::optional<Unit> unit;
   bool is_elevation = false;
   bool is_tangent = false;  // the tangent of the angle
+  // Of a column of uncertainties: the standard deviation is the cell divided by this factor, times the
+  // value if the uncertainty is relative.
+  double coverage = 1;
+  bool is_relative = false;
 
   // Converts a number of the file to the table's unit: degrees from the normal, or nm. Wavelengths without
   // a unit stay unchanged. Radians become the shortest number of degrees that equals the angle.
@@ -46,6 +51,8 @@ struct MuellerColumns {
 
 struct Columns {
   std::vector<Column> columns;
+  // Angles, wavelengths and rotations that are the same in all rows and have no column, as written.
+  std::vector<std::pair<Column, double>> constants;
   std::vector<std::string> channels;  // names without their units
   std::vector<Quantity> quantities;   // [channel] quantity of the file's values
   // Set if the columns have the elements that polarised channels need.
@@ -68,6 +75,13 @@ struct Columns {
   void assume(const std::string& sentence);
 };
 
+// A column whose interpretation is open, although the reader would refuse the table for it.
+struct ColumnDoubt {
+  enum class Of { meaning, unit, quantity } of;
+  std::size_t column;
+  std::string reason;
+};
+
 // Facts about a table in addition to the names of its columns.
 struct HeaderFacts {
   std::string where;  // opens messages
@@ -82,6 +96,9 @@ struct HeaderFacts {
   // A table in our own format that states f_r. All columns other than angles are channels, whatever their
   // names.
   bool keeps_names = false;
+  // If set, the reasons against reading columns are added here instead of thrown, for a proposal of a
+  // layout (io/csv/describe_table.h). The columns concerned stay as far as they were understood.
+  std::vector<ColumnDoubt>* doubts = nullptr;
 };
 
 // Returns whether a field is a unit that a column's name may have, with or without brackets: deg, [rad],

@@ -16,6 +16,9 @@ struct Supplied {
   MirrorSide mirror_side = MirrorSide::automatic;
   // Read a Mueller matrix as the channels s, p, ss, sp, ps and pp instead of f_r of unpolarised light.
   bool polarised = false;
+  // The description of the table's columns (io/columns/layout.h): the name of a file of JSON, or the JSON
+  // itself, which begins with '{'. Empty: the header row is interpreted.
+  std::string layout = {};
 
   bool operator==(const Supplied&) const = default;
 };

@@ -67,7 +67,11 @@ class Values {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(facts_.where + ": " + what); }
+  // Refuses the table, or notes the doubt if the caller collects doubts.
+  void refuse(const Candidate& c, ColumnDoubt::Of of, const std::string& what) const {
+    if (!facts_.doubts) throw InputError(facts_.where + ": " + what);
+    facts_.doubts->push_back({of, std::size_t(c.column - header_.columns.data()), what});
+  }
 
   void add_candidate(std::size_t k) {
     Column& column = header_.columns[k];
@@ -252,13 +256,20 @@ class Values {
   void settle_asked(Candidate& c, bool has_values) {
     if (facts_.stated) return state(c);
     if (has_values || !facts_.needs_values) return set_aside(c);
-    refuse("column " + shown(c.column->name) + " " + c.refusal);
+    refuse_quantity(c);
   }
 
   void settle_refused(Candidate& c) {
     if (facts_.stated) return state(c);
     if (!facts_.needs_values) return set_aside(c);
-    refuse("column " + shown(c.column->name) + " " + c.refusal);
+    refuse_quantity(c);
+  }
+
+  // Refuses values of this quantity. If the caller collects doubts, the column becomes a channel.
+  void refuse_quantity(Candidate& c) {
+    refuse(c, ColumnDoubt::Of::quantity, "column " + shown(c.column->name) + " " + c.refusal);
+    c.named.quantity = {&quantity_kinds()[0]};
+    kept_.push_back(&c);
   }
 
   void set_aside(Candidate& c) {
@@ -282,7 +293,7 @@ class Values {
     const StatedQuantity& stated = *facts_.stated;
     const bool says_other =
         (is_own || c.rank == Rank::refused) && own.kind != stated.quantity.kind && !c.named.is_default;
-    if (says_other && stated.by != StatedQuantity::By::comment) refuse_contradiction(c);
+    if (says_other && stated.by != StatedQuantity::By::comment) return refuse_contradiction(c);
     if (says_other) {
       outranked_.push_back(c.column->name);
       own = stated.quantity;
@@ -294,13 +305,14 @@ class Values {
     if (c.named.says == Says::contradicts) outranked_.push_back(c.column->name);
   }
 
-  [[noreturn]] void refuse_contradiction(const Candidate& c) const {
+  void refuse_contradiction(const Candidate& c) const {
     const StatedQuantity& stated = *facts_.stated;
     const bool is_title = stated.by == StatedQuantity::By::title;
-    refuse("column " + shown(c.column->name) + " is " + c.named.quantity.meaning() + ", but " +
-           (is_title ? "the title in " + stated.where + " gives " : "--quantity gives ") +
-           shown(stated.words) + ": if the name is wrong, write '# quantity: " + printable(stated.words) +
-           "' above the header row");
+    refuse(c, ColumnDoubt::Of::quantity,
+           "column " + shown(c.column->name) + " is " + c.named.quantity.meaning() + ", but " +
+               (is_title ? "the title in " + stated.where + " gives " : "--quantity gives ") +
+               shown(stated.words) + ": if the name is wrong, write '# quantity: " + printable(stated.words) +
+               "' above the header row");
   }
 
   void add_channels() {
@@ -324,13 +336,16 @@ class Values {
     const bool is_literal = column.name.starts_with(kSigmaPrefix);
     const Candidate* value = of.empty() ? nullptr : find_kept(of);
     if (!value && !is_literal && kept_.size() == 1) value = kept_[0];
-    if (!value && is_literal) refuse("column " + shown(column.name) + " has no column of values");
+    if (!value && is_literal)
+      refuse(deviation, ColumnDoubt::Of::meaning,
+             "column " + shown(column.name) + " has no column of values");
     if (!value || (is_relative && value->named.quantity.factor != 0.01)) return set_aside(deviation);
     column.kind = Column::Kind::sigma;
     column.index = value->column->index;
     for (const Column& other : header_.columns)
       if (&other != &column && other.kind == Column::Kind::sigma && other.index == column.index)
-        refuse(other.name == column.name
+        refuse(deviation, ColumnDoubt::Of::meaning,
+               other.name == column.name
                    ? "column " + shown(column.name) + " twice"
                    : "columns " + shown(other.name) + " and " + shown(column.name) +
                          " are both standard deviations of " + shown(header_.channels[column.index]));

@@ -16,12 +16,6 @@ bool is_one_of(const std::string& key, std::initializer_list<const char*> words)
   return std::ranges::find(words, key) != words.end();
 }
 
-bool is_of_light(const Unit& unit) {
-  using K = Unit::Kind;
-  const K kind = unit.kind();
-  return kind == K::length || kind == K::wavenumber || kind == K::frequency || kind == K::energy;
-}
-
 std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_view unit_text,
                                           bool has_brackets) {
   using K = Unit::Kind;
@@ -53,6 +47,12 @@ std::optional<WavelengthColumn> column_of(std::string_view bare, std::string_vie
 }
 
 }  // namespace
+
+bool is_of_light(const Unit& unit) {
+  using K = Unit::Kind;
+  const K kind = unit.kind();
+  return kind == K::length || kind == K::wavenumber || kind == K::frequency || kind == K::energy;
+}
 
 std::optional<WavelengthColumn> wavelength_column(std::string_view name) {
   const bool has_brackets = name.ends_with(')') || name.ends_with(']');

@@ -22,6 +22,9 @@ std::optional<WavelengthColumn> wavelength_column(std::string_view name);
 // Returns whether the name is one of a column of wavelengths.
 bool is_wavelength_name(std::string_view name);
 
+// Returns whether the unit is one of wavelengths, wavenumbers, frequencies or photon energies.
+bool is_of_light(const Unit& unit);
+
 // Returns whether wavelengths without a unit are micrometres, that is, whether the largest is below 100, as
 // in tables of n and k.
 bool are_micrometres(double largest);

@@ -9,6 +9,8 @@
 #include "io/csv/csv_header.h"
 #include "io/csv/long_format.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/samples/aperture.h"
 #include "io/samples/mirror_side.h"
 #include "io/samples/phase_angle.h"
 #include "io/samples/to_f_r.h"
@@ -28,10 +30,10 @@ class CsvReader {
     while (reader_.next(whole)) {
       const std::string_view line = trimmed(whole);
       if (line.empty()) continue;
-      if (line.front() == '#')
+      if (line.starts_with(header_.comment_sign()))
         header_.read_comment(line);
       else if (header_.is_read())
-        read_line(header_.matrix() ? whole : line);  // a tab at the end is an empty cell
+        read_line(has_empty_cells() ? whole : line);  // a tab at the end is an empty cell
       else if (!dialect_.is_separator_line(line))
         read_header(line);
     }
@@ -44,6 +46,11 @@ class CsvReader {
 
  private:
   const std::vector<Column>& columns() const { return header_.columns().columns; }
+
+  // Returns whether empty cells denote directions that were not measured.
+  bool has_empty_cells() const {
+    return header_.matrix() || (header_.layout() && header_.layout()->is_fill("", std::nullopt));
+  }
 
   [[noreturn]] void fail(const std::string& what) const { throw InputError(reader_.where() + ": " + what); }
   [[noreturn]] void fail(const Column& column, std::size_t k, const std::string& rule) const {
@@ -63,7 +70,19 @@ class CsvReader {
     mueller_ = supplied_.polarised ? header_.columns().mueller : std::nullopt;
     if (mueller_ && channels != 1)
       fail("polarised channels of a Mueller matrix need one column of its first element");
+    set_constants();
     if (is_row) read_line(line);
+  }
+
+  // Sets the angles, the wavelength and the rotation that a layout states for all rows.
+  void set_constants() {
+    for (const auto& [column, number] : header_.columns().constants) {
+      const double constant = column.converted(number);
+      if (column.kind == Column::Kind::angle) angles_[column.index] = constant;
+      if (column.kind == Column::Kind::wavelength) band_.nm = constant;
+      if (column.kind == Column::Kind::rotation) turn_ = constant;
+    }
+    if (header_.layout() && header_.layout()->mirror_is_at_zero) light_turn_ = 180;
   }
 
   void read_line(std::string_view line) {
@@ -87,12 +106,33 @@ class CsvReader {
       notes.insert(notes.begin(), differences);
     table_.warnings.insert(table_.warnings.begin(), notes.begin(), notes.end());
     table_.assumptions = header_.columns().assumptions;
+    add_facts();
     store_raw_angles();
     if (header_.columns().in_plane)
-      place_in_plane(table_, supplied_.mirror_side);
+      place_in_plane(table_, mirror_side());
     else
       refuse_mirror_side(table_.source, supplied_);
     find_unit_of_bands();
+  }
+
+  MirrorSide mirror_side() const {
+    const std::optional<Layout>& layout = header_.layout();
+    return layout && layout->mirror_side != MirrorSide::automatic ? layout->mirror_side
+                                                                  : supplied_.mirror_side;
+  }
+
+  // Adds the facts of a layout that are not columns.
+  void add_facts() {
+    const std::optional<Layout>& layout = header_.layout();
+    if (!layout) return;
+    if (fill_rows_ > 0) {
+      table_.warnings.push_back(plural(fill_rows_, "row") + " with a fill value of the layout left out");
+      table_.skipped += fill_rows_;
+    }
+    if (!layout->aperture) return;
+    const std::string width = to_text(*layout->aperture) + " degrees";
+    table_.add_comment(kApertureKey, width);
+    table_.warnings.push_back("the layout states a detector of " + width);
   }
 
   void store_raw_angles() {
@@ -155,6 +195,10 @@ class CsvReader {
   void read_row(std::string_view line) {
     const std::vector<Column>& all = columns();
     check_width(line, all.size());
+    if (holds_fill()) {
+      ++fill_rows_;
+      return;
+    }
     if (table_.rows() == 0) reserve(line.size() + 1);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const Column& column = all[k];
@@ -167,6 +211,30 @@ class CsvReader {
       store_polarised();
     else
       store_row();
+  }
+
+  // Returns whether a value or an uncertainty of this row is a fill value.
+  bool holds_fill() {
+    const std::optional<Layout>& layout = header_.layout();
+    if (!layout || (layout->fill_numbers.empty() && layout->fill_words.empty())) return false;
+    for (std::size_t k = 0; k < columns().size(); ++k) {
+      const Column::Kind kind = columns()[k].kind;
+      if (kind != Column::Kind::value && kind != Column::Kind::sigma) continue;
+      double number;
+      const bool is_number = dialect_.parse(fields_[k], number);
+      if (layout->is_fill(fields_[k], is_number ? std::optional(number) : std::nullopt)) return true;
+    }
+    return false;
+  }
+
+  // Converts relative uncertainties, for which the values of the row must be known.
+  void complete_sigma() {
+    for (const Column& c : columns())
+      if (c.kind == Column::Kind::sigma && c.is_relative) {
+        row_sigma_[c.index] *= std::abs(row_values_[c.index]);
+        if (!(row_sigma_[c.index] > 0))
+          fail("the relative uncertainty of the value 0 is 0, and must be above 0");
+      }
   }
 
   // Stores a row for each polarisation of the light alone, and of light and viewer. The Stokes vectors of s
@@ -235,7 +303,7 @@ class CsvReader {
         break;
       case Column::Kind::sigma:
         if (!(number > 0.0)) fail(column, k, "must be above 0");
-        row_sigma_[column.index] = number;
+        row_sigma_[column.index] = number / column.coverage;
         break;
       case Column::Kind::wavelength:
         if (!(number > 0.0)) fail(column, k, "must be above 0");
@@ -292,7 +360,8 @@ class CsvReader {
 
   void store_row() {
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
-    double theta_i = angles_[0], phi_i = angles_[1] - turn_, theta_o = angles_[2], phi_o = angles_[3] - turn_;
+    double theta_i = angles_[0], phi_i = angles_[1] + light_turn_ - turn_, theta_o = angles_[2],
+           phi_o = angles_[3] - turn_;
     if (has_phase_) phi_o = phi_i + azimuth_between(theta_i, theta_o);
     if (!header_.columns().in_plane) {
       // Instruments that swing through the normal write the far side as negative theta.
@@ -302,6 +371,7 @@ class CsvReader {
     table_.add_directions(theta_i, phi_i, theta_o, phi_o);
     for (std::size_t c = 0; c < row_values_.size(); ++c) table_.values[c].push_back(row_values_[c]);
     if (has_sigma_) {
+      complete_sigma();
       for (const Column& c : columns())
         if (c.kind == Column::Kind::sigma) table_.sigma[c.index].push_back(row_sigma_[c.index]);
     }
@@ -333,10 +403,12 @@ class CsvReader {
   std::vector<std::string_view> fields_;
   double angles_[4] = {}, largest_[4] = {};  // of this row; largest magnitudes in the file so far
   double turn_ = 0;                          // rotation of the sample
+  double light_turn_ = 0;                    // added to phi_i
   double phase_ = 0;                         // angle between the directions of this row
   RawMagnitudes raw_[4];
   std::vector<double> row_values_, row_sigma_;
-  std::size_t empty_ = 0;  // empty cells of a matrix
+  std::size_t empty_ = 0;      // empty cells of a matrix
+  std::size_t fill_rows_ = 0;  // rows with a fill value of the layout
   bool has_sigma_ = false, has_phase_ = false;
   std::optional<MuellerColumns> mueller_;  // if polarised channels are requested
   Band band_;                              // of this row

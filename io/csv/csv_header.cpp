@@ -31,10 +31,12 @@ bool all_numbers(Dialect dialect, std::string_view line) {
          std::ranges::all_of(fields, [&](std::string_view f) { return is_number(dialect, f); });
 }
 
-// Returns whether the line is a header row beyond doubt. Lines above such a row are titles.
+// Returns whether the line is a header row beyond doubt. Lines above such a row are titles. A line of too
+// many fields counts as a header row, which is refused.
 bool is_header(Dialect dialect, std::string_view line) {
   Fields names;
-  return dialect.split_header(line, names) && (names_angles(names) || matrix_header(names, dialect));
+  return dialect.split_header(line, names) &&
+         (names.size() > kWidestTable || names_angles(names) || matrix_header(names, dialect));
 }
 
 // Names and units may be in two separate rows. Adds the units to the names, as in "theta_i (deg)". Returns
@@ -60,8 +62,11 @@ void CsvHeader::fail(const std::string& what) const {
 }
 
 void CsvHeader::read_comment(std::string_view line) {
-  const std::string_view text = line.substr(1);
-  if (!is_read()) last_comment_ = trimmed(text);
+  const std::string_view text = line.substr(comment_sign().size());
+  if (!is_read()) {
+    last_comment_ = trimmed(text);
+    last_comment_line_ = reader_.line();
+  }
   const auto words = quantity_in_comment(text);
   if (!words) {
     table_.metadata.push_back(parse_comment(text));
@@ -69,6 +74,7 @@ void CsvHeader::read_comment(std::string_view line) {
       stated_.add_free_text(table_.metadata.back().second, reader_.line());
     return;
   }
+  if (layout_ && layout_->quantity) return compare_with_layout(*words);
   // The line is not stored as a comment, because the table holds f_r whatever the file held.
   if (is_read()) fail("the quantity must be stated before the header row");
   stated_.add_comment(*words, reader_.line(), reader_.where());
@@ -80,10 +86,12 @@ bool CsvHeader::is_header_in_comment(std::string_view line) const {
   if (!of_numbers.split_header(line, fields) || fields.empty() || !is_number(of_numbers, fields[0]) ||
       !of_names.split_header(last_comment_, names))
     return false;
-  return has_plain_angle_names(names) || (names_angles(names) && names.size() == fields.size());
+  return has_plain_angle_names(names) ||
+         (names.size() == fields.size() && names.size() <= kWidestTable && names_angles(names));
 }
 
 bool CsvHeader::read(std::string_view line) {
+  if (layout_) return read_by_layout(line);
   if (!is_header_in_comment(line)) {
     read_names(behind_titles(line));
     return false;
@@ -125,8 +133,9 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
 
 void CsvHeader::add_title(std::string_view title) {
   if (const auto words = quantity_in_comment(title))
-    return stated_.add_comment(*words, reader_.line(), reader_.where());
-  stated_.add_title(title, reader_.line(), reader_.where());
+    return layout_ && layout_->quantity ? compare_with_layout(*words)
+                                        : stated_.add_comment(*words, reader_.line(), reader_.where());
+  if (!layout_) stated_.add_title(title, reader_.line(), reader_.where());
   const Comment pair = parse_comment(title);
   constexpr std::size_t kLongestKey = 40;
   const bool has_key =
@@ -137,7 +146,30 @@ void CsvHeader::add_title(std::string_view title) {
 void CsvHeader::read_names(std::string_view line) {
   Fields fields;
   if (!dialect_.split_header(line, fields)) fail(std::string(kBadQuotation));
+  check_width(fields.size());
   if (read_matrix(fields)) return;
+  written_names_.assign(fields.begin(), fields.end());
+  if (!doubts_) check_names(fields);
+  std::vector<std::string> names(fields.begin(), fields.end());
+  HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
+  facts.doubts = doubts_;
+  look_ahead(names, facts);
+  columns_ = understand_columns({names.begin(), names.end()}, facts);
+  if (columns_.has_unnamed && !doubts_)
+    if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
+  is_long_ = columns_.has(Column::Kind::wavelength) || columns_.has(Column::Kind::polarisation);
+  if (doubts_) return;
+  check_columns();
+  table_.channels = columns_.channels;
+  check_channel_names(table_.channels, facts.where);
+}
+
+void CsvHeader::check_width(std::size_t columns) const {
+  if (columns > kWidestTable)
+    fail(std::to_string(columns) + " columns exceed the limit of " + std::to_string(kWidestTable));
+}
+
+void CsvHeader::check_names(const Fields& fields) const {
   const bool has_names =
       std::ranges::any_of(fields, [&](std::string_view name) { return !is_number(dialect_, name); });
   std::unordered_set<std::string_view> seen;
@@ -150,16 +182,6 @@ void CsvHeader::read_names(std::string_view line) {
       fail("column " + shown(fields[k]) +
            " twice; write repeat measurements as separate rows, and give each channel its own name");
   }
-  std::vector<std::string> names(fields.begin(), fields.end());
-  HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
-  look_ahead(names, facts);
-  columns_ = understand_columns({names.begin(), names.end()}, facts);
-  if (columns_.has_unnamed)
-    if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
-  is_long_ = columns_.has(Column::Kind::wavelength) || columns_.has(Column::Kind::polarisation);
-  check_columns();
-  table_.channels = columns_.channels;
-  check_channel_names(table_.channels, facts.where);
 }
 
 // Refuses a number in place of a name.

@@ -34,6 +34,11 @@ bool Dialect::is_separator_line(std::string_view line) {
   return true;
 }
 
+void Dialect::state_separator(char separator) {
+  separator_ = separator;
+  is_stated_ = true;
+}
+
 // Blanks also separate a name from its unit: "theta_i (deg)" becomes one name again. Joined names are
 // stored in unquoted_.
 void Dialect::join_units(std::vector<std::string_view>& names) {

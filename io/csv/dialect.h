@@ -34,6 +34,13 @@ class Dialect {
   // from that of the numbers before.
   bool parse(std::string_view field, double& value);
 
+  // Sets the separator, or the decimal mark, instead of finding it. ' ' separates at runs of blanks.
+  void state_separator(char separator);
+  void state_mark(char mark) { mark_ = mark; }
+
+  // The separator; ' ': runs of blanks. The decimal mark, or 0 if no number had one.
+  char separator() const { return separator_; }
+  char mark() const { return mark_; }
   bool separates_by_blanks() const { return separator_ == ' '; }
   // Returns whether the last number with a decimal mark was refused because the mark differs from the one
   // before.

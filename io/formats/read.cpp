@@ -75,10 +75,11 @@ void drop_mark(Content& content) {
 }
 
 struct Format {
+  const char* name;
   bool (*recognises)(const Content&);
   SampleTable (*read)(const Content&, const Supplied&);
 };
-#define BRDF_ROW(name) {name::recognises, name::read},
+#define BRDF_ROW(name) {#name, name::recognises, name::read},
 constexpr Format kOfBytes[] = {BRDF_FORMATS_OF_BYTES(BRDF_ROW)};
 constexpr Format kOfJson[] = {BRDF_FORMATS_OF_JSON(BRDF_ROW)};
 constexpr Format kOfText[] = {BRDF_FORMATS_OF_TEXT(BRDF_ROW)};
@@ -90,15 +91,39 @@ const Format* format_of(std::span<const Format> formats, const Content& content)
   return nullptr;
 }
 
+// Refuses a layout for a file that is not a table of columns of text.
+void refuse_layout(const Content& content, const std::string& format, const Supplied& supplied) {
+  if (!supplied.layout.empty())
+    throw InputError(content.name + ": --layout applies to tables of columns of text, and this file is " +
+                     format + ": leave --layout out");
+}
+
+// Reads a table by a layout. The message of a refusal names the format of text that the file is in, if any.
+SampleTable read_by_layout(const Content& text, const Supplied& supplied) {
+  try {
+    return read_csv(text, true, supplied);
+  } catch (const InputError& error) {
+    const Format* const format = format_of(kOfText, text);
+    if (!format) throw;
+    throw InputError(std::string(error.what()) + "; the file is in the format " + format->name +
+                     ", whose reader needs no layout: leave --layout out");
+  }
+}
+
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   const std::string transcoded = make_utf8(text);
   // JSON is tried apart from other text, because a document of one line may exceed the limit of lines.
   const bool is_any_json = is_json(text) || is_json_array(text);
-  const Format* const format = !need_values  ? nullptr
-                               : is_any_json ? format_of(kOfJson, text)
-                                             : format_of(kOfText, text);
+  if (is_any_json) refuse_layout(text, "JSON", supplied);
+  // A layout takes precedence over the formats of text, which resemble tables of columns.
+  const bool has_layout = !supplied.layout.empty();
+  const Format* const format = !need_values || has_layout ? nullptr
+                               : is_any_json              ? format_of(kOfJson, text)
+                                                          : format_of(kOfText, text);
   if (!format && is_any_json) refuse_json(text);
-  SampleTable table = format ? format->read(text, supplied) : read_csv(text, need_values, supplied);
+  SampleTable table = format       ? format->read(text, supplied)
+                      : has_layout ? read_by_layout(text, supplied)
+                                   : read_csv(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
 }
@@ -109,11 +134,23 @@ SampleTable read_samples(Content content, const Supplied& supplied) {
   drop_mark(content);
   refuse_other_formats(content);
   const Format* const format = format_of(kOfBytes, content);
+  if (format) refuse_layout(content, format->name, supplied);
   SampleTable table =
       format ? format->read(content, supplied) : read_text(std::move(content), true, supplied);
   leave_out_repetitions(table);
   check_table(table);
   return table;
+}
+
+std::string format_name(Content content) {
+  drop_mark(content);
+  refuse_other_formats(content);
+  const Format* format = format_of(kOfBytes, content);
+  if (format) return format->name;
+  make_utf8(content);
+  const bool is_any_json = is_json(content) || is_json_array(content);
+  format = is_any_json ? format_of(kOfJson, content) : format_of(kOfText, content);
+  return format ? format->name : is_any_json ? "json" : "csv";
 }
 
 SampleTable read_directions(Content content) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "io/columns/supplied.h"
 #include "io/files/content.h"
@@ -19,6 +20,9 @@ namespace brdf::io {
 //     std::printf("%zu rows of %zu channels\n", table.rows(), table.channels.size());
 SampleTable read_samples(const std::filesystem::path& path, const Supplied& supplied = {});
 SampleTable read_samples(Content content, const Supplied& supplied = {});
+// Returns the name of the format that a reader recognises: "merl", "klems", ..., "json" for JSON that no
+// reader recognises, "csv" for any other text. Throws InputError for files of other kinds, as read_samples().
+std::string format_name(Content content);
 // Reads a table of directions in the same way; a CSV without any column of values is accepted.
 SampleTable read_directions(const std::filesystem::path& path);
 SampleTable read_directions(Content content);

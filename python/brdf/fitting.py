@@ -11,12 +11,13 @@ from . import _brdf
 from ._brdf import InputError
 from .display import table_html
 from .entries import Entries
+from .frames import Frame, Layout, layout_word
 from .material import Material
-from .table import Table, read
+from .table import Table, read, table_or_path
 from .words import Path, Settings, finite, list_of, path_of, ranges, seed_of, settings, whole
 
 Progress = Callable[[str], Any]
-Source = Union[Table, Path]
+Source = Union[Table, Path, Frame]
 Extent = Tuple[Union[float, None], Union[float, None]]  # lowest and highest
 
 
@@ -167,11 +168,11 @@ class Fit(Entries):
 def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,
             bounds: Mapping[str, tuple[float, float]] | None, tie: str | Iterable[str] | None, physical: bool,
             anisotropic: bool, per_channel: bool, free_scale: bool, keep_fill: bool, polarisation: str, repeats: str,
-            quantity: str, mirror_side: str, max_theta: float, aperture: float | None, starts: int, seed: int,
-            shape: str | None) -> _brdf.FitChoice:
+            quantity: str, mirror_side: str, layout: Layout | None, max_theta: float, aperture: float | None, starts: int,
+            seed: int, shape: str | None) -> _brdf.FitChoice:
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
                            list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
-                           repeats, quantity, mirror_side,
+                           repeats, quantity, mirror_side, layout_word(layout),
                            finite("--max-theta", max_theta), None if aperture is None else finite("--aperture", aperture),
                            whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
@@ -181,19 +182,19 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
         bounds: Mapping[str, tuple[float, float]] | None = None, tie: str | Iterable[str] | None = None,
         physical: bool = False, anisotropic: bool = False, per_channel: bool = False, free_scale: bool = False,
         keep_fill: bool = False, polarisation: str = "keep", repeats: str = "keep", quantity: str = "",
-        mirror_side: str = "auto", max_theta: float = 80.0, aperture: float | None = None, starts: int = 0, seed: int = 1,
-        shape: str | None = None, progress: Progress | None = None) -> Fit:
+        mirror_side: str = "auto", layout: Layout | None = None, max_theta: float = 80.0, aperture: float | None = None,
+        starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> Fit:
     """Fits forms to samples: `brdf fit`, with its options as keywords.
 
-    samples: a Table or a file. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
+    samples: a Table, a file, or a frame of pandas or xarray. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
     cosine_l2, cube_root, log_relative. weights: auto, uniform, sigma, solid_angle. robust: "huber" or "cauchy", with
     ":SCALE". fix, start: {"kd": 0.3} or {"kd": [.3, .2, .1]}, one value per channel, or for f0 (n, k)
     a file with refractive indices, "gold.yml". bounds: {"alpha": (low, high)}.
     tie: names of parameters with one value for all channels. shape: the shape over the channels,
     "shared", "free" (as per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: treatment
     of polarised channels and of repeated directions, as in `convert`. keep_fill: also fit rows of fill values.
-    quantity, mirror_side: facts that a file does not state, as in `read`. max_theta, aperture: degrees; aperture None: the width that the
-    file states, otherwise 0. starts: number of
+    quantity, mirror_side, layout: facts that a file does not state, as in `read`. max_theta, aperture: degrees; aperture
+    None: the width that the file states, otherwise 0. starts: number of
     random starts in addition to the grid, generated from `seed`.
 
     progress: called with a sentence before each form is fitted. If the callback returns False, the best result so far is
@@ -201,11 +202,10 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
     Raises InputError if the options are not valid for the samples.
     """
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
-                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, max_theta,
+                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
                      aperture, starts, seed, shape)
-    if isinstance(samples, Table) and (quantity or mirror_side != "auto"):
-        raise InputError("quantity, mirror_side: apply to files, but this table is already read")
-    table = samples if isinstance(samples, Table) else read(samples, quantity=quantity, mirror_side=mirror_side)
+    found = table_or_path(samples, quantity, mirror_side, layout)
+    table = found if isinstance(found, Table) else read(found, quantity=quantity, mirror_side=mirror_side, layout=layout)
     return Fit(_brdf.fit(table._samples, choice, progress))
 
 
@@ -215,7 +215,8 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
               tie: str | Iterable[str] | None = None, physical: bool = False, anisotropic: bool = False,
               per_channel: bool = False, free_scale: bool = False, keep_fill: bool = False,
               polarisation: str = "keep", repeats: str = "keep",
-              quantity: str = "", mirror_side: str = "auto", max_theta: float = 80.0, aperture: float | None = None,
+              quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None, max_theta: float = 80.0,
+              aperture: float | None = None,
               starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
     """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without pictures.
 
@@ -225,7 +226,7 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
     if not samples:
         raise InputError("no samples: give at least one file")
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
-                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, max_theta,
+                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
                      aperture, starts, seed, shape)
     rows: list[dict[str, Any]] = json.loads(
         _brdf.fit_files([path_of(p) for p in samples], path_of(output), whole("--jobs", jobs, 1, 256), choice, progress))["files"]

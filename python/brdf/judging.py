@@ -13,11 +13,12 @@ from ._brdf import InputError
 from .display import table_html
 from .entries import Entries
 from .forms import forms
+from .frames import Frame, Layout, kind_of, layout_word
 from .material import Material
-from .table import Table
+from .table import Table, table_or_path
 from .words import Path, finite, list_of, path_of, seed_of
 
-Subject = Union[Material, Table, Path]
+Subject = Union[Material, Table, Path, Frame]
 Progress = Callable[[int, int], Any]
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -83,12 +84,13 @@ def _png(path: Path) -> bytes:
 def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
              form: str | Iterable[str] | None = None, all: bool = False, effort: str = "quick",
              require: str | Iterable[str] | None = None, max_theta: float = 89.5, keep_fill: bool = False,
-             seed: int = 1, quantity: str = "", mirror_side: str = "auto", progress: Progress | None = None) -> Judgement:
+             seed: int = 1, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None,
+             progress: Progress | None = None) -> Judgement:
     """Judges materials, tables and files of either, and forms over their whole domain: `brdf validate`.
 
     effort: quick or full. require: checks that must pass for `passed`. max_theta: degrees, above 0 and at most 90, the
     largest angle of the energy check; rows of tables beyond this angle are judged separately. keep_fill: also judge rows of fill
-    values. quantity, mirror_side: facts that files of samples do not state, as in `read`. progress: called with the number
+    values. quantity, mirror_side, layout: facts that files of samples do not state, as in `read`. progress: called with the number
     of finished checks and the number of all checks. If the callback returns False, `brdf.Stopped` is raised.
     """
     given: list[Subject] = list(subjects) if isinstance(subjects, (list, tuple)) else [subjects]
@@ -103,6 +105,8 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
         if isinstance(subject, Material):
             items.append((subject.form if len(given) == 1 else f"{subject.form} ({k + 1})", subject._optics))
         else:
-            items.append(subject._samples if isinstance(subject, Table) else path_of(subject))
+            options = (quantity, mirror_side, layout) if kind_of(subject) == "DataFrame" else ("", "auto", None)
+            table = table_or_path(subject, *options)
+            items.append(table._samples if isinstance(table, Table) else path_of(table))
     return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), keep_fill, seed_of(seed),
-                                     quantity, mirror_side, progress), required)
+                                     quantity, mirror_side, layout_word(layout), progress), required)

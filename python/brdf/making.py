@@ -6,8 +6,9 @@ from typing import Any, Union
 
 from . import _brdf
 from ._brdf import InputError
+from .frames import Frame, Layout, layout_word
 from .material import Material, material
-from .table import Table
+from .table import Table, table_or_path
 from .words import Path, finite, path_of, seed_of
 
 Progress = Callable[[int, int], Any]
@@ -34,24 +35,25 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
         seed_of(seed), progress))
 
 
-def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
-            repeats: str = "keep", quantity: str = "", mirror_side: str = "auto") -> list[str]:
+def convert(source: Path | Table | Material | Frame, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
+            repeats: str = "keep", quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> list[str]:
     """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`). For a
     material, the values at the MERL cells are written. Returns the losses, one phrase each.
 
     keep_fill: also write rows of fill values, which mark directions that were not measured.
     polarisation: treatment of channels with a polarisation in their names (fr_s, 465nm p): keep, average, s, p, ss, sp,
-    ps, pp. repeats: keep one row for each repeat measurement, or average. quantity, mirror_side: facts that a file does
-    not state, as in `read`.
+    ps, pp. repeats: keep one row for each repeat measurement, or average. quantity, mirror_side, layout: facts that a
+    file does not state, as in `read`.
     """
-    if isinstance(source, (Table, Material)) and (quantity or mirror_side != "auto"):
-        raise InputError("quantity, mirror_side: apply to files, but this source is already read")
+    if isinstance(source, Material) and (quantity or mirror_side != "auto" or layout is not None):
+        raise InputError("quantity, mirror_side, layout: apply to files, but this source is already read")
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
         source = synth(source, grid="merl", azimuths=(0,))
-    samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source), quantity,
-                                                                                            mirror_side)
+    table = table_or_path(source, quantity, mirror_side, layout)
+    samples = table._samples if isinstance(table, Table) else _brdf.table_of_file(path_of(table), quantity, mirror_side,
+                                                                                  layout_word(layout))
     if not keep_fill:
         samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)

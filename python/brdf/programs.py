@@ -13,7 +13,7 @@ from typing import Any
 
 from . import _brdf
 from .material import Material
-from .table import Table
+from .table import Table, table_or_path
 
 BAD_INPUT, ENVIRONMENT = 2, 3
 
@@ -65,8 +65,9 @@ class _Files:
         """Returns a file with the value, or the value itself if it is neither a material nor a table."""
         if isinstance(value, Material):
             path = self._new(f"{value.form}.json")
-        elif isinstance(value, Table):
-            path = self._new((pathlib.Path(value.source).stem or "samples") + ".csv")
+        elif isinstance(table := table_or_path(value), Table):
+            value = table
+            path = self._new((pathlib.Path(table.source).stem or "samples") + ".csv")
         else:
             return value
         value.save(path)
@@ -82,7 +83,7 @@ class _Files:
 def program(verb: str, *arguments: Any, **options: Any) -> Any:
     """Runs `brdf VERB ARGUMENTS --options` and returns the output: parsed if `json=True`, otherwise text.
 
-    Arguments and options are the same as on the command line. A Material or a Table is passed as a temporary file. Options
+    Arguments and options are the same as on the command line. A Material or a Table (or a frame of pandas or xarray) is passed as a temporary file. Options
     have the names of the program with _ for -: `output="a.png"` is --output, True sets a flag, a list is joined by commas,
     {"kd": 0.3} is name=value. Raises InputError and EnvironmentError with the message of the program. A result that fails
     (exit code 1) is returned like any other; the output of json=True contains the failure.

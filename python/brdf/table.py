@@ -12,13 +12,13 @@ from ._brdf import InputError
 from .arrays import Array, check_vectors, numbers, together
 from .display import plot_slices, table_html
 from .entries import made
+from .frames import ANGLES, PREFIX, Labelled, Layout, kind_of, layout_word, needed, with_columns
 from .words import Path, list_of, path_of
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
-ANGLES = ("theta_i", "phi_i", "theta_o", "phi_o")
-PREFIX = "sigma_"
 IN_PLANE = 0.5  # degrees by which a direction may be out of the plane
 
 
@@ -70,8 +70,20 @@ class Table:
         return cls._of(_made([a.reshape(-1) for a in angles], angles[0].shape, values, sigma, channels, metadata))
 
     @classmethod
-    def from_pandas(cls, frame: pandas.DataFrame, *, metadata: Mapping[str, str] | None = None) -> Table:
-        """Returns a table from a frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, sigma_CHANNEL."""
+    def from_pandas(cls, frame: pandas.DataFrame, *, metadata: Mapping[str, str] | None = None, quantity: str = "",
+                    mirror_side: str = "auto", layout: Layout | None = None) -> Table:
+        """Returns a table from a frame with the columns of a CSV: theta_i, phi_i, theta_o, phi_o, channels, sigma_CHANNEL.
+
+        Named levels of the index count as columns. A frame with a column of wavelengths, and a frame read with quantity,
+        mirror_side or layout (as in `read`), is read like a file with these columns. Without these options the values of
+        a frame are f_r.
+        """
+        frame = with_columns(frame)
+        if quantity or mirror_side != "auto" or layout is not None or "wavelength" in frame.columns:
+            if metadata:
+                raise InputError("metadata: cannot be given for a frame that is read like a file")
+            stated = quantity if quantity or layout is not None else "f_r"
+            return cls.from_csv(frame.to_csv(index=False), "frame", quantity=stated, mirror_side=mirror_side, layout=layout)
         columns = {str(name): frame[name] for name in frame.columns}
         if len(columns) != len(frame.columns):
             raise InputError("frame: two columns have the same name")
@@ -94,9 +106,24 @@ class Table:
                                 metadata=metadata)
 
     @classmethod
-    def from_csv(cls, text: str, name: str = "text", *, quantity: str = "", mirror_side: str = "auto") -> Table:
+    def from_xarray(cls, data: xarray.DataArray | xarray.Dataset, *, metadata: Mapping[str, str] | None = None) -> Table:
+        """Returns a table from a DataArray, or from a Dataset whose variables are channels and sigma_CHANNEL.
+
+        theta_i, phi_i, theta_o and phi_o are coordinates: dimensions, single numbers, or numbers along other dimensions. A
+        dimension `wavelength` gives a channel for each wavelength. The attribute `units` may be deg or rad for angles, nm,
+        um or m for wavelengths, 1/sr for values; without it, angles are in degrees and wavelengths in nm. Directions in
+        which all channels are NaN are left out.
+        """
+        read = Labelled(data)
+        theta_i, phi_i, theta_o, phi_o = read.angles
+        return cls.from_degrees(theta_i, phi_i, theta_o, phi_o, read.values, sigma=read.sigma, channels=read.channels,
+                                metadata=metadata)
+
+    @classmethod
+    def from_csv(cls, text: str, name: str = "text", *, quantity: str = "", mirror_side: str = "auto",
+                 layout: Layout | None = None) -> Table:
         """Returns the table of a file with this content. The options are the same as in `read`."""
-        return cls._of(_brdf.read_text(text, name, quantity, mirror_side))
+        return cls._of(_brdf.read_text(text, name, quantity, mirror_side, layout_word(layout)))
 
     @classmethod
     def _of(cls, samples: _brdf.Samples) -> Table:
@@ -172,7 +199,8 @@ class Table:
 
     @property
     def format(self) -> str:
-        """csv, merl, rgl, astm_e1392, zemax, alta, exr, material, or arrays."""
+        """The format that was read (csv, merl, rgl, astm_e1392, zemax, alta, exr, fred, cornell, openmaterial, bird, early_bird, speos,
+        klems, aspecular), material, or arrays."""
         return self._samples.format
 
     @property
@@ -191,13 +219,22 @@ class Table:
 
     def to_pandas(self) -> pandas.DataFrame:
         """Returns a frame with the columns of the CSV."""
-        import pandas
-
         columns = {name: getattr(self, name) for name in ANGLES}
         columns.update({c: self[c] for c in self.channels})
         sigma = self._samples.sigma
         columns.update({PREFIX + c: sigma[:, k] for k, c in enumerate(self.channels) if self._samples.has_sigma(k)})
-        return pandas.DataFrame(columns)
+        frame: pandas.DataFrame = needed("pandas").DataFrame(columns)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Returns a Dataset along the dimension `row`: the channels and sigma_CHANNEL, with the angles as coordinates."""
+        sigma = self._samples.sigma
+        variables = {c: ("row", self[c], {"units": "1/sr"}) for c in self.channels}
+        variables.update({PREFIX + c: ("row", sigma[:, k], {"units": "1/sr"}) for k, c in enumerate(self.channels)
+                          if self._samples.has_sigma(k)})
+        angles = {a: ("row", getattr(self, a), {"units": "deg"}) for a in ANGLES}
+        made: xarray.Dataset = needed("xarray").Dataset(variables, coords=angles)
+        return made
 
     def in_plane(self, theta_i: float) -> tuple[Array, Array]:
         """Returns the rows in the plane of incidence at incidence theta_i, to half a degree.
@@ -263,12 +300,27 @@ def read_directions(path: Path) -> tuple[Array, Array]:
     return pairs.wi, pairs.wo
 
 
-def read(path: Path, *, quantity: str = "", mirror_side: str = "auto") -> Table:
+def read(path: Path, *, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> Table:
     """Reads samples in any format that the program reads (docs/formats.md). The format is detected from the content.
     InputError names file, line and column.
 
     quantity: the quantity of the values if the file does not state it: "BRF", "BRF %", "f_r*cos_o", ... (docs/formats.md);
     the values are converted to f_r. mirror_side: the sign of the viewing angle on the mirror side in a table of two signed
-    angles, "positive" or "negative" (default "auto": the side of the largest values). `warnings` reports the decisions.
+    angles, "positive" or "negative" (default "auto": the side of the largest values). layout: the description of a
+    laboratory's table, a file or a dictionary (`brdf describe-table` proposes one). `warnings` reports the decisions.
     """
-    return Table._of(_brdf.read(path_of(path), quantity, mirror_side))
+    return Table._of(_brdf.read(path_of(path), quantity, mirror_side, layout_word(layout)))
+
+
+def table_or_path(source: Any, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> Table | Path:
+    """Returns the table of a Table, a DataFrame, a DataArray or a Dataset, and any other object, such as a path, unchanged."""
+    kind = kind_of(source)
+    if kind == "DataFrame":
+        return Table.from_pandas(source, quantity=quantity, mirror_side=mirror_side, layout=layout)
+    if not kind and not isinstance(source, Table):
+        path: Path = source
+        return path
+    if quantity or mirror_side != "auto" or layout is not None:
+        raise InputError("quantity, mirror_side, layout: apply to files, but " +
+                         (f"a {kind} states its columns" if kind else "this table is already read"))
+    return source if isinstance(source, Table) else Table.from_xarray(source)

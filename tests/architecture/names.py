@@ -37,6 +37,7 @@ HOMONYMS = {
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verbs/albedo.cpp", "albedo"): "the verb",
     ("io/columns/value_names.cpp", "sigma"): "standard deviations",
+    ("io/columns/layout.h", "sigma"): "standard deviations",
     ("io/columns/units.cpp", "rho"): "a letter",
     ("io/columns/units.cpp", "sigma"): "a letter",
     ("io/columns/units.cpp", "gamma"): "a letter",

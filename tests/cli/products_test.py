@@ -29,7 +29,7 @@ A, B = "a.json", "b.json"
 NO_BYTES = {"--jobs", "--memory-limit", "--validation", "--require"}
 FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-channel": None, "--shape": "free", "--free-scale": None,
        "--keep-fill": None, "--polarisation": "average", "--repeats": "average", "--quantity": "BRF", "--mirror-side": "negative",
-       "--max-theta": "50", "--fix": "kd=0.3", "--start": "alpha=0.9", "--bounds": "alpha=0.5:0.9", "--tie": "kd", "--physical": None,
+       "--layout": "none.json", "--max-theta": "50", "--fix": "kd=0.3", "--start": "alpha=0.9", "--bounds": "alpha=0.5:0.9", "--tie": "kd", "--physical": None,
        "--robust": "huber:0.1", "--weights": "solid_angle", "--starts": "5", "--seed": "9", "--aperture": "2", "--bootstrap": "5",
        "--normals": "fit", "--no-pictures": None}
 SHADER = {"--shader": "none.glsl", "--param": "alpha=0.1:0.5", "--entry": "main", "--returns": "f", "--define": "X=1",
@@ -48,7 +48,7 @@ VERBS = {
                   "numerics": ["--numerics", "--form", "lambert", "--json"]},
                  {"--form": "ward", "--all": None, "--such-that": "rho <= 0.5", "--against": "oren_nayar", "--map": "rho=rho",
                   "--effort": "full", "--seconds": "0.001", "--require": "energy", "--max-theta": "40", "--keep-fill": None,
-                  "--quantity": "BRF", "--mirror-side": "negative", "--seed": "3", "--picture": "none.png", "--integrators": None,
+                  "--quantity": "BRF", "--mirror-side": "negative", "--layout": "none.json", "--seed": "3", "--picture": "none.png", "--integrators": None,
                   "--microsurface": None, "--numerics": None, "--gpu": None, "--json": None, **{k: v for k, v in SHADER.items()
                                                                                               if k != "--set"}}),
     "plan": ({"fit": ["fit", "s.csv", "t.csv", "--form", "ward", "-o", "OUT"], "study": ["study", "s.csv", "t.csv", "-o", "OUT"]},

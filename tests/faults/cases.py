@@ -24,6 +24,12 @@ LABORATORY = """"Incident angle (deg)";"Incident azimuth";"Viewing angle (deg)";
 30,0;180,0;40,0;0,0;450;0,26
 30,0;180,0;40,0;0,0;550;0,32
 """
+# A layout of laboratory.csv, which gives the values another quantity.
+LAYOUT = """{"format": "brdf-layout", "version": 1, "quantity": "BRF", "columns": [
+  {"name": "Incident angle (deg)", "is": "theta_i"}, {"name": "Incident azimuth", "is": "phi_i"},
+  {"name": "Viewing angle (deg)", "is": "theta_o"}, {"name": "Viewing azimuth", "is": "phi_o"},
+  {"name": "Wavelength (nm)", "is": "wavelength", "unit": "nm"}, {"name": "BRDF", "is": "value"}]}
+"""
 MODEL = """v -1 -1 0
 v 1 -1 0
 v 0 1 0
@@ -158,9 +164,14 @@ CASES = [
     Case("describe for a shell", ["describe", "zsh"]),
     Case("describe as pages", ["describe", "man", "-o", "man"],
          ["man/brdf.1"] + [f"man/brdf-{verb}.1" for verb in
-                           ("albedo", "convert", "eval", "export", "fit", "models", "recommend", "render", "study", "synth",
+                           ("albedo", "convert", "describe-table", "eval", "export", "fit", "models", "recommend", "render", "study", "synth",
                             "trade", "validate", "view")]),
     Case("convert a laboratory's", ["convert", "laboratory.csv", "table.csv"], ["table.csv"], ["laboratory.csv"]),
+    Case("convert by a layout", ["convert", "laboratory.csv", "table.csv", "--layout", "layout.json"], ["table.csv"],
+         ["laboratory.csv", "layout.json"]),
+    Case("describe-table", ["describe-table", "laboratory.csv", "-o", "proposal.json"], ["proposal.json"],
+         ["laboratory.csv"], short=True),
+    Case("describe-table to stdout", ["describe-table", "laboratory.csv"], [], ["laboratory.csv"]),
     Case("convert to CSV", ["convert", "samples.csv", "table.csv"], ["table.csv"], ["samples.csv"], short=True),
     Case("convert to ASTM", ["convert", "samples.csv", "table.astm"], ["table.astm"], ["samples.csv"]),
     Case("convert to EXR", ["convert", "samples.csv", "table.exr"], ["table.exr"], ["samples.csv"], short=True),
@@ -192,6 +203,7 @@ def make_inputs(folder, brdf, source):
         subprocess.run([brdf, *words], cwd=folder, check=True, capture_output=True)
     write("material.json", MATERIAL)
     write("directions.csv", DIRECTIONS)
+    write("layout.json", LAYOUT)
     write("scene.json", SCENE)
     write("model.obj", MODEL)
     synth = ["synth", "--form", "lambert", "--grid", "in_plane", "--theta-i", "0,30", "--step", "15", "-o"]

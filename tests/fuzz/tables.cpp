@@ -1,8 +1,10 @@
 // Sample tables of this project and of other programs. Each format has a target and thus a corpus of its
 // own.
 #include "io/files/content.h"
+#include "io/files/json.h"
 #include "io/files/text.h"
 #include "io/formats/astm.h"
+#include "io/formats/describe_table.h"
 #include "io/formats/exr_table.h"
 #include "io/formats/optical_constants.h"
 #include "io/formats/read.h"
@@ -68,6 +70,28 @@ const Registered written("written", [](std::string_view input) {
   const io::SampleTable grid = io::read_samples(path);
   require(grid.format == "zemax" && grid.rows() <= table.rows(),
           "lens-design text has no more rows than the table");
+});
+
+// A layout, a line "---", and the table that it describes.
+const Registered layouts("layout", [](std::string_view input) {
+  constexpr std::string_view kCut = "\n---\n";
+  const std::size_t end = input.find(kCut);
+  if (end == input.npos || !input.starts_with('{')) return;
+  const std::string table(input.substr(end + kCut.size()));
+  check_samples(io::read_samples(io::Content{"input", table}, {.layout = std::string(input.substr(0, end))}));
+});
+
+// A table that is read alone is read to the same rows by the layout that is proposed for it.
+const Registered proposals("proposal", [](std::string_view input) {
+  const io::TableProposal proposal = io::propose_layout(content_of(input));
+  if (!proposal.alone || proposal.open > 0) return;
+  const io::SampleTable& alone = *proposal.alone;
+  const io::SampleTable again = io::read_samples(content_of(input), {.layout = io::to_line(proposal.layout)});
+  require(again.theta_i == alone.theta_i && again.phi_i == alone.phi_i && again.theta_o == alone.theta_o &&
+              again.phi_o == alone.phi_o,
+          "a proposal keeps the directions");
+  require(again.channels == alone.channels && again.values == alone.values && again.sigma == alone.sigma,
+          "a proposal keeps the values");
 });
 
 const Registered constants("constants", [](std::string_view input) {

@@ -1,0 +1,480 @@
+#include "io/formats/describe_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "brdf/angle.h"
+#include "io/columns/name_unit.h"
+#include "io/columns/plain_names.h"
+#include "io/columns/value_names.h"
+#include "io/columns/wavelengths.h"
+#include "io/csv/csv_header.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
+#include "io/files/text.h"
+#include "io/formats/read.h"
+#include "io/samples/highlight.h"
+
+namespace brdf::io {
+namespace {
+
+using Fields = std::vector<std::string_view>;
+
+constexpr std::size_t kMostWords = 8;        // words of a column that are listed
+constexpr std::size_t kMostDistinct = 1000;  // distinct numbers of a column that are counted
+
+// The numbers and words of one column.
+struct ColumnFacts {
+  std::size_t numbers = 0, words = 0;
+  double least = 0, largest = 0;
+  std::map<double, std::size_t> times;  // of each number
+  std::set<std::string> word_list;
+
+  void add(double number) {
+    least = numbers ? std::min(least, number) : number;
+    largest = numbers ? std::max(largest, number) : number;
+    ++numbers;
+    if (times.size() < kMostDistinct || times.contains(number)) ++times[number];
+  }
+  void add(std::string_view word) {
+    ++words;
+    if (word_list.size() < kMostWords) word_list.emplace(word);
+  }
+  double largest_size() const { return std::max(std::abs(least), std::abs(largest)); }
+  std::string in_words() const {
+    if (numbers == 0) return words > 0 ? "holds no numbers" : "is empty";
+    if (least == largest) return "holds the number " + short_number(least, 6) + " only";
+    const std::string many = times.size() == kMostDistinct ? "at least " : "";
+    return "holds " + many + std::to_string(times.size()) + " different numbers from " +
+           short_number(least, 6) + " to " + short_number(largest, 6);
+  }
+};
+
+// Returns a word for the unit that is read back to the same unit.
+std::string word_of(const Unit& unit, const std::string& column) {
+  for (const char* word : {"deg", "rad", "nm", "um", "m", "cm-1", "GHz", "THz", "eV", "angstrom"})
+    if (unit_named(word) == unit) return word;
+  return plain_symbols(parted(column).unit_text);
+}
+
+// Returns words for the quantity that are read back to the same quantity; an empty string if no words do.
+std::string words_for_quantity(const Quantity& quantity) {
+  const std::string name(quantity.kind->name);
+  for (const std::string& words :
+       {name, name + " %", "milli " + name, name + " x1000", name + " ppm", "log10 " + name, "ln " + name,
+        name + " dB", name + " (dB)", "log10 " + name + " %"})
+    if (quantity_named(words) == quantity) return words;
+  return "";
+}
+
+std::string separator_word(char separator) {
+  return separator == '\t' ? "tab" : separator == ' ' ? "blanks" : std::string(1, separator);
+}
+
+class Proposer {
+ public:
+  explicit Proposer(const Content& text)
+      : text_(text), reader_(text), header_(reader_, dialect_, table_, true, Supplied{}) {}
+
+  TableProposal result() {
+    try {
+      out_.alone = read_samples(Content(text_));
+    } catch (const InputError& error) {
+      out_.refusal = error.what();
+    }
+    if (!out_.alone) find_comment_sign();
+    read_table();
+    write();
+    return std::move(out_);
+  }
+
+  // Returns the numbers of the value columns in these lines that occur at least three times.
+  std::vector<double> numbers_in(const std::vector<std::uint32_t>& lines) {
+    lines_of_fill_.insert(lines.begin(), lines.end());
+    read_table();
+    std::vector<double> found;
+    constexpr std::size_t kFewest = 3;
+    for (const auto& [number, times] : fill_)
+      if (times >= kFewest) found.push_back(number);
+    return found;
+  }
+
+ private:
+  // A file may have another sign than '#' in front of its comments.
+  void find_comment_sign() {
+    LineReader ahead = reader_;
+    std::string_view line;
+    if (!ahead.next(line)) return;
+    for (const char* sign : {"%", "//", "!", "*", ";"})
+      if (trimmed(line).starts_with(sign)) comment_ = sign;
+    if (!comment_.empty()) header_.set_comment_sign(comment_);
+  }
+
+  void read_table() {
+    std::string_view whole;
+    while (reader_.next(whole)) {
+      const std::string_view line = trimmed(whole);
+      if (line.empty()) continue;
+      if (line.starts_with(header_.comment_sign())) {
+        if (!has_header_) header_.read_comment(line);
+      } else if (has_header_) {
+        read_row(line);
+      } else if (!dialect_.is_separator_line(line)) {
+        read_header(line);
+      }
+    }
+    if (!has_header_ || facts_.empty() ||
+        std::ranges::none_of(facts_, [](const ColumnFacts& f) { return f.numbers > 0; }))
+      throw InputError(text_.name + ": is not a table of columns of numbers");
+  }
+
+  void read_header(std::string_view line) {
+    has_header_ = true;
+    const bool is_row = header_.read_for_proposal(line, doubts_);
+    if (header_.matrix())
+      throw InputError(text_.name +
+                       ": is a matrix of two angles, which is read without a layout; a layout describes "
+                       "tables with a row for each pair of directions");
+    Fields fields;
+    without_header_ = columns().empty();
+    if (without_header_) dialect_.split_header(line, fields);
+    const std::size_t width = std::max(columns().size(), fields.size());
+    constexpr std::size_t kMostEntries = 5000;
+    if (width > kMostEntries)
+      throw InputError(text_.name + ": " + std::to_string(width) + " columns exceed the limit of " +
+                       std::to_string(kMostEntries) + " entries of a layout");
+    facts_.resize(without_header_ ? fields.size() : columns().size());
+    if (is_row) read_row(line);
+  }
+
+  void read_row(std::string_view line) {
+    Fields fields;
+    if (!dialect_.split_row(line, fields) || fields.size() != facts_.size()) return;
+    const bool is_fill = lines_of_fill_.contains(std::uint32_t(reader_.line()));
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      double number;
+      if (!dialect_.parse(fields[k], number)) {
+        facts_[k].add(fields[k]);
+        continue;
+      }
+      facts_[k].add(number);
+      if (is_fill && columns()[k].kind == Column::Kind::value) ++fill_[number];
+    }
+  }
+
+  const std::vector<Column>& columns() const { return header_.columns().columns; }
+
+  bool has_angles() const { return header_.columns().has_angle(0) && header_.columns().has_angle(2); }
+
+  const ColumnDoubt* doubt(std::size_t column, ColumnDoubt::Of of) const {
+    const auto found =
+        std::ranges::find_if(doubts_, [&](const ColumnDoubt& d) { return d.column == column && d.of == of; });
+    return found == doubts_.end() ? nullptr : &*found;
+  }
+
+  void be_unsure(const std::string& path, const std::string& reason) {
+    unsure_.push_back({{"path", path}, {"reason", reason}});
+  }
+  // Leaves a place to the user. A table that is read without a layout has no such place.
+  Json open(const std::string& path, const std::string& reason) {
+    be_unsure(path, reason);
+    ++out_.open;
+    return nullptr;
+  }
+
+  void write() {
+    Json& j = out_.layout;
+    j["format"] = "brdf-layout";
+    j["version"] = 1;
+    j["separator"] = separator_word(dialect_.separator());
+    if (dialect_.mark() != 0) j["decimal"] = std::string(1, dialect_.mark());
+    if (!comment_.empty()) j["comment"] = comment_;
+    if (without_header_) j["header"] = 0;
+    write_quantity(j);
+    write_sides(j);
+    write_fill(j);
+    j["columns"] = Json::array();
+    for (std::size_t k = 0; k < facts_.size(); ++k) j["columns"].push_back(entry(k));
+    if (const auto& only = header_.columns().only_azimuth) add_other_azimuth(j["columns"], *only);
+    note_missing_angles();
+    for (const std::string& sentence : header_.columns().assumptions)
+      if (sentence.find("Mueller") != sentence.npos) be_unsure("$.columns", sentence);
+    if (!out_.alone && out_.open == 0)
+      be_unsure("$", "the table is refused without a layout: " + out_.refusal);
+    if (!unsure_.empty()) j["unsure"] = unsure_;
+  }
+
+  // Writes one quantity for all columns of values if all have the same.
+  void write_quantity(Json& j) {
+    std::set<std::string> all;
+    bool is_open = false;
+    for (std::size_t k = 0; k < columns().size(); ++k)
+      if (columns()[k].kind == Column::Kind::value) {
+        is_open = is_open || doubt(k, ColumnDoubt::Of::quantity) || !is_value(k);
+        all.insert(words_for_quantity(header_.columns().quantities[columns()[k].index]));
+      }
+    if (is_open || all.size() != 1 || all.begin()->empty()) return;
+    j["quantity"] = *all.begin();
+    has_one_quantity_ = true;
+    for (const Column& column : columns())
+      if (column.kind == Column::Kind::value)
+        if (const std::string reason = doubt_of_quantity(column); !reason.empty())
+          return be_unsure("$.quantity", reason);
+  }
+
+  // Returns the reason for doubt about a quantity that the reader accepts, or an empty string.
+  std::string doubt_of_quantity(const Column& column) const {
+    if (header_.stated()) return "";
+    if (!mueller_element(column.name).empty()) return "";
+    const NamedQuantity named = quantity_of_column(column.name);
+    if (named.is_default)
+      return "the name " + shown(column.name) + " is common for any quantity; f_r in 1/sr is assumed";
+    if (named.says == NamedQuantity::Says::nothing)
+      return "the name " + shown(column.name) + " gives no quantity; f_r in 1/sr is assumed";
+    if (named.needs_a_line)
+      return "f_r follows from the unit of " + shown(column.name) + " alone; its word has other meanings";
+    return "";
+  }
+
+  // Two signed angles: states the side of the mirror direction.
+  void write_sides(Json& j) {
+    if (!header_.columns().in_plane) check_azimuths(j);
+    if (!header_.columns().in_plane || !has_angles()) return;
+    for (std::size_t k = 0; k < columns().size(); ++k)
+      if (columns()[k].kind == Column::Kind::angle && columns()[k].index == 0 && facts_[k].least < 0) return;
+    if (!out_.alone) {
+      j["mirror_side"] = open("$.mirror_side",
+                              "the sign of the viewing angle on the mirror side is not known, and the table "
+                              "cannot be read without a layout to judge it");
+      return;
+    }
+    const SampleTable positive = read_samples(Content(text_), {.mirror_side = MirrorSide::positive});
+    j["mirror_side"] = positive.phi_o == out_.alone->phi_o ? "positive" : "negative";
+    for (const std::string& sentence : out_.alone->assumptions)
+      if (sentence.starts_with("two angles in the plane")) be_unsure("$.mirror_side", sentence);
+  }
+
+  // Tests the convention of the azimuths on the values.
+  void check_azimuths(Json& j) {
+    if (!out_.alone || header_.columns().has(Column::Kind::phase)) return;
+    SampleTable judged = *out_.alone;
+    judged.assumptions.clear();
+    check_highlight(judged);
+    if (judged.assumptions.empty()) return;
+    j["mirror_azimuth"] = 180;
+    be_unsure("$.mirror_azimuth", judged.assumptions[0]);
+  }
+
+  // Words in columns of numbers, and numbers such as -999, mark directions that were not measured.
+  void write_fill(Json& j) {
+    if (out_.alone) return;
+    Json fill = Json::array();
+    for (std::size_t k = 0; k < columns().size(); ++k) {
+      if (columns()[k].kind != Column::Kind::value || !is_value(k) || facts_[k].numbers == 0) continue;
+      for (const std::string& word : facts_[k].word_list) add_new(fill, word);
+      for (const double end : {facts_[k].least, facts_[k].largest})
+        if (is_fill_number(end) && facts_[k].times[end] > 1) add_new(fill, end);
+    }
+    if (fill.empty()) return;
+    j["fill"] = fill;
+    be_unsure("$.fill", "these cells of value columns are taken for directions that were not measured");
+  }
+
+  static void add_new(Json& list, const Json& item) {
+    if (std::ranges::find(list, item) == list.end()) list.push_back(item);
+  }
+
+  // Returns whether the number is -9, 99, -999, 9999.9 or similar.
+  static bool is_fill_number(double number) {
+    const std::string text = to_text(std::abs(number));
+    return text.size() > 1 && text.find_first_not_of("9.") == text.npos && std::abs(number) > 90;
+  }
+
+  // Returns whether a column of the kind `value` holds values: in a table without one of the two polar
+  // angles, an unknown word may be the word for an angle.
+  bool is_value(std::size_t k) const {
+    return has_angles() || quantity_of_column(columns()[k].name).says == NamedQuantity::Says::quantity;
+  }
+
+  Json entry(std::size_t k) {
+    const std::string path = "$.columns[" + std::to_string(k) + "]";
+    Json e;
+    if (without_header_) {
+      e["position"] = k + 1;
+      e["is"] = open(path + ".is", "column " + std::to_string(k + 1) + " " + facts_[k].in_words());
+      return e;
+    }
+    const std::vector<std::string>& names = header_.written_names();
+    if (names[k].empty() || std::ranges::count(names, names[k]) > 1)
+      e["position"] = k + 1;
+    else
+      e["name"] = names[k];
+    write_meaning(e, k, path);
+    return e;
+  }
+
+  void write_meaning(Json& e, std::size_t k, const std::string& path) {
+    const Column& column = columns()[k];
+    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::meaning)) {
+      e["is"] = open(path + ".is", d->reason + "; it " + facts_[k].in_words());
+      return;
+    }
+    switch (column.kind) {
+      case Column::Kind::angle:
+        e["is"] = kAngleNames[column.index];
+        write_angle(e, k, path);
+        break;
+      case Column::Kind::phase:
+      case Column::Kind::rotation:
+        e["is"] = column.kind == Column::Kind::phase ? "phase" : "rotation";
+        write_angle(e, k, path);
+        break;
+      case Column::Kind::wavelength:
+        e["is"] = "wavelength";
+        write_band(e, k, path);
+        break;
+      case Column::Kind::polarisation:
+        e["is"] = "polarisation";
+        break;
+      case Column::Kind::sigma:
+        e["is"] = name_of(Meaning::sigma);
+        if (header_.columns().channels.size() > 1) e["of"] = header_.columns().channels[column.index];
+        break;
+      case Column::Kind::value:
+        write_value(e, k, path);
+        break;
+      case Column::Kind::aside:
+        write_aside(e, k, path);
+        break;
+    }
+  }
+
+  void write_angle(Json& e, std::size_t k, const std::string& path) {
+    const Column& column = columns()[k];
+    e["unit"] = column.unit ? word_of(*column.unit, column.name) : "deg";
+    if (column.is_elevation) e["from"] = "surface";
+    const bool is_polar = column.kind == Column::Kind::angle && column.index % 2 == 0;
+    constexpr double kMostRadians = kPi / 2 * 1.001;
+    const double largest = facts_[k].largest_size();
+    if (!column.unit && is_polar && largest > 0 && largest <= kMostRadians)
+      be_unsure(path + ".unit", "the header gives no unit, and the angles reach only " +
+                                    short_number(largest, 6) + ": they may be radians");
+  }
+
+  void write_band(Json& e, std::size_t k, const std::string& path) {
+    const Column& column = columns()[k];
+    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::unit)) {
+      e["unit"] = open(path + ".unit", d->reason);
+      return;
+    }
+    if (column.unit) {
+      e["unit"] = word_of(*column.unit, column.name);
+      return;
+    }
+    const bool is_um = are_micrometres(facts_[k].largest);
+    e["unit"] = is_um ? "um" : "nm";
+    be_unsure(path + ".unit", "the header gives no unit of the wavelengths, which reach " +
+                                  short_number(facts_[k].largest, 6) + ": read as " +
+                                  std::string(is_um ? "micrometres" : "nm"));
+  }
+
+  void write_value(Json& e, std::size_t k, const std::string& path) {
+    const Column& column = columns()[k];
+    if (!is_value(k)) {
+      e["is"] = open(path + ".is", "the name " + shown(column.name) + " is not understood; the column " +
+                                       facts_[k].in_words());
+      return;
+    }
+    e["is"] = "value";
+    if (!header_.columns().has(Column::Kind::wavelength))
+      e["channel"] = header_.columns().channels[column.index];
+    if (has_one_quantity_) return;
+    const std::string words = words_for_quantity(header_.columns().quantities[column.index]);
+    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::quantity))
+      e["quantity"] = open(path + ".quantity", d->reason);
+    else if (words.empty())
+      e["quantity"] = open(path + ".quantity", "the quantity has no name that options take");
+    else
+      e["quantity"] = words;
+  }
+
+  void write_aside(Json& e, std::size_t k, const std::string& path) {
+    if (!has_angles()) {
+      e["is"] = open(path + ".is", "the name " + shown(columns()[k].name) +
+                                       " may be one of metadata; the column " + facts_[k].in_words());
+      return;
+    }
+    e["is"] = "ignored";
+    if (!mueller_element(columns()[k].name).empty()) return;
+    be_unsure(path + ".is",
+              "column " + shown(columns()[k].name) + " is taken for metadata; it " + facts_[k].in_words());
+  }
+
+  void add_other_azimuth(Json& entries, std::size_t stated) {
+    const std::string other(kAngleNames[4 - stated]);
+    be_unsure("$.columns[" + std::to_string(entries.size()) + "].constant",
+              "the table has one azimuth only, which is taken as relative: " + other +
+                  " is 0, and the mirror "
+                  "direction is at 180 degrees (if it is at 0: \"mirror_azimuth\": 0)");
+    entries.push_back({{"constant", 0}, {"is", other}});
+  }
+
+  void note_missing_angles() {
+    std::string missing;
+    for (const std::size_t angle : {0, 2})
+      if (!header_.columns().has_angle(angle))
+        missing += (missing.empty() ? "" : " and ") + std::string(kAngleNames[angle]);
+    if (missing.empty()) return;
+    const bool can_be_null = out_.open > 0;
+    be_unsure("$.columns", "no column is understood as " + missing +
+                               (can_be_null ? "" : ": add an entry, with \"constant\" for a fixed angle"));
+  }
+
+  const Content& text_;
+  LineReader reader_;
+  SampleTable table_;
+  Dialect dialect_;
+  std::vector<ColumnDoubt> doubts_;
+  CsvHeader header_;
+  std::string comment_;  // the sign of comments, if other than '#'
+  bool has_header_ = false, without_header_ = false, has_one_quantity_ = false;
+  std::vector<ColumnFacts> facts_;
+  std::set<std::uint32_t> lines_of_fill_;
+  std::map<double, std::size_t> fill_;  // times of each number in these lines
+  Json unsure_ = Json::array();
+  TableProposal out_;
+};
+
+}  // namespace
+
+TableProposal propose_layout(Content content) {
+  const std::string format = format_name(content);
+  if (format != "csv")
+    throw InputError(content.name + ": is in the format " + format +
+                     ", and a layout describes only tables of columns of text" +
+                     (format == "json" ? "" : ": the reader of this format needs no layout"));
+  make_utf8(content);
+  return Proposer(content).result();
+}
+
+void add_fill(TableProposal& proposal, Content content, const std::vector<std::uint32_t>& lines) {
+  make_utf8(content);
+  const std::vector<double> numbers = Proposer(content).numbers_in(lines);
+  if (numbers.empty()) return;
+  Json& j = proposal.layout;
+  // The order of keys is that of the schema.
+  Json ordered;
+  for (const auto& [key, value] : j.items()) {
+    if (key == "columns") ordered["fill"] = numbers;
+    ordered[key] = value;
+  }
+  j = std::move(ordered);
+  j["unsure"].push_back({{"path", "$.fill"},
+                         {"reason", plural(lines.size(), "row") +
+                                        " with these values contradict the rows around them: they are taken "
+                                        "for directions that were not measured"}});
+}
+
+}  // namespace brdf::io
