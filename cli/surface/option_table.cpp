@@ -60,6 +60,7 @@ constexpr OptionRow kTable[] = {
     {"validate --microsurface", Group::checks},
     {"--quantity", Group::measurements, Value::text},
     {"--mirror-side", Group::measurements},
+    {"--matrix", Group::measurements, Value::text},
     {"--polarisation", Group::measurements},
     {"--repeats", Group::measurements},
     {"--keep-fill", Group::measurements},

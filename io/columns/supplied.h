@@ -16,6 +16,8 @@ struct Supplied {
   MirrorSide mirror_side = MirrorSide::automatic;
   // Read a Mueller matrix as the channels s, p, ss, sp, ps and pp instead of f_r of unpolarised light.
   bool polarised = false;
+  // Words of the name of one of several matrices (Klems XML), such as "back solar"; empty: the usual matrix.
+  std::string matrix = {};
 
   bool operator==(const Supplied&) const = default;
 };

@@ -36,8 +36,9 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
             repeats: str = "keep", quantity: str = "", mirror_side: str = "auto") -> list[str]:
-    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`). For a
-    material, the values at the MERL cells are written. Returns the losses, one phrase each.
+    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm, .zemax, .xompt, .brdf (BiRD) or
+    .xml (Klems matrices): `brdf convert`. For a material, the values at the MERL cells are written, for .xml the means
+    over the patches. Returns the losses, one phrase each.
 
     keep_fill: also write rows of fill values, which mark directions that were not measured.
     polarisation: treatment of channels with a polarisation in their names (fr_s, 465nm p): keep, average, s, p, ss, sp,
@@ -49,9 +50,9 @@ def convert(source: Path | Table | Material, output: Path, *, keep_fill: bool = 
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
-        source = synth(source, grid="merl", azimuths=(0,))
+        source = Table._of(_brdf.table_of_material(source._optics, name))
     samples = source._samples if isinstance(source, Table) else _brdf.table_of_file(path_of(source), quantity,
-                                                                                            mirror_side)
+                                                                                            mirror_side, name)
     if not keep_fill:
         samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)
