@@ -101,6 +101,10 @@ void bind_judgements(py::module_& module) {
   module.def("check_required", &validate::check_required);
   module.def("validate", &judge);
   module.def("synth", &synth_samples);
+  module.def("table_of_material", [](const Optics& optics, const std::string& output) {
+    const py::gil_scoped_release unlocked;
+    return Samples(synth::table_of_material(optics.file.material, synth::cells_for(output)));
+  });
   module.def("write_text", [](const std::string& path, const std::string& text) {
     io::check_targets({{"-o", path}});
     io::write_file_atomically(path, text);

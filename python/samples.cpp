@@ -162,8 +162,11 @@ void bind_samples(py::module_& module) {
   module.def("read_directions",
              [](const std::string& path) { return read([&] { return io::read_directions(path); }); });
   module.def("table_of_file", [](const std::string& path, const std::string& quantity,
-                                 const std::string& mirror_side, const std::string& layout) {
-    return read([&] { return synth::table_of_file(path, supplied_of(quantity, mirror_side, layout)); });
+                                 const std::string& mirror_side, const std::string& layout,
+                                 const std::string& output) {
+    return read([&] {
+      return synth::table_of_file(path, supplied_of(quantity, mirror_side, layout), synth::cells_for(output));
+    });
   });
   module.def("check_table_format", [](const std::string& path) { io::check_table_format(path); });
   module.def("from_arrays", &from_arrays);

@@ -16,6 +16,7 @@
 #include "io/files/text.h"
 #include "io/formats/read.h"
 #include "io/material/material_json.h"
+#include "synth/patch_means.h"
 #include "synth/random.h"
 
 namespace brdf::synth {
@@ -168,17 +169,36 @@ io::SampleTable measure(const Material& material, const Instrument& instrument,
   return table;
 }
 
-io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied) {
+Cells cells_for(const std::filesystem::path& output) {
+  return output.extension() == ".xml" ? Cells::klems : Cells::merl;
+}
+
+io::SampleTable table_of_material(const Material& material, Cells cells, const io::Progress& progress) {
+  if (cells == Cells::merl) {
+    Instrument instrument;
+    instrument.grid.parts = {"merl"};
+    return measure(material, instrument, progress);
+  }
+  PatchMeans means = patch_means(material, progress);
+  std::string accuracy =
+      "each value is a mean over two patches; estimated error of the integration: at most " +
+      io::percent(means.error);
+  if (means.unresolved > 0)
+    accuracy += "; " + io::plural(means.unresolved, "value") + " of " + std::to_string(means.table.rows()) +
+                " are less accurate, because the highlight is too narrow for the integration";
+  means.table.warnings.push_back(accuracy);
+  return std::move(means.table);
+}
+
+io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied, Cells cells) {
   io::Content content = io::read_content(path);
   if (!io::may_be_material(content)) return io::read_samples(std::move(content), supplied);
   io::Supplied stated = supplied;
   stated.polarised = false;  // a material has no Mueller matrix, and its channels are chosen by their names
   if (stated != io::Supplied())
     throw InputError(path.string() +
-                     ": --quantity, --mirror-side and --layout apply to samples, not to a material");
-  Instrument instrument;
-  instrument.grid.parts = {"merl"};
-  io::SampleTable table = measure(io::read_material(content), instrument);
+                     ": --quantity, --mirror-side, --layout and --matrix apply to samples, not to a material");
+  io::SampleTable table = table_of_material(io::read_material(content), cells);
   table.source = path.string();
   table.format = "material";
   return table;

@@ -41,7 +41,17 @@ std::vector<double> usual_azimuths(const Material& material);
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress = {});
 
-// Returns any file as a table: samples unchanged, a material evaluated at the centres of the MERL cells.
-io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied = {});
+// The table that represents a material: values at the centres of the MERL cells, or means over the patches of
+// a Klems basis (patch_means.h).
+enum class Cells { merl, klems };
+// Returns the cells for a material that is written to this file: klems for .xml, otherwise merl.
+Cells cells_for(const std::filesystem::path& output);
+
+// Returns the table of a material. The warnings of means state their accuracy.
+io::SampleTable table_of_material(const Material& material, Cells cells, const io::Progress& progress = {});
+
+// Returns any file as a table: samples unchanged, a material by table_of_material().
+io::SampleTable table_of_file(const std::filesystem::path& path, const io::Supplied& supplied = {},
+                              Cells cells = Cells::merl);
 
 }  // namespace brdf::synth

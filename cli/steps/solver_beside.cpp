@@ -4,12 +4,14 @@
 
 #include <memory>
 
+#include "brdf/aperture.h"
 #include "fit/assess/errors.h"
 #include "fit/choice.h"
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
 #include "fit/report/states.h"
 #include "io/files/numbers.h"
+#include "io/samples/aperture.h"
 
 namespace brdf::cli {
 namespace {
@@ -33,18 +35,26 @@ class Comparison {
   double operator()(const Material& material, const io::SampleTable& table) {
     if (table.source != source_ || table.rows() != rows_) {
       data_ = fit::thinned(fit::prepare(table, default_options()), most_rows_);
+      // The fit averages over this field, too.
+      field_ = aperture_nodes(degrees(io::stated_aperture(table).value_or(0)));
       source_ = table.source;
       rows_ = table.rows();
     }
     if (material.channels.size() != data_.channels.size()) return fit::kUnknown;
     std::vector<std::vector<double>> model(material.channels.size(), std::vector<double>(data_.rows(), 0));
     std::vector<double> one(data_.rows());
-    const Directions<double> directions = data_.directions(0, data_.rows());
-    for (std::size_t c = 0; c < model.size(); ++c)
-      for (const Term& term : material.terms) {
-        eval_batch(term, c, directions, one.data());
-        for (std::size_t k = 0; k < one.size(); ++k) model[c][k] += one[k];
-      }
+    const Directions<double> centres = data_.directions(0, data_.rows());
+    DirectionArrays<double> seen(data_.rows());
+    for (const ApertureNode& node : field_) {
+      for (std::size_t k = 0; k < one.size(); ++k)
+        seen.set(k, centres.wi(k),
+                 field_.size() == 1 ? centres.wo(k) : aperture_direction(centres.wo(k), node));
+      for (std::size_t c = 0; c < model.size(); ++c)
+        for (const Term& term : material.terms) {
+          eval_batch(term, c, seen.view(), one.data());
+          for (std::size_t k = 0; k < one.size(); ++k) model[c][k] += node.weight * one[k];
+        }
+    }
     return fit::relative_errors(data_, model, {0, data_.rows()}).median;
   }
 
@@ -53,6 +63,7 @@ class Comparison {
   std::string source_;
   std::size_t rows_ = 0;
   fit::FitData data_;
+  std::vector<ApertureNode> field_;  // of the detector
 };
 
 // Returns the shape parameters as starting point. The weights are linear, and the solver finds their best

@@ -64,6 +64,7 @@ constexpr OptionRow kTable[] = {
     {"--quantity", Group::measurements, Value::text},
     {"--mirror-side", Group::measurements},
     {"--layout", Group::measurements, Value::json},
+    {"--matrix", Group::measurements, Value::text},
     {"--polarisation", Group::measurements},
     {"--repeats", Group::measurements},
     {"--keep-fill", Group::measurements},

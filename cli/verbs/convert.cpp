@@ -69,7 +69,8 @@ Exit run_convert(const ConvertCall& o) {
   if (out.ends_with(".bsdf")) return to_rgl(o);
   if (!is_stream(out)) io::check_table_format(out);
   io::check_targets({{"OUT", out}}, {in});
-  io::SampleTable table = synth::table_of_file(in, io::supplied_for(o.supplied, o.arrangement));
+  io::SampleTable table =
+      synth::table_of_file(in, io::supplied_for(o.supplied, o.arrangement), synth::cells_for(out));
   arrange(o, table);
   for (const std::string& warning : table.warnings)
     Warning() << "brdf convert: " << io::input_name(in) << ": " << warning;
@@ -93,21 +94,27 @@ void add_convert(CLI::App& app) {
   verb->add_option(
           "IN", options->in,
           "Samples in any format that is read (docs/formats.md lists them); or a material's JSON, evaluated "
-          "at the MERL cells")
+          "at the MERL cells, for .xml as means over the patches")
       ->required();
   verb->add_option(
           "OUT", options->out,
           "File to write: .csv, .binary (MERL), .exr, .bsdf (RGL), .astm (ASTM E1392), .zemax (lens-design "
-          "text) or .xompt (OpenMATERIAL); - for CSV on standard output")
+          "text), .xompt (OpenMATERIAL), .brdf (BiRD) or .xml (Klems matrices); - for CSV on standard output")
       ->required();
   add_keep_fill_option(*verb, options->keep_fill);
   add_arrangement_options(*verb, options->arrangement);
   add_supplied_options(*verb, options->supplied);
+  verb->add_option(
+      "--matrix", options->supplied.matrix,
+      "Klems XML: words of the matrix to read, such as 'back visible', 'solar' or 'nm' (default: "
+      "front, visible)");
   verb->footer(
       "Examples: brdf convert paper.bsdf paper.csv\n"
       "          brdf convert paper.csv paper.bsdf\n"
       "          zcat paper.csv.gz | brdf convert - - --repeats average\n"
       "          brdf convert scan.csv scan.zemax --keep-fill\n"
+      "          brdf convert copper.json copper.xml\n"
+      "          brdf convert window.xml back.csv --matrix 'back solar'\n"
       "          brdf convert polarised.csv mean.csv --polarisation average --repeats average\n"
       "          brdf convert reflectance_factors.csv f_r.csv --quantity 'BRF %' --mirror-side negative\n"
       "          brdf convert lab.txt f_r.csv --layout lab.json");

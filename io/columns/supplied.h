@@ -19,6 +19,8 @@ struct Supplied {
   // The description of the table's columns (io/columns/layout.h): the name of a file of JSON, or the JSON
   // itself, which begins with '{'. Empty: the header row is interpreted.
   std::string layout = {};
+  // Words of the name of one of several matrices (Klems XML), such as "back solar"; empty: the usual matrix.
+  std::string matrix = {};
 
   bool operator==(const Supplied&) const = default;
 };

@@ -69,7 +69,7 @@ void CsvHeader::read_comment(std::string_view line) {
   }
   const auto words = quantity_in_comment(text);
   if (!words) {
-    table_.metadata.push_back(parse_comment(text));
+    keep_comment(table_, parse_comment(text));
     if (!is_read() && table_.metadata.back().first.empty())
       stated_.add_free_text(table_.metadata.back().second, reader_.line());
     return;
@@ -140,7 +140,7 @@ void CsvHeader::add_title(std::string_view title) {
   constexpr std::size_t kLongestKey = 40;
   const bool has_key =
       !pair.first.empty() && pair.first.size() <= kLongestKey && title.find(": ") == title.find(':');
-  table_.metadata.push_back(has_key ? pair : parse_comment(": " + std::string(title)));
+  keep_comment(table_, has_key ? pair : parse_comment(": " + std::string(title)));
 }
 
 void CsvHeader::read_names(std::string_view line) {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <set>
+#include <unordered_set>
 
 #include "io/files/error.h"
 #include "io/files/text.h"
@@ -11,48 +10,119 @@
 namespace brdf::io {
 namespace {
 
-// Receives the parser's events, refuses documents that the parser would accept silently, and keeps the
-// current path for messages.
-class Follower {
+// Builds a document from the parser's events. Refuses documents that the library would accept silently, and
+// keeps the current path for messages. The library's own parser with a callback takes time that grows with
+// the square of the number of objects in an array.
+class Builder {
  public:
-  bool operator()(int, Json::parse_event_t event, Json& parsed) {
-    using Event = Json::parse_event_t;
-    if (event == Event::object_end || event == Event::array_end) open_.pop_back();
-    if (event == Event::key) enter(parsed.get<std::string>());
-    if (event == Event::object_start || event == Event::array_start) {
-      if (open_.size() == kDeepestJson)
-        throw InputError("is nested more than " + std::to_string(kDeepestJson) + " levels deep");
-      open_.push_back({event == Event::array_start});
-    } else if (event != Event::key && !open_.empty()) {
-      ++open_.back().index;
-    }
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(Json::number_integer_t value) { return add(value); }
+  bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
+  bool number_float(Json::number_float_t value, const std::string&) { return add(value); }
+  bool string(std::string& value) {
+    count_part();
+    return add(std::move(value));
+  }
+  bool binary(Json::binary_t&) { return false; }  // only formats other than text have it
+  bool start_object(std::size_t) { return open(Json::object()); }
+  bool start_array(std::size_t) { return open(Json::array()); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  // nlohmann::json keeps the last of two equal keys; a strict reader must refuse them.
+  bool key(std::string& name) {
+    Level& level = open_.back();
+    level.key.clear();
+    if (level.keys.size() == kMostKeys)
+      throw InputError("has more than " + std::to_string(kMostKeys) + " keys");
+    if (!level.keys.insert(name).second)
+      throw InputError("key \"" + printable(name, 60) + "\" is given twice");
+    level.key = std::move(name);
     return true;
   }
+  bool parse_error(std::size_t, const std::string&, const Json::exception& error) {
+    constexpr int kOutOfRange = 406;
+    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
+    // "[json.exception.parse_error.101] parse error at line 1, column 3: ...": the file's name replaces the
+    // bracket.
+    std::string message = error.what();
+    if (error.id == kOutOfRange)
+      throw InputError(
+          printable(message.substr(std::min(message.find('\''), message.size())), kLongestMessage) +
+          " exceeds the range of numbers");
+    if (const std::size_t stop = message.find("] "); stop != message.npos) message.erase(0, stop + 2);
+    std::ranges::replace(message, '\n', ' ');
+    throw SyntaxError{printable(message, kLongestMessage)};
+  }
+
   // "$.weights.kd[2]"
   std::string place() const {
     std::string path = "$";
     for (const Level& level : open_)
-      path += level.is_array      ? "[" + std::to_string(level.index) + "]"
-              : level.key.empty() ? ""
-                                  : "." + level.key;
+      path += level.value->is_array() ? "[" + std::to_string(level.value->size() - level.is_last_open) + "]"
+              : level.key.empty()     ? ""
+                                      : "." + level.key;
     return printable(path, 60);
   }
+  Json result() { return std::move(root_); }
+
+  // The message has a place of its own.
+  struct SyntaxError {
+    std::string message;
+  };
 
  private:
+  static constexpr std::size_t kLongestMessage = 300;
+  static constexpr std::size_t kMostKeys = 100'000;
+  // Each of these takes memory of its own: about 100 bytes.
+  static constexpr std::size_t kMostParts = 8'000'000;
+
   struct Level {
-    bool is_array;
-    std::size_t index = 0;
-    std::string key = {};  // the last key
-    std::set<std::string> keys = {};
+    Json* value;
+    bool is_last_open = false;  // the last member of an array is not complete
+    std::string key = {};       // the last key
+    std::unordered_set<std::string> keys = {};
   };
-  // nlohmann::json keeps the last of two equal keys; a strict reader must refuse them.
-  void enter(std::string key) {
-    open_.back().key.clear();
-    if (!open_.back().keys.insert(key).second)
-      throw InputError("key \"" + printable(key, 60) + "\" is given twice");
-    open_.back().key = std::move(key);
+
+  void count_part() {
+    if (++parts_ > kMostParts)
+      throw InputError("has more than " + std::to_string(kMostParts) + " texts, arrays and objects");
   }
+
+  // Adds a value to the innermost array or object.
+  Json& put(Json value) {
+    if (open_.empty()) return root_ = std::move(value);
+    Json& parent = *open_.back().value;
+    if (parent.is_array()) {
+      auto& members = parent.get_ref<Json::array_t&>();
+      return members.emplace_back(std::move(value));
+    }
+    // The keys are known to differ, so that the search of emplace() is not needed.
+    Json::object_t::Container& members = parent.get_ref<Json::object_t&>();
+    return members.emplace_back(open_.back().key, std::move(value)).second;
+  }
+  bool add(Json value) {
+    put(std::move(value));
+    return true;
+  }
+  bool open(Json value) {
+    if (open_.size() == kDeepestJson)
+      throw InputError("is nested more than " + std::to_string(kDeepestJson) + " levels deep");
+    count_part();
+    Json& added = put(std::move(value));
+    if (!open_.empty()) open_.back().is_last_open = true;
+    open_.push_back({&added});
+    return true;
+  }
+  bool close() {
+    open_.pop_back();
+    if (!open_.empty()) open_.back().is_last_open = false;
+    return true;
+  }
+
+  Json root_;
   std::vector<Level> open_;
+  std::size_t parts_ = 0;
 };
 
 void write(const Json& json, const std::string& indent, std::string& out) {
@@ -85,26 +155,15 @@ Json parse_json(const std::string& text, const std::string& file) {
     throw InputError(file + ": is larger than " + std::to_string(kLargestJson >> 20) + " MiB");
   if (const std::size_t nul = text.find('\0'); nul != text.npos)  // the parser would stop there
     throw InputError(file + ", line " + std::to_string(line_of(text, nul)) + ": contains a NUL byte");
-  constexpr std::size_t kLongest = 300;
-  Follower follower;
+  Builder builder;
   try {
-    return Json::parse(text, std::ref(follower));
+    Json::sax_parse(text, &builder);
+  } catch (const Builder::SyntaxError& error) {
+    throw InputError(file + ": " + error.message);
   } catch (const InputError& error) {
-    throw InputError(file + ": " + follower.place() + ": " + error.what());
-  } catch (const Json::out_of_range& error) {
-    // "[json.exception.out_of_range.406] number overflow parsing '1e400'"
-    const std::string message = error.what();
-    throw InputError(file + ": " + follower.place() + ": " +
-                     printable(message.substr(std::min(message.find('\''), message.size())), kLongest) +
-                     " exceeds the range of numbers");
-  } catch (const Json::parse_error& error) {
-    // "[json.exception.parse_error.101] parse error at line 1, column 3: ...": the file's name replaces the
-    // bracket.
-    std::string message = error.what();
-    if (const std::size_t stop = message.find("] "); stop != message.npos) message.erase(0, stop + 2);
-    std::ranges::replace(message, '\n', ' ');
-    throw InputError(file + ": " + printable(message, kLongest));
+    throw InputError(file + ": " + builder.place() + ": " + error.what());
   }
+  return builder.result();
 }
 
 Json read_json(const Content& content) {

@@ -3,7 +3,9 @@
 #include "io/csv/csv.h"
 #include "io/files/error.h"
 #include "io/formats/astm.h"
+#include "io/formats/bird.h"
 #include "io/formats/exr_table.h"
+#include "io/formats/klems_write.h"
 #include "io/formats/merl.h"
 #include "io/formats/openmaterial.h"
 #include "io/formats/zemax.h"
@@ -13,11 +15,11 @@ namespace brdf::io {
 void check_table_format(const std::filesystem::path& path) {
   const std::string suffix = path.extension();
   if (suffix != ".csv" && suffix != ".binary" && suffix != ".exr" && suffix != ".astm" &&
-      suffix != ".zemax" && suffix != ".xompt")
+      suffix != ".zemax" && suffix != ".xompt" && suffix != ".brdf" && suffix != ".xml")
     throw InputError(
         path.string() +
         ": unknown output format (known: .csv, .binary for MERL, .exr, .astm for ASTM E1392, .zemax for "
-        "lens-design text, .xompt for OpenMATERIAL)");
+        "lens-design text, .xompt for OpenMATERIAL, .brdf for BiRD, .xml for Klems matrices)");
 }
 
 std::vector<std::string> write_table(const std::filesystem::path& path, const SampleTable& table) {
@@ -27,6 +29,8 @@ std::vector<std::string> write_table(const std::filesystem::path& path, const Sa
   if (path.extension() == ".astm") return astm::write(path, table);
   if (path.extension() == ".zemax") return zemax::write(path, table);
   if (path.extension() == ".xompt") return openmaterial::write(path, table);
+  if (path.extension() == ".brdf") return bird::write(path, table);
+  if (path.extension() == ".xml") return klems::write(path, table);
   write_samples(path, table);
   return {};
 }

@@ -10,8 +10,8 @@
 namespace brdf::io {
 
 // Checks the suffix of `path`. Throws InputError if no table format is written under this suffix; the known
-// suffixes are .csv, .binary (MERL), .exr, .astm (ASTM E1392), .zemax (lens-design text) and .xompt
-// (OpenMATERIAL).
+// suffixes are .csv, .binary (MERL), .exr, .astm (ASTM E1392), .zemax (lens-design text), .xompt
+// (OpenMATERIAL), .brdf (BiRD) and .xml (Klems matrices).
 void check_table_format(const std::filesystem::path& path);
 
 // Writes `table` to `path`. Returns the losses of the format, one phrase each. Throws the errors of

@@ -13,6 +13,7 @@
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/samples/foreign_rows.h"
+#include "io/samples/table_rules.h"
 #include "io/samples/to_f_r.h"
 
 namespace brdf::io::aspecular {
@@ -87,7 +88,7 @@ class Reader {
     if (const auto words = quantity_in_comment(text))
       quantities_.add_comment(*words, lines_.line(), lines_.where());
     else
-      table_.metadata.push_back(parse_comment(text));
+      keep_comment(table_, parse_comment(text));
   }
 
   void read_header() {

@@ -87,6 +87,7 @@ class Reader {
       throw InputError(root_.file() + ": $.metadata.type: " + shown(type) +
                        " is not read: export the BRDF, with both polar angles below 90 degrees");
     add_metadata(table_, *metadata);
+    if (const Json* const others = member(*metadata, {"adhoc_section"})) add_metadata(table_, *others);
     if (const Json* const sample = member(*metadata, {"sample", "name"}); sample && sample->is_string())
       table_.add_comment("sample", sample->get<std::string>());
     read_solid_angle(*metadata);

@@ -1,6 +1,10 @@
 #include "io/formats/json_metadata.h"
 
+#include "io/files/error.h"
+#include "io/files/fingerprint.h"
+#include "io/files/limits.h"
 #include "io/files/numbers.h"
+#include "io/files/output.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -28,6 +32,23 @@ void add_metadata(SampleTable& table, const Json& object) {
     if (text.empty() || key.starts_with('$') || ++count > kMostMembers) continue;
     table.add_comment(printable(key, kLongestMember), printable(text, kLongestMember));
   }
+}
+
+std::string identifier_of(const std::string& content) {
+  const std::string hash = fingerprint({content}) + fingerprint({content, "second half"});
+  std::string digits = std::string(hash.size() < 32 ? 32 - hash.size() : 0, '0') + hash;
+  digits[12] = '8';
+  digits[16] = 'a';
+  return digits.substr(0, 8) + "-" + digits.substr(8, 4) + "-" + digits.substr(12, 4) + "-" +
+         digits.substr(16, 4) + "-" + digits.substr(20, 12);
+}
+
+void write_json_table(const std::filesystem::path& path, const Json& json, const SampleTable& table) {
+  const std::string text = to_text(json);
+  if (text.size() > kLargestJson)
+    throw InputError(table.name() + ": has too many values for a file of JSON, which is read up to " +
+                     std::to_string(kLargestJson >> 20) + " MiB: write .csv");
+  write_file_atomically(path, text);
 }
 
 }  // namespace brdf::io

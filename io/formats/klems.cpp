@@ -10,43 +10,14 @@
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/files/xml.h"
+#include "io/formats/klems_bases.h"
 #include "io/samples/aperture.h"
-#include "io/samples/degrees.h"
 #include "io/samples/highlight.h"
 
 namespace brdf::io::klems {
 namespace {
 
-struct Ring {
-  double lower, upper;  // polar angles, degrees
-  std::size_t patches;
-};
-using Basis = std::vector<Ring>;
-
-struct Patch {
-  double theta, phi;  // centre, degrees
-  double projected;   // projected solid angle, sr
-};
-
-constexpr Ring kFull[] = {{0, 5, 1},    {5, 15, 8},   {15, 25, 16}, {25, 35, 20}, {35, 45, 24},
-                          {45, 55, 24}, {55, 65, 24}, {65, 75, 16}, {75, 90, 12}};
-constexpr Ring kHalf[] = {{0, 6.5, 1},      {6.5, 19.5, 8},   {19.5, 32.5, 12}, {32.5, 46.5, 16},
-                          {46.5, 61.5, 20}, {61.5, 76.5, 12}, {76.5, 90, 4}};
-constexpr Ring kQuarter[] = {{0, 9, 1}, {9, 27, 8}, {27, 46, 12}, {46, 66, 12}, {66, 90, 8}};
-
-// Patches go ring by ring. Patch j of n is centred at azimuth 360 j / n.
-std::vector<Patch> patches_of(const Basis& basis) {
-  std::vector<Patch> patches;
-  for (const Ring& ring : basis) {
-    const double low = sin_degrees(ring.lower), high = sin_degrees(ring.upper);
-    const bool is_pole = ring.lower == 0 && ring.patches == 1;
-    const auto count = static_cast<double>(ring.patches);
-    for (std::size_t j = 0; j < ring.patches; ++j)
-      patches.push_back({is_pole ? 0 : (ring.lower + ring.upper) / 2, 360 * static_cast<double>(j) / count,
-                         kPi * (high * high - low * low) / count});
-  }
-  return patches;
-}
+using Rings = std::vector<Ring>;
 
 struct Matrix {
   std::string wavelength, unit, direction, columns, rows;
@@ -61,14 +32,25 @@ struct Matrix {
     double number;
     if (!parse_number(wavelength, number) || !(number > 0)) return std::nullopt;
     const std::string lower = lower_case(unit);
-    const bool is_micrometres = lower.starts_with("micro") || lower == "um" || number < 100;
-    return is_micrometres ? number * 1000 : number;
+    const bool is_short = number < 100 && !lower.starts_with("nano");
+    return is_short || lower.starts_with("micro") || lower == "um" ? number * 1000 : number;
+  }
+  std::string band() const {
+    const std::optional<double> number = nm();
+    return number ? to_text(*number) + "nm" : printable(wavelength, 60);
+  }
+  // "Reflection Front Visible", "Reflection Back 550nm"
+  std::string name() const { return direction + " " + band(); }
+  // Returns whether the name has each of these words, in any case.
+  bool has(const std::vector<std::string_view>& words) const {
+    const std::string own = lower_case(name());
+    return std::ranges::all_of(words, [&](std::string_view word) { return own.find(word) != own.npos; });
   }
 };
 
 class Reader {
  public:
-  explicit Reader(const Content& text) : text_(text) {
+  Reader(const Content& text, const std::string& matrix) : text_(text), asked_(lower_case(matrix)) {
     table_.source = text.name;
     table_.format = "klems";
   }
@@ -159,7 +141,7 @@ class Reader {
   }
 
   void add_ring(const XmlElement& e) {
-    Basis& basis = bases_.back().second;
+    Rings& basis = bases_.back().second;
     const double before = basis.empty() ? 0 : basis.back().upper;
     if (ring_.patches == 0 || !(ring_.lower >= 0 && ring_.upper > ring_.lower && ring_.upper <= 90))
       fail(e.line, "an AngleBasisBlock needs nPhis and ThetaBounds with 0 <= LowerTheta < UpperTheta <= 90");
@@ -194,16 +176,15 @@ class Reader {
     }
   }
 
-  Basis basis_named(const std::string& name, std::size_t line) const {
-    for (const auto& [known, basis] : bases_)
-      if (known == name && !basis.empty()) return basis;
-    const std::string lower = lower_case(name);
-    if (lower == "lbnl/klems full") return {std::begin(kFull), std::end(kFull)};
-    if (lower == "lbnl/klems half") return {std::begin(kHalf), std::end(kHalf)};
-    if (lower == "lbnl/klems quarter") return {std::begin(kQuarter), std::end(kQuarter)};
-    fail(line,
-         "the basis " + shown(name) +
-             " is not defined in the file (known: LBNL/Klems Full, LBNL/Klems Half, LBNL/Klems Quarter)");
+  Rings basis_named(const std::string& name, std::size_t line) const {
+    for (const auto& [known, rings] : bases_)
+      if (known == name && !rings.empty()) return rings;
+    std::string names;
+    for (const Basis& basis : known_bases()) {
+      if (lower_case(name) == lower_case(basis.name)) return basis.rings;
+      names += (names.empty() ? "" : ", ") + basis.name;
+    }
+    fail(line, "the basis " + shown(name) + " is not defined in the file (known: " + names + ")");
   }
 
   // Returns the matrices that become the channels: of one surface, Visible before all other wavelengths.
@@ -211,18 +192,36 @@ class Reader {
     if (matrices_.empty())
       throw InputError(text_.name + ": holds no reflection (" + plural(transmissions_, "block") +
                        " of transmission, which is not read): export the reflection of the surface");
-    const bool has_front = std::any_of(matrices_.begin(), matrices_.end(),
-                                       [](const Matrix& matrix) { return matrix.is_front(); });
+    std::vector<std::string_view> words;
+    split_blanks(asked_, words);
+    std::vector<const Matrix*> suitable;
+    for (const Matrix& matrix : matrices_)
+      if (matrix.has(words)) suitable.push_back(&matrix);
+    if (suitable.empty())
+      throw InputError(text_.name + ": --matrix " + shown(asked_) +
+                       ": no matrix has this name (known: " + names_of_matrices(nullptr) + ")");
+    const bool has_front = std::ranges::any_of(suitable, &Matrix::is_front);
     std::vector<const Matrix*> of_surface, visible, numbered;
-    for (const Matrix& matrix : matrices_) {
-      if (matrix.is_front() != has_front) continue;
-      of_surface.push_back(&matrix);
-      if (lower_case(matrix.wavelength) == "visible") visible.push_back(&matrix);
-      if (matrix.nm()) numbered.push_back(&matrix);
+    for (const Matrix* matrix : suitable) {
+      if (matrix->is_front() != has_front) continue;
+      of_surface.push_back(matrix);
+      if (lower_case(matrix->wavelength) == "visible") visible.push_back(matrix);
+      if (matrix->nm()) numbered.push_back(matrix);
     }
     if (!visible.empty()) return {visible.front()};
     if (numbered.size() == of_surface.size()) return numbered;
     return {of_surface.front()};
+  }
+
+  // Returns the names of the matrices, without those that are read together with `chosen`.
+  std::string names_of_matrices(const Matrix* chosen) const {
+    std::vector<std::string> names;
+    for (const Matrix& matrix : matrices_) {
+      const bool is_read = chosen && matrix.direction == chosen->direction &&
+                           std::ranges::find(table_.channels, matrix.band()) != table_.channels.end();
+      if (!is_read) names.push_back(matrix.name());
+    }
+    return joined(names);
   }
 
   void take(const std::vector<const Matrix*>& chosen) {
@@ -238,7 +237,7 @@ class Reader {
   }
 
   void add_channel(const Matrix& matrix, bool is_by_rows) {
-    const Basis columns = basis_named(matrix.columns, matrix.line),
+    const Rings columns = basis_named(matrix.columns, matrix.line),
                 rows = basis_named(matrix.rows, matrix.line);
     incident_ = patches_of(is_by_rows ? rows : columns);
     outgoing_ = patches_of(is_by_rows ? columns : rows);
@@ -248,8 +247,7 @@ class Reader {
       fail(matrix.line, matrix.direction + ": " + plural(matrix.values.size(), "value") + ", but " +
                             std::to_string(outgoing_.size()) + " x " + std::to_string(incident_.size()) +
                             " patches need " + std::to_string(size));
-    const std::optional<double> nm = matrix.nm();
-    table_.channels.push_back(nm ? to_text(*nm) + "nm" : printable(matrix.wavelength, 60));
+    table_.channels.push_back(matrix.band());
     if (table_.channels.back().empty()) table_.channels.back() = "fr";
     std::vector<double>& values = table_.values.emplace_back();
     table_.sigma.emplace_back();
@@ -278,14 +276,12 @@ class Reader {
   }
 
   void describe(const Matrix& matrix) {
-    std::string others;
-    for (const Matrix& other : matrices_)
-      if (other.direction != matrix.direction || other.wavelength != matrix.wavelength)
-        others += (others.empty() ? "" : ", ") + other.direction + " " + other.wavelength;
-    table_.assume("the surface " + shown(matrix.direction) + ", " + joined(table_.channels) +
-                  (others.empty() ? ""
-                                  : "; not read (remove the blocks of this surface to read another): " +
-                                        printable(others, 200)));
+    const std::string others = names_of_matrices(&matrix);
+    table_.assume("the matrix " + shown(matrix.direction) + ", " + joined(table_.channels) + ", is read" +
+                  (others.empty()
+                       ? ""
+                       : "; not read: " + printable(others, 200) +
+                             " (brdf convert FILE OUT.csv --matrix 'back visible' reads another)"));
     table_.warnings.push_back("read as f_r in 1/sr, the mirror direction of a patch is on the diagonal");
     if (transmissions_ > 0)
       table_.warnings.push_back(plural(transmissions_, "block") + " of transmission left out");
@@ -306,9 +302,10 @@ class Reader {
   }
 
   const Content& text_;
+  const std::string asked_;  // words of the matrix to read; empty: the usual one
   SampleTable table_;
   std::string structure_;
-  std::vector<std::pair<std::string, Basis>> bases_;
+  std::vector<std::pair<std::string, Rings>> bases_;
   Ring ring_{-1, -1, 0};
   std::pair<std::string, std::string> wavelength_;  // text and unit
   Matrix matrix_;
@@ -326,7 +323,7 @@ bool recognises(const Content& text) {
 
 SampleTable read(const Content& text, const Supplied& supplied) {
   require_f_r(text.name, supplied);
-  return Reader(text).read();
+  return Reader(text, supplied.matrix).read();
 }
 
 }  // namespace brdf::io::klems

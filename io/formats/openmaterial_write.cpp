@@ -6,11 +6,10 @@
 #include "brdf/angle.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/error.h"
-#include "io/files/fingerprint.h"
 #include "io/files/json.h"
 #include "io/files/numbers.h"
-#include "io/files/output.h"
 #include "io/files/text.h"
+#include "io/formats/json_metadata.h"
 #include "io/formats/openmaterial.h"
 #include "io/samples/aperture.h"
 
@@ -18,6 +17,9 @@ namespace brdf::io::openmaterial {
 namespace {
 
 using Row = std::array<double, 5>;  // wavelength in m, theta_i, theta_o, phi_o in radians, value
+
+constexpr double kLargestPolar = 1.570796;                       // radians; of the schema
+constexpr double kShortestWave = 1e-9, kLongestWave = 17.16e-3;  // m; of the schema
 
 std::vector<double> metres_of(const SampleTable& table) {
   std::vector<double> metres;
@@ -29,6 +31,9 @@ std::vector<double> metres_of(const SampleTable& table) {
     double value;  // 550nm becomes 5.5e-07, the nearest number, which a division does not always give
     parse_number(to_text(*nm) + "e-9", value);
     metres.push_back(value > 0 ? value : *nm / 1e9);
+    if (!(metres.back() >= kShortestWave && metres.back() <= kLongestWave))
+      throw InputError(table.name() + ": channel " + shown(channel) +
+                       ": OpenMATERIAL holds wavelengths from 1 nm to 17.16 mm");
     if (std::count(metres.begin(), metres.end(), metres.back()) > 1)
       throw InputError(table.name() + ": two channels have the wavelength " + to_text(*nm) + " nm");
   }
@@ -53,31 +58,20 @@ Rows rows_of(const SampleTable& table) {
   const std::vector<double> metres = metres_of(table);
   Rows rows;
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (table.theta_i[k] >= 90 || table.theta_o[k] >= 90) {
+    const double theta_i = degrees(table.theta_i[k]).radians(), theta_o = degrees(table.theta_o[k]).radians();
+    if (std::max(theta_i, theta_o) > kLargestPolar) {
       ++rows.grazing;
       continue;
     }
     for (std::size_t c = 0; c < metres.size(); ++c) {
       const double value = table.values[c][k];
       rows.negative += value < 0;
-      if (value >= 0)
-        rows.all.push_back({metres[c], degrees(table.theta_i[k]).radians(),
-                            degrees(table.theta_o[k]).radians(), azimuth_between(table, k), value});
+      if (value >= 0) rows.all.push_back({metres[c], theta_i, theta_o, azimuth_between(table, k), value});
     }
   }
   std::sort(rows.all.begin(), rows.all.end());
   if (rows.all.empty()) throw InputError(table.name() + ": has no value that OpenMATERIAL can hold");
   return rows;
-}
-
-// Returns an identifier in the form of a UUID (version 8: of the writer's own making).
-std::string identifier(const std::string& content) {
-  const std::string hash = fingerprint({content}) + fingerprint({content, "second half"});
-  std::string digits = std::string(hash.size() < 32 ? 32 - hash.size() : 0, '0') + hash;
-  digits[12] = '8';
-  digits[16] = 'a';
-  return digits.substr(0, 8) + "-" + digits.substr(8, 4) + "-" + digits.substr(12, 4) + "-" +
-         digits.substr(16, 4) + "-" + digits.substr(20, 12);
 }
 
 std::string stem_of(const SampleTable& table) {
@@ -90,7 +84,7 @@ Json metadata_of(const SampleTable& table, const std::string& content) {
   };
   Json metadata;
   metadata["name"] = text("sample", text("name", stem_of(table)));
-  metadata["uuid"] = identifier(content);
+  metadata["uuid"] = identifier_of(content);
   metadata["materialVersion"] = "1.0.0";
   metadata["openMaterial3dVersion"] = "1.1.0";
   metadata["copyrights"] = Json::array({text("copyright", "not stated")});
@@ -136,7 +130,7 @@ std::vector<std::string> write(const std::filesystem::path& path, const SampleTa
   Json json;
   json["metadata"] = metadata_of(table, to_line(brdf));
   json["brdf"] = std::move(brdf);
-  write_file_atomically(path, to_text(json));
+  write_json_table(path, json, table);
   return losses_of(table, rows);
 }
 

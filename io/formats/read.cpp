@@ -110,6 +110,14 @@ SampleTable read_by_layout(const Content& text, const Supplied& supplied) {
   }
 }
 
+// Texts of other programs are read value by value, several times slower than CSV.
+void check_size(const Content& text) {
+  constexpr std::size_t kLargestForeign = std::size_t{1} << 27;  // bytes
+  if (text.bytes.size() > kLargestForeign)
+    throw InputError(text.name + ": is larger than " + std::to_string(kLargestForeign >> 20) +
+                     " MiB, the limit of formats of other programs; CSV may be larger");
+}
+
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   const std::string transcoded = make_utf8(text);
   // JSON is tried apart from other text, because a document of one line may exceed the limit of lines.
@@ -121,6 +129,7 @@ SampleTable read_text(Content text, bool need_values, const Supplied& supplied) 
                                : is_any_json              ? format_of(kOfJson, text)
                                                           : format_of(kOfText, text);
   if (!format && is_any_json) refuse_json(text);
+  if (format) check_size(text);
   SampleTable table = format       ? format->read(text, supplied)
                       : has_layout ? read_by_layout(text, supplied)
                                    : read_csv(text, need_values, supplied);
@@ -137,6 +146,9 @@ SampleTable read_samples(Content content, const Supplied& supplied) {
   if (format) refuse_layout(content, format->name, supplied);
   SampleTable table =
       format ? format->read(content, supplied) : read_text(std::move(content), true, supplied);
+  if (!supplied.matrix.empty() && table.format != "klems")
+    throw InputError(table.name() + ": --matrix applies to Klems matrices (XML), but the file is " +
+                     table.format);
   leave_out_repetitions(table);
   check_table(table);
   return table;

@@ -1,6 +1,7 @@
 #include "io/samples/samples.h"
 
 #include "io/samples/degrees.h"
+#include "io/samples/table_rules.h"
 
 namespace brdf::io {
 
@@ -21,7 +22,7 @@ void SampleTable::assume(const std::string& sentence) {
 }
 
 void SampleTable::add_comment(std::string_view key, std::string_view value) {
-  metadata.push_back(parse_comment(comment_text({std::string(key), std::string(value)})));
+  keep_comment(*this, parse_comment(comment_text({std::string(key), std::string(value)})));
 }
 
 void SampleTable::set_channels(std::vector<std::string> names) {

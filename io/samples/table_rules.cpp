@@ -55,6 +55,13 @@ void check_channel_names(const std::vector<std::string>& names, const std::strin
   }
 }
 
+void keep_comment(SampleTable& table, Comment comment) {
+  constexpr std::size_t kMostComments = 100'000;
+  if (table.metadata.size() == kMostComments)
+    throw InputError(table.name() + ": has more than " + std::to_string(kMostComments) + " comments");
+  table.metadata.push_back(std::move(comment));
+}
+
 void check_table(const SampleTable& table, Origin origin) {
   check_channel_names(table.channels, table.name());
   check_comments(table);

@@ -37,8 +37,9 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 def convert(source: Path | Table | Material | Frame, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
             repeats: str = "keep", quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> list[str]:
-    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm or .zemax (`brdf convert`). For a
-    material, the values at the MERL cells are written. Returns the losses, one phrase each.
+    """Writes samples in another format: .csv, .binary (MERL), .exr, .astm, .zemax, .xompt, .brdf (BiRD) or
+    .xml (Klems matrices): `brdf convert`. For a material, the values at the MERL cells are written, for .xml the means
+    over the patches. Returns the losses, one phrase each.
 
     keep_fill: also write rows of fill values, which mark directions that were not measured.
     polarisation: treatment of channels with a polarisation in their names (fr_s, 465nm p): keep, average, s, p, ss, sp,
@@ -50,10 +51,10 @@ def convert(source: Path | Table | Material | Frame, output: Path, *, keep_fill:
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
-        source = synth(source, grid="merl", azimuths=(0,))
+        source = Table._of(_brdf.table_of_material(source._optics, name))
     table = table_or_path(source, quantity, mirror_side, layout)
     samples = table._samples if isinstance(table, Table) else _brdf.table_of_file(path_of(table), quantity, mirror_side,
-                                                                                  layout_word(layout))
+                                                                                  layout_word(layout), name)
     if not keep_fill:
         samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)
