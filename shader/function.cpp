@@ -15,6 +15,7 @@
 #include "shader/front/compile.h"
 #include "shader/front/languages.h"
 #include "shader/front/stripped.h"
+#include "shader/joint.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
@@ -227,7 +228,13 @@ Function function_of(Source source, const Compiled& compiled) {
   f.source = std::move(source);
   f.entry = signature(module, *chosen.function);
   f.returns = f.source.returns.value_or(Returns::f);
-  bind_inputs(f);
+  options.results.clear();
+  const std::shared_ptr<Joint> joint = make_joint(module, *chosen.function, f.source, options, kernels);
+  f.exchanged =
+      exchanges(joint.get(), module, *chosen.function) && !(f.source.entry && f.source.entry->arguments);
+  bind_inputs(f, joint ? joint->parameters() : std::set<std::string>{});
+  if (joint) bind_joint(*joint, f);
+  f.joint = joint;
   check_roles(f);
   if (!f.is_given(Axis::light) && !f.is_given(Axis::view))
     throw InputError(f.source.name + ": no argument of " + f.entry +
