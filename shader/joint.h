@@ -82,11 +82,11 @@ class Joint {
   std::vector<std::string> missing_, notes_;
 };
 
-// Finds, flattens and binds both functions; null if the file has neither. `options`: those of the
+// Finds, flattens and binds both functions; null if the file has neither. `options`: as for the
 // reflectance. Throws InputError for a function that is named but cannot be used.
 std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Function& reflectance,
                                   const Source& source, const LowerOptions& options, bool kernels);
-// Connects the parameters of both functions to those of the reflectance.
+// Connects the parameters of both functions to the parameters of the reflectance.
 void bind_joint(Joint& joint, const Function& reflectance);
 // Returns whether the sampler writes a direction of a name that usually means the viewer, and the function
 // takes an argument of this name: then the name means the light.

@@ -12,8 +12,8 @@
 
 namespace brdf::shader {
 
-// One number, truth value or colour among the values that a function gives. The name is empty for the returned
-// value; members of structs are named as in the source: "material.roughness".
+// One number, truth value or colour among the values that a function gives. The name is empty for the
+// returned value; members of structs are named as in the source: "material.roughness".
 struct Leaf {
   std::string name;
   ResultPart part;

@@ -48,6 +48,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"--form --all", kDomain | kNumerics | kOnDevice},
     {"--shader", kDomain | kOnDevice},
     {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
+    {"--sample --pdf", kDomain, "--shader"},
     {"--such-that --against", kDomain},
     {"--map", kDomain, "--against"},
     {"--effort", kFunctions | kIntegrators | kTraced | kNumerics},
@@ -90,8 +91,8 @@ std::vector<validate::Picture> read_pictures(const ValidateCall& o) {
 
 // Returns the facts about a finding that a shader's source provides.
 validate::OutsideFacts facts_of(const LoadedShader& shader) {
-  return {shader.words,   shader.oriented,     shader.may_turn,  shader.all_round,
-          shader.explain, shader.explain_jump, shader.undefined, shader.in_more_digits};
+  return {shader.words,        shader.oriented,  shader.may_turn,       shader.all_round, shader.explain,
+          shader.explain_jump, shader.undefined, shader.in_more_digits, shader.sampler};
 }
 
 // Returns a shader's function as a subject.
@@ -296,6 +297,7 @@ void add_validate(CLI::App& app) {
   add_repeated_option(*verb, "--form", o->forms, "Form to judge over its whole parameter domain");
   verb->add_flag("--all", o->all, "Every form");
   add_shader_options(*verb, o->shader);
+  add_sampler_options(*verb, o->shader);
   verb->add_option("--such-that", o->such_that,
                    "Condition on the parameters, for instance \"kd + ks <= 1\" (of --form, --all, --shader)");
   verb->add_option("--against", o->against, "Form to compare with: the largest difference and its place");

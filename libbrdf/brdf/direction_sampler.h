@@ -59,8 +59,8 @@ class DirectionSampler {
  public:
   virtual ~DirectionSampler() = default;
   virtual const SamplerFacts& facts() const = 0;
-  // Draws out.size() directions for the unit direction wo. `u`: facts().randoms numbers for each. `single`: in
-  // float. Throws InputError if the code cannot be evaluated.
+  // Draws out.size() directions for the unit direction wo. `u`: facts().randoms numbers for each. `single`:
+  // in float. Throws InputError if the code cannot be evaluated.
   virtual void draw(const Material& at, const Vec3<double>& wo, std::span<const double> u, bool single,
                     std::span<Draw> out) const = 0;
   // Writes the density of each direction per solid angle, 1/sr.

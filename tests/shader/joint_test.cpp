@@ -127,10 +127,18 @@ TEST(Joint, TheDirectionThatIsWrittenIsTheLight) {
 struct SampleGenerator { uint state; };
 uint next(inout SampleGenerator sg) { sg.state = sg.state * 747796405u + 2891336453u; return sg.state; }
 float sampleNext1D(inout SampleGenerator sg) { return float(next(sg)) * 2.3283064365386963e-10; }
-float2 sampleNext2D(inout SampleGenerator sg) { float2 u; u.x = sampleNext1D(sg); u.y = sampleNext1D(sg); return u; }
-float3 evalBsdf(float3 wi, float3 wo, float3 albedo) { return albedo / 3.14159265 * wo.z * (0.5 + 0.5 * wi.z); }
+float2 sampleNext2D(inout SampleGenerator sg) {
+  float2 u;
+  u.x = sampleNext1D(sg);
+  u.y = sampleNext1D(sg);
+  return u;
+}
+float3 evalBsdf(float3 wi, float3 wo, float3 albedo) {
+  return albedo / 3.14159265 * wo.z * (0.5 + 0.5 * wi.z);
+}
 float evalBsdfPdf(float3 wi, float3 wo) { return max(wo.z, 0) / 3.14159265; }
-bool sampleBsdf(float3 wi, out float3 wo, out float pdf, out float3 weight, out uint lobe, inout SampleGenerator sg, float3 albedo) {
+bool sampleBsdf(float3 wi, out float3 wo, out float pdf, out float3 weight, out uint lobe,
+                inout SampleGenerator sg, float3 albedo) {
   float2 u = sampleNext2D(sg);
   float r = sqrt(u.x), phi = 6.2831853 * u.y;
   wo = float3(r * cos(phi), r * sin(phi), sqrt(1 - u.x));
