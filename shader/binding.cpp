@@ -8,6 +8,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "shader/program/lower.h"
 #include "shader/program/operations.h"
 
 namespace brdf::shader {
@@ -43,9 +44,9 @@ class Binder {
   }
 
   // Throws InputError if the command line or the file declares a parameter that does not exist.
-  void check_declared() const {
+  void check_declared(const std::set<std::string>& elsewhere) const {
     for (const Declared& d : declared_) {
-      if (used_.contains(d.name)) continue;
+      if (used_.contains(d.name) || elsewhere.contains(d.name)) continue;
       std::vector<std::string> known;
       for (const Parameter& p : f_.parameters) known.push_back(p.name);
       if (std::ranges::find(f_.source.globals, d.name) == f_.source.globals.end())
@@ -88,6 +89,7 @@ class Binder {
     const std::string name = spoken_name(input);
     const bool vector = input.type == "vec3" || input.type == "vec4";
     const Declared* declared = declaration(name);
+    if (f_.draws && !declared && add_random(input, name, integer, out)) return;
     const auto meaning = declared || integer ? std::nullopt : meaning_of(name, vector);
     if (meaning) return add_meaning(*meaning, input, out);
     if (!used && !declared) {
@@ -121,6 +123,30 @@ class Binder {
     add_parameter(input, name, declared, integer, out);
   }
 
+  Axis seen(Axis axis) const {
+    if (!f_.exchanged) return axis;
+    return axis == Axis::light ? Axis::view : axis == Axis::view ? Axis::light : axis;
+  }
+
+  // Binds an input of a sampler that is a random number, or the state of a generator, which has no effect
+  // because the generator's calls are replaced. Returns false for other inputs.
+  bool add_random(const Input& input, const std::string& name, bool integer, std::vector<Binding>& out) {
+    if (integer && input.type != "bool") {
+      for (const std::uint32_t slot : input.slots) out.push_back({Binding::From::zero, slot, true});
+      return true;
+    }
+    if (integer || (input.name != kRandomInput && !is_random(last_word(name), input.slots.size())))
+      return false;
+    const auto [at, fresh] = random_of_.try_emplace(name, f_.randoms);
+    for (std::size_t k = 0; k < input.slots.size(); ++k) {
+      Binding b{Binding::From::random, input.slots[k]};
+      b.value = at->second + k;
+      out.push_back(b);
+    }
+    if (fresh) f_.randoms += input.slots.size();
+    return true;
+  }
+
   // Adds a parameter for each number of an array or a matrix that is read: NAME_0 and so on.
   void add_numbers(const Input& input, const std::string& name, const Declared* declared,
                    std::vector<Binding>& out) {
@@ -148,11 +174,11 @@ class Binder {
       Binding b{Binding::From::one, input.slots[k]};
       if (m.kind == Meaning::Kind::vector) {
         b.from = k < 3 ? Binding::From::coordinate : Binding::From::zero;
-        b.a = m.a;
+        b.a = seen(m.a);
         b.component = int(k);
       } else if (m.kind == Meaning::Kind::product) {
         b.from = Binding::From::product;
-        b.a = m.a, b.b = m.b;
+        b.a = seen(m.a), b.b = seen(m.b);
       }
       out.push_back(b);
     }
@@ -259,7 +285,8 @@ class Binder {
 
   Function& f_;
   const std::vector<Declared>& declared_;
-  std::map<std::string, std::size_t> known_;  // first value of the input with that name
+  std::map<std::string, std::size_t> known_;      // first value of the input with that name
+  std::map<std::string, std::size_t> random_of_;  // first random number of the input with that name
   std::set<std::string> used_;
   std::set<std::pair<bool, std::uint32_t>> read_;  // slots of the program that is being bound
 };
@@ -283,11 +310,23 @@ std::set<std::pair<bool, std::uint32_t>> read_slots(const Program& p) {
   return out;
 }
 
-void bind_inputs(Function& f) {
+namespace {
+
+Binder bound_binder(Function& f) {
   Binder binder(f, f.source.parameters);
   f.bindings = binder.bind(f.as_written);
   f.bindings_as_meant = binder.bind(f.as_meant);
-  binder.check_declared();
+  return binder;
+}
+
+}  // namespace
+
+void bind_inputs(Function& f, const std::set<std::string>& elsewhere) {
+  bound_binder(f).check_declared(elsewhere);
+}
+
+void bind_companion(Function& f) {
+  bound_binder(f);
 }
 
 }  // namespace brdf::shader

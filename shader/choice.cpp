@@ -26,6 +26,8 @@ std::string parse_define(const std::string& text) {
 void choose(Source& source, const ShaderChoice& choice) {
   if (!choice.entry.empty()) source.entry = parse_entry(choice.entry);
   if (!choice.returns.empty()) source.returns = parse_returns(choice.returns);
+  if (!choice.sample.empty()) source.sample = parse_entry(choice.sample);
+  if (!choice.pdf.empty()) source.pdf = parse_entry(choice.pdf);
   for (const std::string& text : choice.parameters) source.parameters.push_back(parse_parameter(text));
   for (const std::string& text : choice.defines) {
     const std::string define = parse_define(text), name = define.substr(0, define.find('=') + 1);
@@ -47,6 +49,8 @@ std::string command_words(const ShaderChoice& choice) {
   for (const std::string& p : choice.parameters) words += " --param " + io::shell_word(p);
   if (!choice.entry.empty()) words += " --entry " + io::shell_word(choice.entry);
   if (!choice.returns.empty()) words += " --returns " + io::shell_word(choice.returns);
+  if (!choice.sample.empty()) words += " --sample " + io::shell_word(choice.sample);
+  if (!choice.pdf.empty()) words += " --pdf " + io::shell_word(choice.pdf);
   for (const std::string& d : choice.defines) words += " --define " + io::shell_word(d);
   for (const std::string& folder : choice.include_folders) words += " -I " + io::shell_file(folder);
   return words;

@@ -17,6 +17,7 @@ struct ShaderChoice {
   std::vector<std::string> parameters = {};
   std::string entry = {}, returns = {};
   std::vector<std::string> defines = {}, include_folders = {};
+  std::string sample = {}, pdf = {};  // the sampler and the density of the file; empty: found by their names
 };
 
 // Adds the choice to the source. Throws InputError if a text cannot be parsed, a macro is defined twice

@@ -16,36 +16,9 @@ namespace {
 using spirv::Kind;
 using spirv::Module;
 
-spirv::Id pointee(const Module& m, spirv::Id type) {
-  const spirv::Type& t = m.type(type);
-  return t.kind == Kind::pointer ? t.element : type;
-}
-
 // Functions that main() calls do not count as called, so they are still candidates for the reflectance.
 bool is_main(const std::string& name) {
   return name == "main" || name == "brdf_own_main" || name == "brdf_main" || name == "mainImage";
-}
-
-// Functions that the file defines, without main functions and without the functions that the program adds.
-std::vector<const spirv::Function*> own_functions(const Module& module) {
-  std::vector<const spirv::Function*> out;
-  for (const auto& [id, f] : module.functions)
-    // An entry point with arguments is that of a SPIR-V file.
-    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") &&
-        (!is_main(f.name) || (f.name == "main" && !f.parameters.empty())))
-      out.push_back(&f);
-  return out;
-}
-
-std::set<spirv::Id> called_by_others(const Module& module) {
-  std::set<spirv::Id> called;
-  for (const auto& [id, f] : module.functions) {
-    if (is_main(f.name)) continue;
-    for (const spirv::Block& b : f.blocks)
-      for (const spirv::Instruction& i : b.code)
-        if (i.code == spv::OpFunctionCall && !i.words.empty() && i.words[0] != id) called.insert(i.words[0]);
-  }
-  return called;
 }
 
 // Records the directions that arguments, members of structs or global variables hold, according to their
@@ -184,6 +157,32 @@ constexpr const char* kHelp =
     "with --entry NAME or a line `//: entry NAME(L, V, N, roughness)`, which assigns the arguments";
 
 }  // namespace
+
+spirv::Id pointee(const Module& m, spirv::Id type) {
+  const spirv::Type& t = m.type(type);
+  return t.kind == Kind::pointer ? t.element : type;
+}
+
+std::vector<const spirv::Function*> own_functions(const Module& module) {
+  std::vector<const spirv::Function*> out;
+  for (const auto& [id, f] : module.functions)
+    // An entry point with arguments is that of a SPIR-V file.
+    if (id != module.entry && !f.name.empty() && !f.name.starts_with("@") &&
+        (!is_main(f.name) || (f.name == "main" && !f.parameters.empty())))
+      out.push_back(&f);
+  return out;
+}
+
+std::set<spirv::Id> called_by_others(const Module& module) {
+  std::set<spirv::Id> called;
+  for (const auto& [id, f] : module.functions) {
+    if (is_main(f.name)) continue;
+    for (const spirv::Block& b : f.blocks)
+      for (const spirv::Instruction& i : b.code)
+        if (i.code == spv::OpFunctionCall && !i.words.empty() && i.words[0] != id) called.insert(i.words[0]);
+  }
+  return called;
+}
 
 std::string signature(const Module& module, const spirv::Function& f) {
   std::vector<std::string> words;

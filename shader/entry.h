@@ -1,6 +1,7 @@
 // Chooses the function of a file that is the reflectance.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ Chosen choose_entry(const spirv::Module& module, const Source& source, const Com
 // Returns the global variables that are directions according to their names and that the text declares
 // without a value. A file that includes this one would set them.
 std::vector<std::string> free_directions(const spirv::Module& module, const Source& source);
+
+// Returns the functions that the file defines, without main functions and without the functions that the
+// program adds.
+std::vector<const spirv::Function*> own_functions(const spirv::Module& module);
+// Returns the functions that functions other than main functions call.
+std::set<spirv::Id> called_by_others(const spirv::Module& module);
+// Returns the type to which a pointer type points; other types unchanged.
+spirv::Id pointee(const spirv::Module& module, spirv::Id type);
 
 // Returns "vec3 brdf(vec3 L, vec3 V, float roughness)", for messages.
 std::string signature(const spirv::Module& module, const spirv::Function& function);

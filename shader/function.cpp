@@ -16,6 +16,7 @@
 #include "shader/front/languages.h"
 #include "shader/front/module_file.h"
 #include "shader/front/stripped.h"
+#include "shader/joint.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
@@ -255,9 +256,8 @@ constexpr const char* kMerged =
 std::string said_of_relaxed(const spirv::Module& module) {
   if (module.relaxed == 0) return "";
   return io::plural(module.relaxed, "value") +
-         " of the module may be computed in 16 bits (RelaxedPrecision) and are computed in 32 bits here: "
-         "loss "
-         "of precision and overflow on a device are not checked";
+         " of the module may be computed in 16 bits (RelaxedPrecision), and this program computes in 32 bits: "
+         "loss of precision and overflow on a device are not checked";
 }
 
 Function function_of(Source source, const Compiled& compiled) {
@@ -285,7 +285,13 @@ Function function_of(Source source, const Compiled& compiled) {
   f.source = std::move(source);
   f.entry = signature(module, *chosen.function);
   f.returns = f.source.returns.value_or(Returns::f);
-  bind_inputs(f);
+  options.results.clear();
+  const std::shared_ptr<Joint> joint = make_joint(module, *chosen.function, f.source, options, kernels);
+  f.exchanged =
+      exchanges(joint.get(), module, *chosen.function) && !(f.source.entry && f.source.entry->arguments);
+  bind_inputs(f, joint ? joint->parameters() : std::set<std::string>{});
+  if (joint) bind_joint(*joint, f);
+  f.joint = joint;
   check_roles(f);
   if (!f.is_given(Axis::light) && !f.is_given(Axis::view))
     throw InputError(f.source.name + ": no argument of " + f.entry +

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,13 +34,15 @@ struct Parameter {
 
 // The content of a slot before a run.
 struct Binding {
-  enum class From { coordinate, product, value, one, zero } from = From::zero;
+  enum class From { coordinate, product, value, one, zero, random } from = From::zero;
   std::uint32_t slot = 0;
   bool integer = false, boolean = false;
   Axis a = Axis::normal, b = Axis::normal;
   int component = 0;      // coordinate of the axis `a`
-  std::size_t value = 0;  // index of a parameter's value
+  std::size_t value = 0;  // index of a parameter's value, or of a random number
 };
+
+class Joint;
 
 // How the value of one step depends on a common rotation of light and viewer about the normal.
 enum class Turning : std::uint8_t {
@@ -89,6 +92,12 @@ struct Function {
   // The value is 0 at all of many places chosen at random (set by ShaderReflectance).
   bool zero_where_asked = false;
   bool oriented = false;  // reads the tangent
+  // The names of light and viewer are exchanged: the file's sampler writes the direction of this name.
+  bool exchanged = false;
+  bool draws = false;       // is a sampler: its arguments may be random numbers
+  std::size_t randoms = 0;  // number of random numbers that a sampler takes
+  // The sampler and the density of the same file (shader/joint.h); null: the file has neither.
+  std::shared_ptr<const Joint> joint = {};
   Symmetry symmetry, symmetry_as_meant;
 
   template <class T>
@@ -170,7 +179,7 @@ class Runner {
       return half;
     };
     for (const Binding& b : function.template bound<T>()) {
-      if (b.from == Binding::From::value) continue;
+      if (b.from == Binding::From::value || b.from == Binding::From::random) continue;
       if (b.integer) {
         bank_.set_integer(b.slot, b.from == Binding::From::one);
         continue;
@@ -219,6 +228,12 @@ class Runner {
       }
       throw;
     }
+  }
+  // Sets the random numbers of one lane of a sampler.
+  void set_randoms(const Function& function, int lane, std::span<const double> numbers) {
+    for (const Binding& b : function.template bound<T>())
+      if (b.from == Binding::From::random)
+        bank_.number(b.slot)[lane] = Functions<T>::number(b.value < numbers.size() ? numbers[b.value] : 0);
   }
   // Returns the value that the function returned; `component` selects a component of a colour.
   const T& result(int lane, std::size_t component) const {

@@ -27,7 +27,7 @@ std::string relative_path(const std::string& file, const fs::path& folder) {
 // it.
 template <class Path>
 Json choice_json(const ShaderOrigin& origin, const Path& path) {
-  const auto& [file, parameters, entry, returns, defines, include_folders] = origin.choice;
+  const auto& [file, parameters, entry, returns, defines, include_folders, sample, pdf] = origin.choice;
   Json json;
   json["file"] = origin.text.empty() ? path(file) : fs::path(file).filename().string();
   json["sha256"] = origin.sha256;
@@ -35,6 +35,8 @@ Json choice_json(const ShaderOrigin& origin, const Path& path) {
   if (!entry.empty()) json["entry"] = entry;
   if (!returns.empty()) json["returns"] = returns;
   if (!defines.empty()) json["defines"] = defines;
+  if (!sample.empty()) json["sample"] = sample;
+  if (!pdf.empty()) json["pdf"] = pdf;
   for (const std::string& folder : include_folders) json["include_folders"].push_back(path(folder));
   if (!origin.text.empty()) json["text"] = origin.text;
   return json;
@@ -49,8 +51,8 @@ std::vector<std::string> texts_of(const JsonPlace& place, const char* key) {
 }
 
 ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
-  place.allow_keys(
-      {"file", "sha256", "parameters", "entry", "returns", "defines", "include_folders", "text"});
+  place.allow_keys({"file", "sha256", "parameters", "entry", "returns", "defines", "include_folders",
+                    "sample", "pdf", "text"});
   ShaderOrigin origin;
   const fs::path file = place.at("file").text();
   origin.relative = file.is_relative();
@@ -61,7 +63,9 @@ ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
                    place.has("entry") ? place.at("entry").text() : "",
                    place.has("returns") ? place.at("returns").text() : "",
                    texts_of(place, "defines"),
-                   texts_of(place, "include_folders")};
+                   texts_of(place, "include_folders"),
+                   place.has("sample") ? place.at("sample").text() : "",
+                   place.has("pdf") ? place.at("pdf").text() : ""};
   for (std::string& include : origin.choice.include_folders) include = (folder / include).string();
   return origin;
 }

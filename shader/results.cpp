@@ -13,18 +13,13 @@ namespace {
 using spirv::Kind;
 using spirv::Module;
 
-// One number or colour among the values that a function gives.
-struct Leaf {
-  std::string name;
-  ResultPart part;
-};
-
 void add_leaves(const Module& m, spirv::Id type, const std::string& name, int argument, std::size_t first,
-                std::vector<Leaf>& out) {
+                std::vector<Leaf>& out, bool truths = false) {
   const spirv::Type& t = m.type(type);
   if (t.kind == Kind::number) out.push_back({name, {argument, first, 1}});
+  if (t.kind == Kind::boolean && truths) out.push_back({name, {argument, first, 1}, true});
   if (t.kind == Kind::vector && t.count >= 3 && m.type(t.element).kind == Kind::number)
-    out.push_back({name, {argument, first, 3}});
+    out.push_back({name, {argument, first, 3}, false, t.count == 4});
   if (t.kind != Kind::structure) return;
   const auto names = m.member_names.find(type);
   for (std::size_t k = 0; k < t.members.size(); ++k) {
@@ -33,7 +28,7 @@ void add_leaves(const Module& m, spirv::Id type, const std::string& name, int ar
     if (names != m.member_names.end())
       if (const auto found = names->second.find(std::uint32_t(k)); found != names->second.end())
         member = found->second;
-    add_leaves(m, t.members[k], name.empty() ? member : name + "." + member, argument, first, out);
+    add_leaves(m, t.members[k], name.empty() ? member : name + "." + member, argument, first, out, truths);
     first += m.scalars(t.members[k]);
   }
 }
@@ -153,6 +148,20 @@ void choose_leaves(std::vector<Leaf> leaves, const std::string& function, Result
 }
 
 }  // namespace
+
+Given given_values(const Module& m, const spirv::Function& f, const Source& source) {
+  Given out;
+  if (m.type(f.type).kind != Kind::nothing) add_leaves(m, f.type, "", -1, 0, out.values, true);
+  Written declared = declared_out(m, f, source.whole);
+  out.accumulated = std::move(declared.accumulated);
+  for (const int k : declared.all) {
+    const spirv::Id type = f.parameter_types[std::size_t(k)];
+    if (m.type(type).kind != Kind::pointer) continue;
+    out.written.insert(k);
+    add_leaves(m, m.type(type).element, m.name(f.parameters[std::size_t(k)]), k, 0, out.values, true);
+  }
+  return out;
+}
 
 Results results_of(const Module& m, const spirv::Function& f, const Source& source) {
   Results out;

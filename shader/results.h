@@ -12,6 +12,22 @@
 
 namespace brdf::shader {
 
+// One number, truth value or colour among the values that a function gives. The name is empty for the
+// returned value; members of structs are named as in the source: "material.roughness".
+struct Leaf {
+  std::string name;
+  ResultPart part;
+  bool truth = false;
+  // The part is the first three components of a vec4.
+  bool of_four = false;
+};
+// The values that a function returns or writes: numbers, truth values, and vectors of three or four numbers.
+struct Given {
+  std::vector<Leaf> values;
+  std::set<int> written, accumulated;  // as in Results
+};
+Given given_values(const spirv::Module& module, const spirv::Function& function, const Source& source);
+
 struct Results {
   std::vector<ResultPart> parts;  // their sum is the reflectance; empty: the function gives no reflectance
   std::set<int> written;          // arguments that are not inputs

@@ -86,6 +86,7 @@ class Analysis {
         return still(forms_.names.of({-6, int(b.value), int(b.integer), int(b.boolean)}));
       case Binding::From::one:
         return still(b.integer ? forms_.names.of({-2, 1}) : kOne);
+      case Binding::From::random:  // only of samplers
       case Binding::From::zero:
         break;
     }

@@ -35,8 +35,12 @@ def table_of(rows, heading):
 def page_of(root):
     forms, tables = rows_of(root / "validate/form/checks.h"), rows_of(root / "sheet/checks.cpp")
     own = [row for row in forms if "outside" in row[2]]
-    page = [INTRODUCTION, "## Of forms, materials and shaders", "", *table_of([r for r in forms if r not in own], "question"), "",
-            "Only of shaders:", "", *table_of(own, "question"), "", "## Of tables of measurements", "", *table_of(tables, "question")]
+    sampled = [row for row in forms if "sampled" in row[2]]
+    general = [row for row in forms if row not in own and row not in sampled]
+    page = [INTRODUCTION, "## Of forms, materials and shaders", "", *table_of(general, "question"), "",
+            "Only of shaders:", "", *table_of(own, "question"), "",
+            "Only of shaders with a sampler or a density of their own:", "", *table_of(sampled, "question"), "",
+            "## Of tables of measurements", "", *table_of(tables, "question")]
     return "\n".join(page) + "\n", [name for name, _, _ in tables]
 
 

@@ -10,7 +10,9 @@
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
 #include "shader/in_more_digits.h"
+#include "shader/joint.h"
 #include "shader/material_form.h"
+#include "shader/sampler_of.h"
 #include "shader/shader.h"
 #include "shader/undefined.h"
 #endif
@@ -87,7 +89,8 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
           },
           [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
             return in_more_digits(*model, at, wi, wo);
-          }};
+          },
+          shader::sampler_of(model)};
 }
 
 }  // namespace
@@ -115,10 +118,22 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
                       "A folder for included files, searched after the file's own folder (of --shader)");
 }
 
+void add_sampler_options(CLI::App& verb, ShaderOptions& options) {
+  verb.add_option(
+      "--sample", options.sample,
+      "The sampler of directions, NAME or NAME(u, V, N, ...) with the meaning of its arguments (of "
+      "--shader; default: according to its name)");
+  verb.add_option(
+      "--pdf", options.pdf,
+      "The density of the sampler's directions, NAME or NAME(L, V, N, ...) (of --shader; default: "
+      "according to its name)");
+}
+
 bool is_given(const ShaderOptions& options) {
   for (const auto& [name, given] :
        {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
-        std::pair("--returns", !options.returns.empty()), std::pair("--define", !options.defines.empty()),
+        std::pair("--returns", !options.returns.empty()), std::pair("--sample", !options.sample.empty()),
+        std::pair("--pdf", !options.pdf.empty()), std::pair("--define", !options.defines.empty()),
         std::pair("-I", !options.include_folders.empty())})
     if (given && options.file.empty()) throw InputError(std::string(name) + ": needs --shader FILE");
 #ifndef BRDF_HAS_SHADER
@@ -130,8 +145,8 @@ bool is_given(const ShaderOptions& options) {
 
 #ifdef BRDF_HAS_SHADER
 shader::ShaderChoice choice_of(const ShaderOptions& options) {
-  return {options.file,    options.parameters, options.entry,
-          options.returns, options.defines,    options.include_folders};
+  return {options.file,    options.parameters,      options.entry,  options.returns,
+          options.defines, options.include_folders, options.sample, options.pdf};
 }
 #endif
 
@@ -146,6 +161,8 @@ std::optional<LoadedShader> load(const ShaderOptions& options, const std::string
       loaded.notes.push_back(p.name +
                              " is a whole number, which a fit does not search: the fit holds it at " +
                              io::to_text(p.initial[0]) + " unless --fix gives another value");
+  if (const auto joint = model->function().joint; joint && verb == "validate")
+    loaded.notes.insert(loaded.notes.end(), joint->notes().begin(), joint->notes().end());
   if (!quiet)
     for (const std::string& note : loaded.notes)
       Note() << "brdf " << verb << ": " << options.file << ": " << note;

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "brdf/material.h"
+#include "brdf/direction_sampler.h"
 #include "io/material/settings.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/choice.h"
@@ -23,11 +24,14 @@ struct ShaderOptions {
   std::vector<std::string> parameters;
   std::string entry, returns;
   std::vector<std::string> defines, include_folders;
-  bool embed = false;  // materials of the shader hold its text
+  std::string sample, pdf;  // of validate alone
+  bool embed = false;       // materials of the shader hold its text
 };
 
 // Adds --shader, --param, --entry, --returns, --define and -I.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
+// Adds --sample and --pdf.
+void add_sampler_options(CLI::App& verb, ShaderOptions& options);
 
 #ifdef BRDF_HAS_SHADER
 // Converts the options for the library that reads shaders.
@@ -57,6 +61,7 @@ struct LoadedShader {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined;
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits;
+  std::shared_ptr<const DirectionSampler> sampler;  // of the same file; null if it has none
 };
 
 // Returns true if --shader is given. Checks the options and throws as load() does.

@@ -42,6 +42,8 @@ constexpr OptionRow kTable[] = {
     {"--param", Group::shader, Value::text},
     {"--entry", Group::shader, Value::text},
     {"--returns", Group::shader},
+    {"--sample", Group::shader, Value::text},
+    {"--pdf", Group::shader, Value::text},
     {"--define", Group::shader, Value::text},
     {"--include-folder", Group::shader, Value::folder},
     {"--require", Group::checks},

@@ -49,6 +49,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"--form --all", kDomain | kNumerics | kOnDevice},
     {"--shader", kDomain | kOnDevice},
     {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
+    {"--sample --pdf", kDomain, "--shader"},
     {"--such-that --against", kDomain},
     {"--map", kDomain, "--against"},
     {"--effort", kFunctions | kIntegrators | kTraced | kNumerics},
@@ -250,6 +251,7 @@ void add_validate(CLI::App& app) {
   add_repeated_option(*verb, "--form", o->forms, "Form to judge over its whole parameter domain");
   verb->add_flag("--all", o->all, "Every form");
   add_shader_options(*verb, o->shader);
+  add_sampler_options(*verb, o->shader);
   verb->add_option("--such-that", o->such_that,
                    "Condition on the parameters, for instance \"kd + ks <= 1\" (of --form, --all, --shader)");
   verb->add_option("--against", o->against, "Form to compare with: the largest difference and its place");

@@ -120,6 +120,7 @@ class ShaderOnBox {
       }
       case Binding::From::one:
         return I(1);
+      case Binding::From::random:  // only of samplers
       case Binding::From::zero:
         break;
     }

@@ -121,12 +121,20 @@ void read_note(Source& source, std::string_view line, std::uint32_t number) {
     source.entry = parse_entry(rest);
   else if (words[0] == "returns")
     source.returns = parse_returns(rest);
+  else if (words[0] == "sample" && words.size() > 1 && words[1] == "returns")
+    source.sample_returns = parse_sample_value(std::string(io::trimmed(rest.substr(words[1].size()))));
+  else if (words[0] == "pdf" && words.size() > 1 && words[1] == "per")
+    source.density_of = parse_density_of(std::string(io::trimmed(rest.substr(words[1].size()))));
+  else if (words[0] == "sample")
+    source.sample = parse_entry(rest);
+  else if (words[0] == "pdf")
+    source.pdf = parse_entry(rest);
   else if (words[0] == "violates")
     source.violations.push_back(
         read_violation(std::span<const std::string_view>(words).subspan(1), number, where));
   else
     throw InputError(where + "//: " + std::string(words[0]) +
-                     ": must be param, bool, color, entry, returns or violates");
+                     ": must be param, bool, color, entry, returns, sample, pdf or violates");
 }
 
 Declared parse_parameter(const std::string& text) {
@@ -175,6 +183,21 @@ Returns parse_returns(const std::string& text) {
     if (c != ' ') word += c;
   const auto found = find_named<Returns>(word);
   if (!found) throw InputError("returns '" + text + "': must be one of " + known_names<Returns>());
+  return *found;
+}
+
+SampleValue parse_sample_value(const std::string& text) {
+  std::string word;
+  for (const char c : text)
+    if (c != ' ') word += c;
+  const auto found = find_named<SampleValue>(word);
+  if (!found) throw InputError("sample returns '" + text + "': must be one of " + known_names<SampleValue>());
+  return *found;
+}
+
+DensityOf parse_density_of(const std::string& text) {
+  const auto found = find_named<DensityOf>(text);
+  if (!found) throw InputError("pdf per '" + text + "': must be one of " + known_names<DensityOf>());
   return *found;
 }
 

@@ -142,6 +142,21 @@ std::optional<std::pair<Axis, Axis>> product_of(const std::string& word) {
 
 }  // namespace
 
+bool is_random(std::string_view name, std::size_t components) {
+  if (components < 1 || components > 4) return false;
+  std::string word = plain(name);
+  // A single letter means a random number only with a number behind it or as a vector: r is often a
+  // roughness, and e an exponent.
+  const bool numbered = !word.empty() && word.back() >= '0' && word.back() <= '9';
+  while (!word.empty() && word.back() >= '0' && word.back() <= '9') word.pop_back();
+  constexpr std::string_view kWords[] = {
+      "u",          "xi",           "rnd",  "rand",  "random",  "randoms", "rands",   "urand",
+      "urnd",       "zeta",         "rnds", "ulobe", "uselect", "usample", "uniform", "randval",
+      "randsample", "randomnumber", "uc",   "rng",   "ux",      "uy",      "uniforms"};
+  if (std::ranges::find(kWords, word) != std::end(kWords)) return true;
+  return (word == "r" || word == "e" || word == "s" || word == "q") && (components > 1 || numbered);
+}
+
 std::optional<Meaning> meaning_of(std::string_view name, bool vector) {
   const std::string whole = plain(name);
   const std::size_t dot = whole.rfind('.');

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "brdf/direction_sampler.h"
 #include "brdf/parameter.h"
 #include "shader/front/languages.h"
 
@@ -56,6 +57,11 @@ struct Source {
   std::vector<KnownViolation> violations = {};
   std::optional<EntryLine> entry = {};
   std::optional<Returns> returns = {};
+  // The sampler and the density of the file, the quantity that the sampler returns, and the measure of the
+  // density; without a value: according to names and values.
+  std::optional<EntryLine> sample = {}, pdf = {};
+  std::optional<SampleValue> sample_returns = {};
+  std::optional<DensityOf> density_of = {};
   std::vector<std::string> defines = {};          // NAME=VALUE, from the command line
   std::vector<std::string> include_folders = {};  // from the command line, searched after the file's folder
   bool explorer = false;                          // a .brdf file
@@ -81,6 +87,10 @@ Declared parse_parameter(const std::string& text);
 EntryLine parse_entry(const std::string& text);
 // Parses "f", "f*cos_i" or "f*cos_o". Throws InputError if the text is not valid.
 Returns parse_returns(const std::string& text);
+// Parses "f", "f*cos_i" or "f*cos_i/pdf"; and "solid_angle", "projected" or "half". Throws InputError if the
+// text is not valid.
+SampleValue parse_sample_value(const std::string& text);
+DensityOf parse_density_of(const std::string& text);
 
 // Returns the line with this number, trimmed; empty beyond the last line.
 std::string line_of_text(std::string_view text, std::uint32_t line);

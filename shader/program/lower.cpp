@@ -235,6 +235,10 @@ Slots Lowering::call(const spirv::Function& function,
     --depth_;
     return *known;
   }
+  if (options_.random.contains(function.id)) {
+    --depth_;
+    return random_value(function);
+  }
   const std::uint32_t line = line_;
   Frame frame;
   frame.function = &function;
@@ -303,6 +307,7 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
 Program Lowering::run(const spirv::Function& entry) {
   program_.stretches.emplace_back();
   program_.line = entry.line;
+  if (!options_.random.empty()) begin_random();
   for (const auto& [id, global] : module_.globals) {
     if (!global.variable || global.instruction.words.size() > 1) continue;
     const spirv::Type& pointer = module_.type(global.instruction.type);
@@ -343,7 +348,8 @@ Program Lowering::run(const spirv::Function& entry) {
   }
   const Slots returned = call(entry, arguments);
   line_ = entry.line;
-  for (const Slot slot : result_of(entry, returned, written)) program_.results.push_back(slot);
+  program_.results =
+      options_.apart ? results_apart(entry, returned, written) : result_of(entry, returned, written);
   // The results get slots of their own, so that they are set on every path.
   for (Slot& slot : program_.results) slot = emit(Op::copy, slot);
   end_stretch(End::stop);

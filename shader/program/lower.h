@@ -28,7 +28,16 @@ struct LowerOptions {
   std::set<int> written = {};            // arguments that are not inputs
   std::set<int> accumulated = {};        // subset of `written` that is `inout` and holds 0 before the call
   bool zero_globals = false;             // the language sets global variables without a value to 0 (HLSL)
+  // The results follow one another instead of being added; a truth value becomes 0 or 1. If `random` is not
+  // empty, a last result is the number of random numbers that the run has used.
+  bool apart = false;
+  // Functions that return random numbers. Each call returns the next elements of the input kRandomInput.
+  std::set<spirv::Id> random = {};
 };
+
+// The input from which calls of random functions are answered, an array of kMostRandom numbers in [0, 1).
+inline constexpr const char* kRandomInput = "@random";
+inline constexpr std::uint32_t kMostRandom = 32;
 
 // Converts the function to a flattened program. Throws InputError, with the line, for features that a
 // reflectance cannot have (textures, screen-space derivatives, discard), and if the program would be larger

@@ -73,6 +73,13 @@ class Lowering {
   std::optional<Slots> kernel(const spirv::Function& function,
                               const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
 
+  // lower_random.cpp: numbered random numbers, and several results
+  void begin_random();
+  Slot next_random();
+  Slots random_value(const spirv::Function& function);
+  Slots results_apart(const spirv::Function& entry, const Slots& returned,
+                      const std::map<int, Pointer>& written);
+
   // lower_values.cpp
   const std::vector<bool>& kinds(Id type);
   Variable& new_variable(Id type);
@@ -126,6 +133,8 @@ class Lowering {
   std::map<std::uint32_t, Slot> integer_constants_;
   // Results of the operations in this stretch.
   std::map<std::tuple<Op, Slot, Slot, Slot>, Slot> computed_;
+  Slot random_ = 0;        // the first number of kRandomInput
+  Slot random_count_ = 0;  // integer slot: the numbers used so far
   std::uint32_t line_ = 0;
   std::size_t steps_ = 0;
   int depth_ = 0;

@@ -49,7 +49,8 @@ VERBS = {
                  {"--form": "ward", "--all": None, "--such-that": "rho <= 0.5", "--against": "oren_nayar", "--map": "rho=rho",
                   "--effort": "full", "--seconds": "0.001", "--require": "energy", "--max-theta": "40", "--keep-fill": None,
                   "--quantity": "BRF", "--mirror-side": "negative", "--layout": "none.json", "--seed": "3", "--picture": "none.png", "--integrators": None,
-                  "--microsurface": None, "--numerics": None, "--gpu": None, "--json": None, **{k: v for k, v in SHADER.items()
+                  "--microsurface": None, "--numerics": None, "--gpu": None, "--json": None, "--sample": "brdfSample",
+                  "--pdf": "brdfPdf", **{k: v for k, v in SHADER.items()
                                                                                               if k != "--set"}}),
     "plan": ({"fit": ["fit", "s.csv", "t.csv", "--form", "ward", "-o", "OUT"], "study": ["study", "s.csv", "t.csv", "-o", "OUT"]},
              {**FIT, "--unit-size": "1"}),

@@ -51,11 +51,13 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 // One check, with all that callers need to know about it. A check does not put its own name into its
 // finding; the code that runs the check does.
 struct Check {
-  enum class Of { all, outside };  // outside: only for outside code
+  // outside: only for outside code; sampled: only for outside code with a sampler or a density of its own.
+  enum class Of { all, outside, sampled };
   std::string_view name, meaning;
   double cost;  // approximate, relative to the other checks
   Of of;
-  Finding (*run)(const Subject&, const CheckOptions&);
+  // Null for the checks of a sampler, which judge_sampler() runs together.
+  Finding (*run)(const Subject&, const CheckOptions&) = nullptr;
 };
 // All checks, in order.
 inline constexpr Check kChecks[] = {
@@ -85,6 +87,27 @@ inline constexpr Check kChecks[] = {
      Check::Of::all, check_continuity},
     {"sampling", "Whether the mean of the form's importance sampling equals the directional albedo.", 1,
      Check::Of::all, check_sampling},
+    {"density_mass",
+     "Whether the density of a sampler integrates to 1 minus the share of samples that are lost.", 10,
+     Check::Of::sampled},
+    {"density_match", "Whether the density that the sampler returns equals the density function.", 10,
+     Check::Of::sampled},
+    {"sample_value", "Whether the value that the sampler returns is f, f cos_i or f cos_i / pdf, as stated.",
+     10, Check::Of::sampled},
+    {"jacobian",
+     "Whether the density equals the area of random numbers per area of directions, without noise.", 10,
+     Check::Of::sampled},
+    {"sample_distribution", "Whether a histogram of samples follows the density (chi-square test).", 10,
+     Check::Of::sampled},
+    {"sample_mean", "Whether the mean of the weights f cos_i / pdf is the directional albedo.", 10,
+     Check::Of::sampled},
+    {"density_support", "Whether the density is above 0 wherever f cos_i is.", 10, Check::Of::sampled},
+    {"sample_range",
+     "Whether sampled directions have unit length and lie above the horizon, also for random numbers 0 and "
+     "1.",
+     10, Check::Of::sampled},
+    {"sample_float", "Whether the sampler gives the same in single and in double precision.", 10,
+     Check::Of::sampled},
     {"derivatives", "Whether exact derivatives agree with finite differences.", 1, Check::Of::all,
      check_derivatives},
     {"float", "Whether a shader's values in single precision agree with its formula in double precision.", 1,

@@ -6,6 +6,7 @@
 #include "io/files/parallel.h"
 #include "validate/form/checks.h"
 #include "validate/form/outside_checks.h"
+#include "validate/joint/judge_sampler.h"
 
 namespace brdf::validate {
 namespace {
@@ -16,6 +17,36 @@ void require_known(const Subject& subject) {
     if (std::ranges::find(kChecks, v.check, &Check::name) == std::end(kChecks))
       throw InputError(subject.name() + ": //: violates " + std::string(v.check) + ": must be one of " +
                        io::joined(check_names()));
+}
+
+bool concerns(const Check& check, const Subject& subject) {
+  const OutsideFacts* facts = subject.outside_facts();
+  if (check.of == Check::Of::sampled) return facts != nullptr && facts->sampler != nullptr;
+  return check.of == Check::Of::all || facts != nullptr;
+}
+
+void cut_short(Finding& finding, const Budget& budget) {
+  finding.outcome = Outcome::undecided;
+  finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
+                      std::to_string(budget.looked_at()) + " of at least " +
+                      std::to_string(budget.looked_at() + budget.left_out()) +
+                      " points examined; a larger --seconds examines more (so far: " + finding.statement +
+                      ")";
+}
+
+std::size_t place_of(std::string_view check) {
+  return std::size_t(std::ranges::find(kChecks, check, &Check::name) - std::begin(kChecks));
+}
+
+// The findings of a sampler. If the time ends, the checks that passed at the cases that were examined are
+// undecided.
+std::vector<Finding> sampler_findings(const Subject& subject, CheckOptions options) {
+  Budget budget(options.seconds);
+  options.budget = &budget;
+  std::vector<Finding> findings = judge_sampler(subject, *subject.outside_facts()->sampler, options);
+  for (Finding& f : findings)
+    if (budget.left_out() > 0 && f.outcome == Outcome::pass) cut_short(f, budget);
+  return findings;
 }
 
 // A declared witness with an angle beyond the limit is outside the search, so its absence proves nothing.
@@ -53,13 +84,7 @@ Finding within_seconds(CheckOptions options, const std::function<Finding(const C
   Budget budget(options.seconds);
   options.budget = &budget;
   Finding finding = check(options);
-  if (budget.left_out() == 0 || finding.outcome != Outcome::pass) return finding;
-  finding.outcome = Outcome::undecided;
-  finding.statement = "the search ended after " + io::short_number(budget.seconds(), 3) + " s with " +
-                      std::to_string(budget.looked_at()) + " of at least " +
-                      std::to_string(budget.looked_at() + budget.left_out()) +
-                      " points examined; a larger --seconds examines more (so far: " + finding.statement +
-                      ")";
+  if (budget.left_out() > 0 && finding.outcome == Outcome::pass) cut_short(finding, budget);
   return finding;
 }
 
@@ -68,9 +93,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   for (const Subject& subject : subjects)
     if (subject.is_outside()) require_known(subject);
   constexpr std::size_t kCount = std::size(kChecks);
-  const auto applies = [&](std::size_t k) {
-    return kChecks[k % kCount].of == Check::Of::all || subjects[k / kCount].is_outside();
-  };
+  const auto applies = [&](std::size_t k) { return concerns(kChecks[k % kCount], subjects[k / kCount]); };
   std::vector<Finding> findings(subjects.size() * kCount);
   // The most expensive checks run first, so that no processor is left with a long one at the end.
   const auto cost = [&](std::size_t k) {
@@ -78,16 +101,30 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   };
   std::vector<std::size_t> order(findings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t k) { return !applies(k); });
+  // The checks of a sampler are one job, in the place of the first.
+  std::erase_if(order, [&](std::size_t k) {
+    return !applies(k) || (kChecks[k % kCount].run == nullptr && k % kCount != place_of(kSamplerChecks[0]));
+  });
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return cost(a) > cost(b); });
   const auto run = [&](int j) {
     const std::size_t k = order[std::size_t(j)];
     const Subject& subject = subjects[k / kCount];
-    findings[k] = within_seconds(
-        options, [&](const CheckOptions& own) { return kChecks[k % kCount].run(subject, own); });
-    findings[k].subject = subject.name();
-    findings[k].check = kChecks[k % kCount].name;
-    judge(findings[k], subject, options);
+    const std::size_t first = k - k % kCount;
+    const auto finish = [&](std::size_t check, Finding finding) {
+      finding.subject = subject.name();
+      finding.check = kChecks[check].name;
+      judge(finding, subject, options);
+      findings[first + check] = std::move(finding);
+    };
+    if (kChecks[k % kCount].run != nullptr) {
+      finish(k % kCount, within_seconds(options, [&](const CheckOptions& own) {
+               return kChecks[k % kCount].run(subject, own);
+             }));
+      return k;
+    }
+    std::vector<Finding> together = sampler_findings(subject, options);
+    for (std::size_t n = 0; n < together.size(); ++n)
+      finish(place_of(kSamplerChecks[n]), std::move(together[n]));
     return k;
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "brdf/material.h"
+#include "brdf/direction_sampler.h"
 #include "io/material/expression.h"
 #include "validate/search/finding.h"
 
@@ -39,6 +40,8 @@ struct OutsideFacts {
   // represent.
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits = {};
+  // The sampler and the density that the code has for its reflectance; null if the code has neither.
+  std::shared_ptr<const DirectionSampler> sampler = {};
 };
 
 struct Jump;

@@ -1,0 +1,246 @@
+// A shader with eval, sample and pdf, and copies of it with one fault each: the checks that can see the fault
+// fail, with its name, and the others pass. The same functions in HLSL give the same findings.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+
+#include "cli/options/shader_options.h"
+#include "io/files/temporary.h"
+#include "validate/joint/judge_sampler.h"
+
+#ifdef BRDF_HAS_SHADER
+namespace brdf::cli {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using validate::Finding;
+
+// A coloured diffuse layer and an anisotropic GGX lobe, chosen by the brightest channel.
+const std::string kSound = R"(
+//: color base 0.8 0.5 0.2
+//: param spec 0.05 0.4 0.2
+//: param ax 0.15 0.6 0.2
+//: param ay 0.15 0.6 0.5
+const float kPi = 3.14159265;
+float distribution(vec3 h, float ax, float ay) {
+  float x = h.x / ax, y = h.y / ay, k = x * x + y * y + h.z * h.z;
+  return 1.0 / (kPi * ax * ay * k * k);
+}
+float lambda(vec3 w, float ax, float ay) {
+  float t = (ax * ax * w.x * w.x + ay * ay * w.y * w.y) / (w.z * w.z);
+  return 0.5 * (sqrt(1.0 + t) - 1.0);
+}
+float specularShare(vec3 base, float spec) { return spec / (spec + max(base.x, max(base.y, base.z))); }
+vec3 brdf(vec3 L, vec3 V, vec3 N, vec3 X, vec3 base, float spec, float ax, float ay) {
+  if (L.z <= 0.0 || V.z <= 0.0) return vec3(0.0);
+  vec3 H = normalize(L + V);
+  float G = 1.0 / (1.0 + lambda(L, ax, ay) + lambda(V, ax, ay));
+  return base / kPi * 0.6 + vec3(spec * distribution(H, ax, ay) * G / (4.0 * L.z * V.z));
+}
+float brdfPdf(vec3 L, vec3 V, vec3 N, vec3 X, vec3 base, float spec, float ax, float ay) {
+  if (L.z <= 0.0 || V.z <= 0.0) return 0.0;
+  vec3 H = normalize(L + V);
+  float p = specularShare(base, spec);
+  float lobe = distribution(H, ax, ay) * H.z / (4.0 * dot(V, H));
+  return p * lobe + (1.0 - p) * L.z / kPi;
+}
+vec3 brdfSample(vec3 u, vec3 V, vec3 N, vec3 X, vec3 base, float spec, float ax, float ay, out vec3 L,
+                out float pdf) {
+  float p = specularShare(base, spec), phi = 2.0 * kPi * u.y;
+  pdf = 0.0;
+  if (u.z < p) {
+    float r = sqrt(u.x / max(1.0 - u.x, 1e-7));
+    vec3 H = normalize(vec3(ax * r * cos(phi), ay * r * sin(phi), 1.0));
+    L = 2.0 * dot(V, H) * H - V;
+  } else {
+    L = vec3(sqrt(u.x) * cos(phi), sqrt(u.x) * sin(phi), sqrt(max(1.0 - u.x, 0.0)));
+  }
+  if (L.z <= 0.0) return vec3(0.0);
+  pdf = brdfPdf(L, V, N, X, base, spec, ax, ay);
+  return brdf(L, V, N, X, base, spec, ax, ay) * L.z / pdf;
+}
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+using Findings = std::map<std::string, Finding>;
+
+Findings judged(const std::string& text, std::uint64_t seed = 1, const std::string& suffix = ".glsl") {
+  const io::TemporaryFolder folder;
+  ShaderOptions options;
+  options.file = (folder.path() / ("test" + suffix)).string();
+  std::ofstream(options.file) << text;
+  const auto shader = load(options, "validate", true);
+  validate::OutsideFacts facts;
+  facts.words = shader->words;
+  const validate::Subject subject = validate::Subject::outside("test", shader->material, facts);
+  validate::CheckOptions how;
+  how.seed = seed;
+  Findings out;
+  if (!shader->sampler) return out;
+  std::vector<Finding> findings = validate::judge_sampler(subject, *shader->sampler, how, 1 << 16);
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    out[std::string(validate::kSamplerChecks[k])] = findings[k];
+  return out;
+}
+
+std::vector<std::string> failed(const Findings& findings) {
+  std::vector<std::string> out;
+  for (const auto& [name, finding] : findings)
+    if (finding.outcome == validate::Outcome::fail) out.push_back(name);
+  return out;
+}
+
+void expect_passes(const Findings& findings) {
+  EXPECT_EQ(findings.size(), std::size(validate::kSamplerChecks));
+  for (const auto& [name, finding] : findings)
+    EXPECT_EQ(finding.outcome, validate::Outcome::pass) << name << ": " << finding.statement;
+}
+
+TEST(SampledShader, TheSoundOnePasses) {
+  expect_passes(judged(kSound));
+  expect_passes(judged(kSound, 7));
+}
+
+TEST(SampledShader, TheSameInHlsl) {
+  std::string text = kSound;
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"vec3", "float3"},
+                                 {"const float kPi", "static const float kPi"},
+                                 {"return float3(0.0)", "return 0.0.xxx"},
+                                 {"float3(spec * dis", "(float3)(spec * dis"}})
+    for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+      text.replace(at, from.size(), to);
+  expect_passes(judged(text, 1, ".hlsl"));
+  const Findings found = judged(replaced(text, "H.z / (4.0 * dot(V, H))", "H.z"), 1, ".hlsl");
+  EXPECT_THAT(failed(found), testing::IsSupersetOf({"density_mass", "jacobian"}));
+}
+
+struct Mutation {
+  const char *name, *from, *to;
+  std::vector<std::string> checks;  // that fail, perhaps among others
+  const char* word;                 // in the statement of the first
+};
+
+TEST(SampledShader, EveryMutationIsFound) {
+  const Mutation mutations[] = {
+      {"1 % in a quarter",
+       "return p * lobe + (1.0 - p) * L.z / kPi;",
+       "return (p * lobe + (1.0 - p) * L.z / kPi) * (L.x > 0.0 && L.y > 0.0 ? 1.01 : 1.0);",
+       {"jacobian"},
+       "differs from the density"},
+      {"weight without its cosine", "* L.z / pdf;", "/ pdf;", {"sample_value", "sample_mean"}, "is not"},
+      {"shares exchanged in the density",
+       "return p * lobe + (1.0 - p)",
+       "return (1.0 - p) * lobe + p",
+       {"jacobian", "sample_mean", "sample_distribution"},
+       "differs from the density"},
+      {"no Jacobian", "H.z / (4.0 * dot(V, H))", "H.z", {"density_mass", "jacobian"}, "integrates to"},
+      {"normals by D alone",
+       "distribution(H, ax, ay) * H.z / (4.0",
+       "distribution(H, ax, ay) / (4.0",
+       {"density_mass", "jacobian"},
+       "integrates to"},
+      {"widths exchanged in the sampler",
+       "vec3(ax * r * cos(phi), ay * r",
+       "vec3(ay * r * cos(phi), ax * r",
+       {"jacobian", "sample_distribution"},
+       "differs from the density"},
+      {"the choosing number used again",
+       "float r = sqrt(u.x /",
+       "u.x = u.z; float r = sqrt(u.x /",
+       {"sample_distribution", "sample_mean"},
+       "do not follow"},
+      {"divided by the density of one lobe",
+       "pdf = brdfPdf(L, V, N, X, base, spec, ax, ay);\n",
+       "pdf = u.z < p ? p * distribution(normalize(L + V), ax, ay) : (1.0 - p) * L.z / kPi;\n",
+       {"density_match"},
+       "differ at"},
+      {"samples below the horizon keep a density",
+       "if (L.z <= 0.0) return vec3(0.0);\n  pdf =",
+       "if (L.z <= 0.0) { pdf = 0.1; return vec3(0.0); }\n  pdf =",
+       {"sample_range"},
+       "below the horizon"},
+      {"chosen by the mean, counted by the brightest",
+       "if (u.z < p) {",
+       "if (u.z < spec / (spec + (base.x + base.y + base.z) / 3.0)) {",
+       {"jacobian", "sample_mean"},
+       "differs from the density"},
+      {"the half vector is not normalised",
+       "vec3 H = normalize(vec3(ax * r",
+       "vec3 H = (vec3(ax * r",
+       {"sample_range"},
+       "length"},
+      {"half of the azimuth",
+       "phi = 2.0 * kPi * u.y",
+       "phi = kPi * u.y",
+       {"sample_distribution", "jacobian", "sample_mean"},
+       "do not follow"},
+      {"infinite at 0",
+       "float r = sqrt(u.x / max(1.0 - u.x, 1e-7));",
+       "float r = 1.0 / sqrt(1.0 / u.x - 1.0) + 0.0 / u.x;",
+       {"sample_range"},
+       "the end of their range"},
+      {"masking of one direction", "+ lambda(V, ax, ay))", ")", {}, ""},
+      {"directions exchanged in the density",
+       "(1.0 - p) * L.z / kPi",
+       "(1.0 - p) * V.z / kPi",
+       {"jacobian", "density_mass"},
+       "differs from the density"},
+      {"samples are lost",
+       "if (L.z <= 0.0) return",
+       "if (L.z <= 0.15) return",
+       {"density_mass", "sample_distribution", "sample_mean"},
+       "integrates to"},
+  };
+  for (const Mutation& m : mutations) {
+    const Findings found = judged(replaced(kSound, m.from, m.to));
+    if (m.checks.empty()) {  // changes f, not how f is sampled
+      EXPECT_THAT(failed(found), testing::IsEmpty()) << m.name;
+      continue;
+    }
+    for (const std::string& check : m.checks) EXPECT_THAT(failed(found), Contains(check)) << m.name;
+    if (found.empty()) continue;
+    EXPECT_THAT(found.at(m.checks[0]).statement, HasSubstr(m.word)) << m.name;
+    ASSERT_TRUE(found.at(m.checks[0]).witness) << m.name;
+    EXPECT_THAT(found.at(m.checks[0]).witness->command, HasSubstr("--require " + m.checks[0])) << m.name;
+  }
+}
+
+TEST(SampledShader, HarmlessChangesPass) {
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"phi = 2.0 * kPi * u.y", "phi = 2.0 * kPi * (1.0 - u.y)"},
+        {"max(1.0 - u.x, 1e-7)", "max(1.0 - u.x, 1e-6)"},
+        {"if (u.z < p) {", "if (u.z > 1.0 - p) {"},
+        {"* L.z / pdf;", "* (L.z / pdf);"}})
+    expect_passes(judged(replaced(kSound, from, to)));
+}
+
+TEST(SampledShader, CausesAreNamed) {
+  // A single lobe, so that one factor explains every direction.
+  std::string lobe = replaced(kSound, "if (u.z < p)", "if (true)");
+  lobe = replaced(lobe, "return p * lobe + (1.0 - p) * L.z / kPi;", "return lobe;");
+  expect_passes(judged(lobe));
+  const auto cause = [&](const std::string& from, const std::string& to) {
+    return judged(replaced(lobe, from, to)).at("jacobian").statement;
+  };
+  EXPECT_THAT(cause("H.z / (4.0 * dot(V, H))", "H.z"), HasSubstr("the factor 1 / (4 dot(V, H)) is missing"));
+  EXPECT_THAT(cause("* H.z / (4.0", "/ (4.0"), HasSubstr("lacks the cosine of the half vector"));
+  EXPECT_THAT(cause("return lobe;", "return 0.5 * lobe;"),
+              HasSubstr("wrong constant factor: the true density is 2.0"));
+  EXPECT_THAT(cause("return lobe;", "return lobe * L.z;"), HasSubstr("has the factor cos_i once too often"));
+  EXPECT_THAT(cause("vec3(ax * r * cos(phi), ay * r", "vec3(ay * r * cos(phi), ax * r"),
+              HasSubstr("exchanged axes"));
+  EXPECT_THAT(failed(judged("//: pdf per half\n" + replaced(lobe, "H.z / (4.0 * dot(V, H))", "H.z"))),
+              testing::Not(Contains("jacobian")));
+}
+
+}  // namespace
+}  // namespace brdf::cli
+#endif

@@ -1,0 +1,256 @@
+// Samplers that are right, and samplers with one fault each: every fault is found by the checks that can see
+// it, and nothing else is reported.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "validate/joint/cells.h"
+#include "validate/joint/judge_sampler.h"
+#include "validate/joint/statistics.h"
+
+namespace brdf::validate {
+namespace {
+
+using testing::HasSubstr;
+
+// A sampler for a Lambertian surface: with probability `share` by the cosine, otherwise uniform. The number
+// that chooses is stretched and used again.
+class HalfCosine final : public DirectionSampler {
+ public:
+  HalfCosine() {
+    facts_.draws = facts_.gives_pdf = facts_.has_density = true;
+    facts_.values = {{"value"}};
+    facts_.randoms = 2;
+  }
+  const SamplerFacts& facts() const override { return facts_; }
+  SamplerFacts& change() { return facts_; }
+
+  // The parts that tests replace.
+  double share = 0.6;
+  std::function<double(const Vec3<double>&)> density_of = [this](const Vec3<double>& w) {
+    return w.z > 0 ? share * w.z / kPi + (1 - share) / (2 * kPi) : 0;
+  };
+  std::function<double(const Vec3<double>&)> returned = {};  // empty: density_of
+  std::function<void(Draw&, std::span<const double>)> at_last = {};
+  double stretch = 1;
+  bool swapped = false;
+
+  void draw(const Material& at, const Vec3<double>& wo, std::span<const double> u, bool single,
+            std::span<Draw> out) const override {
+    for (std::size_t k = 0; k < out.size(); ++k) {
+      const std::span<const double> own = u.subspan(k * facts_.randoms, facts_.randoms);
+      const bool cosine = own[0] < share;
+      const double v = cosine ? own[0] / share * stretch : (own[0] - share) / (1 - share);
+      const double z = cosine ? std::sqrt(std::max(1 - v, 0.0)) : 1 - v,
+                   rho = std::sqrt(std::max(1 - z * z, 0.0));
+      const double phi = 2 * kPi * own[1];
+      Draw& d = out[k];
+      d.wi = {rho * std::cos(phi), rho * std::sin(phi), z};
+      d.pdf = returned ? returned(d.wi) : density_of(d.wi);
+      d.valid = true;
+      d.used = facts_.randoms;
+      std::vector<double> f(at.channels.size());
+      eval(at, d.wi, wo, f);
+      d.values[0] = {f[0], f[0], f[0]};
+      if (at_last) at_last(d, own);
+      if (single) d.pdf = double(float(d.pdf));
+    }
+  }
+  void density(const Material&, const Vec3<double>&, std::span<const Vec3<double>> wi, bool,
+               std::span<double> out) const override {
+    for (std::size_t k = 0; k < wi.size(); ++k) out[k] = density_of(wi[k]);
+  }
+
+ private:
+  SamplerFacts facts_;
+};
+
+std::map<std::string, Finding> judged(const DirectionSampler& sampler, std::uint64_t seed = 1) {
+  CheckOptions options;
+  options.seed = seed;
+  const Subject subject = Subject::form(*find_form("lambert"));
+  std::map<std::string, Finding> out;
+  std::vector<Finding> findings = judge_sampler(subject, sampler, options, 1 << 15);
+  for (std::size_t k = 0; k < findings.size(); ++k) out[std::string(kSamplerChecks[k])] = findings[k];
+  return out;
+}
+
+std::vector<std::string> failed(const std::map<std::string, Finding>& findings) {
+  std::vector<std::string> out;
+  for (const auto& [name, finding] : findings)
+    if (finding.outcome == Outcome::fail) out.push_back(name);
+  return out;
+}
+
+TEST(Sampler, ARightOnePassesEveryCheck) {
+  for (const auto& [name, finding] : judged(HalfCosine()))
+    EXPECT_EQ(finding.outcome, Outcome::pass) << name << ": " << finding.statement;
+}
+
+TEST(Sampler, AOnePercentErrorInAQuarterIsFound) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    HalfCosine sampler;
+    const auto right = sampler.density_of;
+    sampler.density_of = [right](const Vec3<double>& w) {
+      return right(w) * (w.x > 0 && w.y > 0 ? 1.01 : 1);
+    };
+    const auto found = judged(sampler, seed);
+    EXPECT_THAT(failed(found), testing::IsSupersetOf({"density_mass", "jacobian"}));
+    EXPECT_THAT(found.at("density_mass").statement, HasSubstr("integrates to 1.0025"));
+    // The same with the mass restored: only the exact density sees it.
+    sampler.density_of = [right](const Vec3<double>& w) {
+      return right(w) * (w.x > 0 && w.y > 0 ? 1.01 : w.x < 0 && w.y < 0 ? 0.99 : 1);
+    };
+    EXPECT_THAT(failed(judged(sampler, seed)), testing::Contains("jacobian"));
+  }
+}
+
+TEST(Sampler, ADensityThatIsNotTheReturnedOne) {
+  HalfCosine sampler;
+  sampler.returned = sampler.density_of;
+  sampler.density_of = [](const Vec3<double>& w) { return w.z > 0 ? 1 / (2 * kPi) : 0; };
+  const auto found = judged(sampler);
+  EXPECT_THAT(failed(found), testing::IsSupersetOf({"density_match", "jacobian", "sample_distribution"}));
+  EXPECT_THAT(found.at("jacobian").statement, HasSubstr("is the uniform density 1 / (2 pi)"));
+  EXPECT_EQ(found.at("density_mass").outcome, Outcome::pass);
+}
+
+TEST(Sampler, CausesAreNamed) {
+  const auto statement = [](std::function<double(const Vec3<double>&, double)> wrong) {
+    HalfCosine sampler;
+    const auto right = sampler.density_of;
+    sampler.density_of = [=](const Vec3<double>& w) { return w.z > 0 ? wrong(w, right(w)) : 0; };
+    return judged(sampler).at("jacobian").statement;
+  };
+  EXPECT_THAT(statement([](const Vec3<double>&, double p) { return p * 0.9; }),
+              HasSubstr("has a wrong constant factor: the true density is 1.1111"));
+  EXPECT_THAT(statement([](const Vec3<double>& w, double p) { return p * w.z; }),
+              HasSubstr("has the factor cos_i once too often"));
+  EXPECT_THAT(statement([](const Vec3<double>& w, double p) { return p / w.z; }),
+              HasSubstr("is per projected solid angle"));
+}
+
+TEST(Sampler, AValueWithAFactorTooMany) {
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0][0] *= d.wi.z; };
+  const auto found = judged(sampler);
+  EXPECT_THAT(failed(found), testing::ElementsAre("sample_mean", "sample_value"));
+  EXPECT_THAT(found.at("sample_value").statement, HasSubstr("it is f*cos_i"));
+  // The same value is right if the file says so.
+  sampler.change().values = {{"value", SampleValue::f_cos_i}};
+  EXPECT_THAT(failed(judged(sampler)), testing::IsEmpty());
+}
+
+TEST(Sampler, AWeightIsRecognised) {
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double>) {
+    d.values[0][0] *= d.pdf > 0 ? d.wi.z / d.pdf : 0;
+  };
+  const auto found = judged(sampler);
+  EXPECT_THAT(failed(found), testing::IsEmpty());
+  EXPECT_THAT(found.at("sample_value").statement, HasSubstr("f*cos_i/pdf"));
+}
+
+TEST(Sampler, ANumberThatIsNotStretched) {
+  HalfCosine sampler;
+  sampler.stretch = 0.6;
+  EXPECT_THAT(failed(judged(sampler)),
+              testing::IsSupersetOf({"jacobian", "sample_distribution", "sample_mean"}));
+}
+
+TEST(Sampler, SamplesThatAreLostMustBeMissingInTheDensity) {
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double>) {
+    if (d.wi.z < 0.2) d.pdf = 0;
+  };
+  EXPECT_THAT(failed(judged(sampler)),
+              testing::IsSupersetOf({"density_mass", "sample_distribution", "sample_mean"}));
+  // A density of 0 there has the right mass, but leaves light out.
+  const auto right = sampler.density_of;
+  sampler.density_of = [right](const Vec3<double>& w) { return w.z < 0.2 ? 0 : right(w); };
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("density_mass").outcome, Outcome::pass) << found.at("density_mass").statement;
+  EXPECT_THAT(failed(found), testing::IsSupersetOf({"density_support", "sample_mean"}));
+}
+
+TEST(Sampler, DirectionsOutOfRange) {
+  HalfCosine below;
+  below.at_last = [](Draw& d, std::span<const double> u) {
+    if (u[1] < 0.1) d.wi.z = -d.wi.z;
+  };
+  EXPECT_THAT(judged(below).at("sample_range").statement,
+              HasSubstr("lie below the horizon and keep a density"));
+  HalfCosine longer;
+  longer.at_last = [](Draw& d, std::span<const double>) { d.wi.x *= 1.01; };
+  EXPECT_THAT(judged(longer).at("sample_range").statement, HasSubstr("length"));
+  HalfCosine infinite;
+  infinite.at_last = [](Draw& d, std::span<const double> u) {
+    if (u[0] == 0) d.wi.x = std::nan("");
+  };
+  EXPECT_THAT(judged(infinite).at("sample_range").statement, HasSubstr("the end of their range"));
+}
+
+TEST(Sampler, WithoutAFunctionACheckIsUndecided) {
+  HalfCosine only_density;
+  only_density.change().draws = only_density.change().gives_pdf = false;
+  const auto found = judged(only_density);
+  EXPECT_EQ(found.at("density_mass").outcome, Outcome::pass);
+  for (const char* check : {"density_match", "sample_value", "jacobian", "sample_distribution", "sample_mean",
+                            "sample_range", "sample_float"})
+    EXPECT_EQ(found.at(check).outcome, Outcome::undecided) << check;
+  HalfCosine only_sampler;
+  only_sampler.change().has_density = false;
+  const auto other = judged(only_sampler);
+  for (const char* check : {"density_mass", "density_match", "sample_distribution", "density_support"})
+    EXPECT_EQ(other.at(check).outcome, Outcome::undecided) << check;
+  for (const char* check : {"jacobian", "sample_mean", "sample_value"})
+    EXPECT_EQ(other.at(check).outcome, Outcome::pass) << check << ": " << other.at(check).statement;
+}
+
+TEST(Sampler, MoreThanTwoMovingNumbersAreNotJudgedExactly) {
+  HalfCosine sampler;
+  sampler.change().randoms = 3;
+  sampler.at_last = [](Draw& d, std::span<const double> u) {
+    const double phi = std::atan2(d.wi.y, d.wi.x) + 6 * u[2], rho = std::hypot(d.wi.x, d.wi.y);
+    d.wi.x = rho * std::cos(phi), d.wi.y = rho * std::sin(phi);
+  };
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("jacobian").outcome, Outcome::undecided);
+  EXPECT_THAT(found.at("jacobian").statement, HasSubstr("depends on 3 random numbers"));
+  EXPECT_THAT(failed(found), testing::IsEmpty());
+}
+
+// Values of Abramowitz and Stegun, tables 26.1 and 26.7.
+TEST(SamplerStatistics, TailsAreThoseOfTables) {
+  EXPECT_NEAR(two_sided_tail(1.959963985), 0.05, 1e-9);
+  EXPECT_NEAR(two_sided_quantile(0.05), 1.959963985, 1e-8);
+  EXPECT_NEAR(chi_square_tail(18.307038, 10), 0.05, 1e-7);
+  EXPECT_NEAR(chi_square_tail(124.342, 100), 0.05, 1e-5);
+  EXPECT_NEAR(chi_square_tail(2, 2), std::exp(-1), 1e-12);
+  EXPECT_NEAR(chi_square_tail(200, 2) / std::exp(-100), 1, 1e-9);
+  EXPECT_NEAR(poisson_two_sided(0, 5), 2 * std::exp(-5), 1e-12);
+  EXPECT_NEAR(sidak(1e-4, 10), 1.00005e-5, 1e-9);
+}
+
+TEST(SamplerCells, CoverTheHemisphere) {
+  std::vector<Vec3<double>> points;
+  Random random(2);
+  for (int k = 0; k < 5000; ++k)
+    points.push_back(direction(degrees(3 * random.uniform()), degrees(360 * random.uniform())));
+  for (const Cells& cells : {Cells(points), Cells({})}) {
+    double area = 0;
+    for (const Cell& c : cells.all()) area += (c.s1 - c.s0) * (c.phi1 - c.phi0);
+    EXPECT_NEAR(area, 2 * kPi, 1e-12);
+    for (const Vec3<double>& w : points) {
+      const Cell& c = cells.all()[cells.find(w)];
+      EXPECT_LE(c.s0, 1 - w.z + 1e-15);
+      EXPECT_GE(c.s1, 1 - w.z - 1e-15);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brdf::validate
