@@ -256,7 +256,8 @@ constexpr const char* kMerged =
 std::string said_of_relaxed(const spirv::Module& module) {
   if (module.relaxed == 0) return "";
   return io::plural(module.relaxed, "value") +
-         " of the module may be computed in 16 bits (RelaxedPrecision), and this program computes in 32 bits: "
+         " of the module may be computed in 16 bits (RelaxedPrecision), and this program computes in 32 "
+         "bits: "
          "loss of precision and overflow on a device are not checked";
 }
 

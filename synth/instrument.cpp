@@ -196,8 +196,9 @@ io::SampleTable table_of_file(const std::filesystem::path& path, const io::Suppl
   io::Supplied stated = supplied;
   stated.polarised = false;  // a material has no Mueller matrix, and its channels are chosen by their names
   if (stated != io::Supplied())
-    throw InputError(path.string() +
-                     ": --quantity, --mirror-side, --layout and --matrix apply to samples, not to a material");
+    throw InputError(
+        path.string() +
+        ": --quantity, --mirror-side, --layout and --matrix apply to samples, not to a material");
   io::SampleTable table = table_of_material(io::read_material(content), cells);
   table.source = path.string();
   table.format = "material";
