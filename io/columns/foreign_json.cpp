@@ -37,10 +37,23 @@ JsonTable json_table(const Content& content) {
   return names_angles({keys.begin(), keys.end()}) ? JsonTable::unknown : JsonTable::absent;
 }
 
+namespace {
+
+// Returns whether a string begins with this word. A quotation mark behind a backslash belongs to a string, such
+// as the material of a synthetic table in a comment.
+bool has_string(std::string_view json, std::string_view begin) {
+  const std::string quoted = "\"" + std::string(begin);
+  for (std::size_t at = json.find(quoted); at != json.npos; at = json.find(quoted, at + 1))
+    if (at == 0 || json[at - 1] != '\\') return true;
+  return false;
+}
+
+}  // namespace
+
 bool may_be_material(const Content& content) {
   if (!is_json(content)) return false;
   // Materials of this project have the key "format" and may hold any keys in their statistics.
-  return content.bytes.find("\"brdf-") != content.bytes.npos || json_table(content) == JsonTable::absent;
+  return has_string(content.bytes, "brdf-") || json_table(content) == JsonTable::absent;
 }
 
 std::string foreign_json(const Content& content) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/columns/foreign_json.h"
 #include "io/files/content.h"
 #include "io/files/json.h"
 #include "io/files/temporary.h"
@@ -72,7 +73,10 @@ TEST_F(WrittenBird, AzimuthsAreWithinATurn) {
 }
 
 TEST_F(WrittenBird, ComputedTablesHaveNoInstrument) {
-  write(read("# truth: {}\n" + kAngles + "fr\n30,180,60,0,1\n"));
+  write(read("# instrument: virtual\n# truth: {\"format\": \"brdf-material\"}\n" + kAngles +
+             "fr\n30,180,60,0,1\n"));
+  EXPECT_FALSE(may_be_material(read_content(path_))) << "the truth is a text";
+  EXPECT_EQ(json()["metadata"]["adhoc_section"]["instrument"], "virtual");
   EXPECT_EQ(json()["metadata"]["method"], "simulation");
   EXPECT_EQ(json()["metadata"]["instrumentation"], "NA");
 }
