@@ -26,20 +26,25 @@ std::string degrees_text(const SampledCase& c) {
 
 // The mean of a channel's weights with its moments.
 struct Moments {
-  double sum = 0, sum2 = 0, sum3 = 0, largest = 0;
+  // Of the differences from the first weight, so that equal weights have no variance from rounding.
+  double first = 0, sum = 0, sum2 = 0, sum3 = 0, largest = 0;
   long count = 0;
-  void add(double x) {
+  void add(double weight) {
+    if (count == 0) first = weight;
+    const double x = weight - first;
     sum += x, sum2 += x * x, sum3 += x * x * x;
-    largest = std::max(largest, std::abs(x));
+    largest = std::max(largest, std::abs(weight));
     ++count;
   }
-  double mean() const { return sum / double(count); }
-  double variance() const { return std::max(sum2 / double(count) - mean() * mean(), 0.0); }
+  double shifted() const { return sum / double(count); }
+  double mean() const { return first + shifted(); }
+  double variance() const { return std::max(sum2 / double(count) - shifted() * shifted(), 0.0); }
   double error() const { return std::sqrt(variance() / double(count)); }
   double skewness() const {
-    const double m = mean(), v = variance();
+    const double m = shifted(), v = variance();
     // The third moment of weights that are equal to rounding is rounding.
-    return v > 1e-12 * m * m ? (sum3 / double(count) - 3 * m * v - m * m * m) / std::pow(v, 1.5) : 0;
+    if (!(v > 1e-12 * mean() * mean())) return 0;
+    return (sum3 / double(count) - 3 * m * v - m * m * m) / std::pow(v, 1.5);
   }
 };
 
@@ -571,7 +576,7 @@ class SamplerJudge {
 
   std::string values_text() const {
     std::string text;
-    for (std::size_t k = 0; k < facts_.values.size(); ++k)
+    for (std::size_t k = 0; k < quantities_.of.size(); ++k)  // empty without a sampler
       text += (k ? " and " : "") +
               (facts_.values[k].name.empty() ? "the returned value" : facts_.values[k].name) + " is " +
               std::string(name_of(quantities_.of[k]));
