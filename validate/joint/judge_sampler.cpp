@@ -542,7 +542,9 @@ class SamplerJudge {
     conclude_one(distribution, done_[distribution] == long(cases_.size()),
                  !facts_.draws         ? no_sampler
                  : !facts_.has_density ? no_density
-                                       : distribution_why_,
+                 : distribution_why_.empty()
+                     ? "only " + std::to_string(done_[distribution]) + " of " + cases + " were examined"
+                     : distribution_why_,
                  "the samples follow the density in " + cases + " of " + std::to_string(draws()) +
                      " samples" + at_level + "; an error of " + io::percent(power_[distribution], 2) +
                      " in a quarter of the samples would be found");

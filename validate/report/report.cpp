@@ -50,7 +50,7 @@ void print_findings(std::ostream& out, const std::vector<Finding>& findings, boo
   for (const Finding& f : findings) {
     if (f.subject != subject) out << (subject.empty() ? "" : "\n") << io::printable(f.subject) << '\n';
     subject = f.subject;
-    out << "  " << std::left << std::setw(15) << f.check;
+    out << "  " << std::left << std::setw(15) << f.check << (f.check.size() < 15 ? "" : " ");
     if (colour) out << colours[std::size_t(f.outcome)];
     out << std::setw(16) << plain(f.outcome);
     if (colour) out << "\033[0m";
