@@ -39,8 +39,8 @@ JsonTable json_table(const Content& content) {
 
 namespace {
 
-// Returns whether a string begins with this word. A quotation mark behind a backslash belongs to a string, such
-// as the material of a synthetic table in a comment.
+// Returns whether a string begins with this word. A quotation mark behind a backslash belongs to a string,
+// such as the material of a synthetic table in a comment.
 bool has_string(std::string_view json, std::string_view begin) {
   const std::string quoted = "\"" + std::string(begin);
   for (std::size_t at = json.find(quoted); at != json.npos; at = json.find(quoted, at + 1))

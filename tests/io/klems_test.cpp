@@ -64,9 +64,8 @@ TEST(Klems, TakesTheFrontInVisibleLightAndNamesTheRest) {
                  matrix("Reflection Back", "x") + matrix("Reflection Front", kNine)));
   EXPECT_EQ(value_at(t, 0, 0, 0, 0), .10);
   EXPECT_THAT(t.assumptions,
-              Contains(HasSubstr("the surface 'Reflection Front', Visible; not read (remove the "
-                                 "blocks of this surface to read another): Reflection "
-                                 "Front Solar, Reflection Back Visible")));
+              Contains(HasSubstr("the matrix 'Reflection Front', Visible, is read; not read: Reflection "
+                                 "Front Solar, Reflection Back Visible (brdf convert")));
   EXPECT_THAT(t.warnings, Contains("1 block of transmission left out"));
   EXPECT_EQ(value_at(read(klems(matrix("Reflection Back", kNine))), 0, 0, 0, 0), .10);
 }

@@ -133,6 +133,8 @@ TEST(JsonText, IsNestedAHundredDeepAtMost) {
 TEST(JsonText, NamesThePlaceOfANumberBeyondTheRange) {
   EXPECT_EQ(json_message("{\"a\": [0, {\"b\": [1, 2, 1e400]}]}"),
             "m.json: $.a[1].b[2]: '1e400' exceeds the range of numbers");
+  EXPECT_EQ(json_message("{\"a\": [1, {\"b\": [2, 3, {\"c\": 1, \"c\": 2}]}]}"),
+            "m.json: $.a[1].b[2]: key \"c\" is given twice");
   EXPECT_EQ(json_message("-1e999"), "m.json: $: '-1e999' exceeds the range of numbers");
 }
 

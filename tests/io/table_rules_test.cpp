@@ -201,5 +201,13 @@ TEST(ExrTable, AFullDeviceIsTheEnvironmentsFault) {
   EXPECT_THROW(write_exr_table(folder.path() / "t.exr", read(kHeader + std::string(kRow))), EnvironmentError);
 }
 
+TEST(TableRules, CommentsAreLimited) {
+  constexpr std::size_t kMost = 100'000;
+  const std::string table = std::string(kHeader) + kRow;
+  EXPECT_EQ(read(repeated("#\n", kMost) + table).metadata.size(), kMost);
+  EXPECT_THAT(message(repeated("#\n", kMost + 1) + table),
+              testing::HasSubstr("has more than 100000 comments"));
+}
+
 }  // namespace
 }  // namespace brdf::io
