@@ -27,6 +27,8 @@ EXEMPT = {
     "io/material/familiar_names.cpp": "other programs' names for ours",
     "shader/front/roles.cpp": "what arguments of shaders are called",
     "shader/entry.cpp": "names of shaders' functions",
+    "shader/companions.cpp": "names of shaders' functions",
+    "shader/joint.cpp": "names of shaders' arguments",
     "shader/binding.cpp": "names of shaders' arguments",
     "shader/results.cpp": "names of shaders' results",
 }
