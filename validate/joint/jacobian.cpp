@@ -369,7 +369,8 @@ std::string cause_of(const Trio& trio, std::span<const DensityRow> rows) {
   if (claimed_is([](const Vector& w) { return w.z / kPi; }))
     return "is the cosine density cos_i / pi, which the samples do not have";
   if (constant_ratio([](const DensityRow& r) { return r.claimed; }))
-    return "has a wrong constant factor: the true density is " + io::short_number(factor, 5) + " of it";
+    return "has a wrong constant factor: the true density is " + io::short_number(factor, 5) +
+           " times this one";
   for (const Factor& f : kFactors)
     if (constant_ratio([&](const DensityRow& r) { return r.claimed * f.of(r.wi, wo); }))
       return times(f.cause);
