@@ -303,6 +303,7 @@ void add_validate(CLI::App& app) {
       "--map "
       "alpha=roughness*roughness\n"
       "          brdf validate --shader car_paint.glsl --seconds 5\n"
+      "          brdf validate --shader ggx.glsl --sample sampleGgx --pdf pdfGgx --require jacobian\n"
       "          brdf validate --all --numerics\n"
       "          brdf validate --integrators\n"
       "          brdf validate --microsurface\n"
