@@ -15,6 +15,7 @@ struct DensityRow {
   Vec3<double> wi;
   double claimed, truth;
   std::vector<double> u;  // the random numbers that led to the direction
+  std::size_t roots = 1;  // how many random numbers that lead to the direction were found
 };
 
 // The true density is the sum over all random numbers u that lead to the direction of the probability of the
