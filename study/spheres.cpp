@@ -6,7 +6,7 @@
 namespace brdf::study {
 namespace {
 
-constexpr int kPicturePixels = 360, kSmallPixels = 120;  // per side
+constexpr int kPicturePixels = 360, kSmallPixels = 112;  // per side
 
 }  // namespace
 

@@ -177,7 +177,7 @@ TEST_F(StudyOfFiles, PictureFilesAreThePagesPictures) {
   EXPECT_NE(text(kMeasured), text(kFitted));
   const Material material = io::read_material(options_.folder / kMaterial);
   EXPECT_EQ(text(kStudio),
-            io::sphere::studio_pictures(material, io::sphere::studio_exposure(material), 240).whole);
+            io::sphere::studio_pictures(material, io::sphere::studio_exposure(material), 224).whole);
   EXPECT_NE(text(kDifference), text(kMeasured));
 }
 
