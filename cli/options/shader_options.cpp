@@ -9,6 +9,7 @@
 #include "io/files/text.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/front/languages.h"
 #include "shader/in_more_digits.h"
 #include "shader/joint.h"
 #include "shader/material_form.h"
@@ -127,6 +128,16 @@ void add_sampler_options(CLI::App& verb, ShaderOptions& options) {
       "--pdf", options.pdf,
       "The density of the sampler's directions, NAME or NAME(L, V, N, ...) (of --shader; default: "
       "according to its name)");
+}
+
+std::vector<std::string> shader_suffixes() {
+#ifdef BRDF_HAS_SHADER
+  std::vector<std::string> out(std::begin(shader::kHlslSuffixes), std::end(shader::kHlslSuffixes));
+  out.insert(out.end(), std::begin(shader::kOtherSuffixes), std::end(shader::kOtherSuffixes));
+  return out;
+#else
+  throw EnvironmentError("this build has no shader compiler");
+#endif
 }
 
 bool is_given(const ShaderOptions& options) {

@@ -38,6 +38,10 @@ void add_sampler_options(CLI::App& verb, ShaderOptions& options);
 shader::ShaderChoice choice_of(const ShaderOptions& options);
 #endif
 
+// Returns the suffixes of the files that a folder of shaders is searched for, in lower case. Throws
+// EnvironmentError if this build has no shader compiler.
+std::vector<std::string> shader_suffixes();
+
 // A shader's file as verbs need it.
 struct LoadedShader {
   Reflectance reflectance;

@@ -33,24 +33,22 @@ struct CheckShaderCall {
   std::uint64_t seed = 1;
 };
 
-// Files in folders that may be shaders. A file that is named itself may have any suffix.
-constexpr std::string_view kShaderSuffixes[] = {".glsl",  ".frag",   ".vert", ".comp", ".fs",  ".vs",
-                                                ".hlsl",  ".hlsli",  ".fx",   ".fxh",  ".usf", ".ush",
-                                                ".cginc", ".shader", ".brdf", ".spv"};
-
-bool may_be_shader(const fs::path& file) {
-  return std::ranges::find(kShaderSuffixes, io::lower_case(file.extension().string())) !=
-         std::end(kShaderSuffixes);
-}
-
-// Returns the files, in the order of their names; hidden folders are left out.
+// Returns the files, those of a folder in the order of their names, each once. Hidden folders are left out. A
+// file that is named itself may have any suffix.
 std::vector<std::string> shader_files(const std::vector<std::string>& paths) {
+  const std::vector<std::string> suffixes = shader_suffixes();
+  const auto may_be_shader = [&](const fs::path& file) {
+    return std::ranges::find(suffixes, io::lower_case(file.extension().string())) != suffixes.end();
+  };
   std::vector<std::string> files;
+  const auto add = [&](const std::string& file) {
+    if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+  };
   for (const std::string& path : paths) {
     std::error_code error;
     if (!fs::exists(path, error)) throw InputError(path + ": is neither a folder nor a file");
     if (!fs::is_directory(path, error)) {
-      files.push_back(path);
+      add(fs::path(path).lexically_normal().string());
       continue;
     }
     std::vector<std::string> found;
@@ -61,10 +59,9 @@ std::vector<std::string> shader_files(const std::vector<std::string>& paths) {
       if (at->is_regular_file() && may_be_shader(file)) found.push_back(file.lexically_normal().string());
     }
     if (found.empty())
-      throw InputError(path + ": holds no shader; shaders have the suffixes " +
-                       io::joined({std::begin(kShaderSuffixes), std::end(kShaderSuffixes)}));
+      throw InputError(path + ": holds no shader; shaders have the suffixes " + io::joined(suffixes));
     std::ranges::sort(found);
-    files.insert(files.end(), found.begin(), found.end());
+    for (const std::string& file : found) add(file);
   }
   return files;
 }
@@ -150,11 +147,11 @@ Exit run_check_shader(const CheckShaderCall& o) {
     progress(int(k), int(files.size()));
     const std::vector<Finding> own = findings_of(files[k], o, options);
     erase_progress();
-    if (!o.json) print_file(files[k], own, o.update ? validate::Baseline(own) : before);
+    if (!o.json) print_file(files[k], own, o.update ? before.updated(own) : before);
     findings.insert(findings.end(), own.begin(), own.end());
   }
   progress(int(files.size()), int(files.size()));
-  const validate::Baseline accepted = o.update ? validate::Baseline(findings) : before;
+  const validate::Baseline accepted = o.update ? before.updated(findings) : before;
   const std::vector<validate::Baseline::Entry> obsolete = before.obsolete(findings);
   write_reports(o, findings, accepted);
   if (o.update) io::write_file_atomically(o.baseline, io::to_text(accepted.to_json()));
@@ -183,7 +180,9 @@ void add_check_shader(CLI::App& app) {
       ->required();
   verb->add_option("--baseline", o->baseline,
                    "File of accepted findings: only findings that it does not hold fail the run");
-  verb->add_flag("--update-baseline", o->update, "Accept the findings of this run: write them to --baseline");
+  verb->add_flag(
+      "--update-baseline", o->update,
+      "Accept the findings of this run: write them to --baseline, which keeps the entries of other files");
   verb->add_option("--junit", o->junit, "Results to write as JUnit's XML");
   verb->add_option("--sarif", o->sarif, "Findings to write as SARIF 2.1.0");
   add_repeated_option(*verb, "--define", o->defines, "A macro that is defined in all files, NAME=VALUE");

@@ -33,7 +33,8 @@ class Pace {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double, std::milli>(now).count();
   }
-  // A frame of 40 ms, less 15 ms for panels and presentation (at 1280 x 720 on two cores 15 to 30 ms).
+  // A frame of 40 ms, less 15 ms for panels and presentation (at 1280 x 720 up to 37 ms of processor
+  // time, which two cores share).
   static constexpr double kPatience = 25;
 
   explicit Pace(Clock clock = steady_clock) : clock_(std::move(clock)) {}

@@ -133,7 +133,7 @@ Language language_of(std::string_view bare, std::string_view suffix) {
     hlsl = hlsl || one_of(t.text, {"float2", "float3", "float4", "half3", "half4", "cbuffer", "min16float3"});
   }
   if (glsl != hlsl) return hlsl ? Language::hlsl : Language::glsl;
-  const bool by_suffix = one_of(suffix, {".hlsl", ".hlsli", ".fx", ".fxh", ".usf", ".ush", ".cginc"});
+  const bool by_suffix = std::ranges::find(kHlslSuffixes, suffix) != std::end(kHlslSuffixes);
   return by_suffix ? Language::hlsl : Language::glsl;
 }
 

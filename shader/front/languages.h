@@ -22,6 +22,12 @@ struct Token {
 // return the tokens of preprocessor lines.
 std::vector<Token> tokens_of(std::string_view bare, bool directives = false);
 
+// Suffixes of shaders' files, in lower case. The suffix decides the language only if no word does.
+inline constexpr std::string_view kHlslSuffixes[] = {".hlsl", ".hlsli", ".fx",   ".fxh",
+                                                     ".usf",  ".ush",   ".cginc"};
+inline constexpr std::string_view kOtherSuffixes[] = {".glsl", ".frag", ".vert",   ".comp", ".fs",
+                                                      ".vs",   ".brdf", ".shader", ".spv"};
+
 // Detects the language from words that only one of the two languages has, otherwise from the file's suffix
 // (lower case). Engines use .fx, .shader or .txt for both languages.
 Language language_of(std::string_view bare, std::string_view suffix);

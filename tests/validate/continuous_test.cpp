@@ -40,7 +40,7 @@ std::string message_of(const io::Json& json) {
 
 TEST(Baseline, AcceptsFindingsByFileAndCheck) {
   std::vector<Finding> findings = found();
-  const Baseline accepted(Baseline(findings).to_json(), "accepted.json");
+  const Baseline accepted(Baseline().updated(findings).to_json(), "accepted.json");
   findings[0].statement = "directional albedo up to 1.3";  // the value may change
   for (const Finding& f : findings) EXPECT_FALSE(is_new(f, accepted)) << f.check;
   EXPECT_TRUE(is_new(findings[0], Baseline()));
@@ -51,7 +51,7 @@ TEST(Baseline, AcceptsFindingsByFileAndCheck) {
 // A finding that was not looked for again is not known to be gone.
 TEST(Baseline, NamesEntriesThatNoLongerFail) {
   std::vector<Finding> findings = found();
-  const Baseline accepted(findings);
+  const Baseline accepted = Baseline().updated(findings);
   EXPECT_TRUE(accepted.obsolete(findings).empty());
   findings[0].outcome = Outcome::pass;
   EXPECT_EQ(accepted.obsolete(findings), (std::vector<Baseline::Entry>{{"lib/a b.glsl", "energy"}}));
@@ -63,8 +63,22 @@ TEST(Baseline, NamesEntriesThatNoLongerFail) {
   EXPECT_TRUE(accepted.obsolete({unreadable}).empty());
 }
 
+// A run over a part of the files loses no entry of the others.
+TEST(Baseline, KeepsEntriesThatARunDidNotDecide) {
+  std::vector<Finding> findings = found();
+  const Baseline accepted = Baseline().updated(findings);
+  const Finding other{.subject = "d.glsl", .check = "energy", .outcome = Outcome::fail, .statement = "1.1"};
+  const Baseline more = accepted.updated({other});
+  EXPECT_TRUE(more.accepts(findings[0]) && more.accepts(findings[1]) && more.accepts(other));
+  findings[0].outcome = Outcome::undecided;
+  findings[1].outcome = Outcome::pass;
+  const Baseline less = more.updated(findings);
+  EXPECT_TRUE(less.accepts(findings[0]) && less.accepts(other));
+  EXPECT_FALSE(less.accepts(findings[1]));
+}
+
 TEST(Baseline, ThatIsDamagedIsRefusedWithItsPlace) {
-  io::Json json = Baseline(found()).to_json();
+  io::Json json = Baseline().updated(found()).to_json();
   EXPECT_EQ(message_of(json), "read");
   io::Json damaged = json;
   damaged["accepted"][1].erase("check");
@@ -86,14 +100,14 @@ TEST(Junit, CountsFailuresAndSkipsWhatIsAcceptedOrUndecided) {
   EXPECT_THAT(all, HasSubstr("$ brdf albedo --shader"));
   EXPECT_THAT(all, HasSubstr("<skipped message=\"undecided: no time\"/>"));
   EXPECT_THAT(all, Not(HasSubstr("name=\"albedo\"")));
-  const std::string none = to_junit(found(), Baseline(found()));
+  const std::string none = to_junit(found(), Baseline().updated(found()));
   EXPECT_THAT(none, HasSubstr("tests=\"4\" failures=\"0\" errors=\"0\" skipped=\"3\">"));
   EXPECT_THAT(none, HasSubstr("<skipped message=\"accepted: directional"));
 }
 
 TEST(Sarif, HasARuleForEachCheckAndAPlaceForEachFinding) {
   std::vector<Finding> findings = found();
-  const io::Json log = to_sarif(findings, Baseline({findings[1]}));
+  const io::Json log = to_sarif(findings, Baseline().updated({findings[1]}));
   EXPECT_EQ(log["version"], "2.1.0");
   const io::Json& run = log["runs"][0];
   EXPECT_EQ(run["tool"]["driver"]["rules"].size(), check_names().size() + 1);
@@ -105,6 +119,9 @@ TEST(Sarif, HasARuleForEachCheckAndAPlaceForEachFinding) {
   EXPECT_EQ(place(0)["artifactLocation"]["uri"], "lib/a%20b.glsl");
   EXPECT_FALSE(place(0).contains("region"));
   EXPECT_EQ(place(1)["region"]["startLine"], 12);
+  findings[0].statement = "as bright as a polyline 4 degrees apart";  // names no line
+  EXPECT_FALSE(
+      to_sarif(findings, {})["runs"][0]["results"][0]["locations"][0]["physicalLocation"].contains("region"));
   EXPECT_EQ(results[0]["baselineState"], "new");
   EXPECT_EQ(results[1]["baselineState"], "unchanged");
   EXPECT_EQ(results[2]["kind"], "open");

@@ -537,7 +537,7 @@ class SamplerJudge {
                  "the density equals the density of the samples at " + std::to_string(decided_) + " of " +
                      std::to_string(probes_) + " directions, to " +
                      io::short_number(std::max(largest_ratio_error_, 1e-8), 2) + "; an error above " +
-                     io::percent(kJacobianBound) + " at a twentieth of the directions would be found");
+                     io::percent(kJacobianBound) + " at a twentieth of these directions would be found");
     findings_[distribution].bound = -std::log10(level_);
     conclude_one(distribution, done_[distribution] == long(cases_.size()),
                  !facts_.draws         ? no_sampler

@@ -25,11 +25,11 @@ std::string meaning_of_rule(std::string_view check) {
   return check == kReadable ? "The file can be read as a reflectance." : std::string(check_meaning(check));
 }
 
-// Finds the source line that a statement names: "..., line 12, `x / y`: ...".
+// Finds the source line that a statement names: "...; line 12, `x / y`: ...".
 std::optional<int> line_in(const std::string& statement) {
   constexpr std::string_view kLine = "line ";
   const std::size_t at = statement.find(kLine);
-  if (at == statement.npos) return std::nullopt;
+  if (at == statement.npos || (at > 0 && statement[at - 1] != ' ')) return std::nullopt;
   const int line = std::atoi(statement.c_str() + at + kLine.size());
   return line > 0 ? std::optional(line) : std::nullopt;
 }
@@ -105,9 +105,12 @@ Baseline::Baseline(const Json& json, const std::string& name) {
   }
 }
 
-Baseline::Baseline(const std::vector<Finding>& findings) {
+Baseline Baseline::updated(const std::vector<Finding>& findings) const {
+  Baseline out = *this;
+  for (const Entry& entry : obsolete(findings)) out.entries_.erase(entry);
   for (const Finding& f : findings)
-    if (f.outcome == Outcome::fail) entries_.emplace(f.subject, f.check);
+    if (f.outcome == Outcome::fail) out.entries_.emplace(f.subject, f.check);
+  return out;
 }
 
 std::vector<Baseline::Entry> Baseline::obsolete(const std::vector<Finding>& findings) const {

@@ -23,8 +23,9 @@ class Baseline {
   Baseline() = default;
   // Throws InputError, with the place in the file, if `json` was not written by to_json().
   explicit Baseline(const io::Json& json, const std::string& name);
-  // The failed findings.
-  explicit Baseline(const std::vector<Finding>& findings);
+  // Returns the list with the failed findings of these files, and with its own entries of other files and of
+  // checks that could not decide.
+  Baseline updated(const std::vector<Finding>& findings) const;
 
   bool accepts(const Finding& finding) const { return entries_.contains({finding.subject, finding.check}); }
   // Returns the accepted findings of these files that no longer fail.
