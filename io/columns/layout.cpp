@@ -66,10 +66,9 @@ class LayoutReader {
     out_.guesses = unsure.guesses();
     read_notation();
     const JsonPlace columns = root_.at("columns");
-    constexpr std::size_t kMostEntries = 5000;
-    if (columns.size() > kMostEntries)
-      fail("$.columns",
-           std::to_string(columns.size()) + " entries exceed the limit of " + std::to_string(kMostEntries));
+    if (columns.size() > kMostLayoutEntries)
+      fail("$.columns", std::to_string(columns.size()) + " entries exceed the limit of " +
+                            std::to_string(kMostLayoutEntries));
     for (std::size_t k = 0; k < columns.size(); ++k) out_.columns.push_back(entry(columns.at(k)));
     check_columns();
     check_values();

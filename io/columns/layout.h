@@ -33,6 +33,9 @@ enum class Meaning {
 // The direction from which a polar angle is measured.
 enum class From { normal, surface };
 
+// A layout has at most so many entries, so that a hostile file costs little.
+inline constexpr std::size_t kMostLayoutEntries = 5000;
+
 // One entry of `columns`: a column by its name or position, or a constant in place of a column.
 struct LayoutColumn {
   std::string path;                     // "$.columns[2]", for messages

@@ -141,10 +141,9 @@ class Proposer {
     without_header_ = columns().empty();
     if (without_header_) dialect_.split_header(line, fields);
     const std::size_t width = std::max(columns().size(), fields.size());
-    constexpr std::size_t kMostEntries = 5000;
-    if (width > kMostEntries)
+    if (width > kMostLayoutEntries)
       throw InputError(text_.name + ": " + std::to_string(width) + " columns exceed the limit of " +
-                       std::to_string(kMostEntries) + " entries of a layout");
+                       std::to_string(kMostLayoutEntries) + " entries of a layout");
     facts_.resize(without_header_ ? fields.size() : columns().size());
     if (is_row) read_row(line);
   }

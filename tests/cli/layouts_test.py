@@ -2,7 +2,6 @@
 # ctest: cli.layouts label=cli @brdf@ @source@
 """layouts_test.py BRDF SOURCE: tests that docs/layout.schema.json and the program accept and refuse the same layouts, and that
 describe-table proposes layouts that follow the schema. Exit code 77 without python3-jsonschema."""
-import copy
 import json
 import pathlib
 import subprocess
@@ -14,6 +13,8 @@ try:
 except ImportError:
     print("python3-jsonschema is not installed")
     sys.exit(77)
+
+from documents import changer_of
 
 brdf, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 BAD_FILE = 2
@@ -37,20 +38,7 @@ FULL = {
 LEAST = {"format": "brdf-layout", "version": 1, "quantity": "f_r",
          "columns": [{"name": "in", "is": "theta_i"}, {"name": "out", "is": "theta_o"},
                      {"name": "green", "is": "value", "channel": "g"}]}
-
-
-def changed(path, value, layout=FULL):
-    """Returns the layout with this value at a path; `del` removes the value at the path."""
-    out = copy.deepcopy(layout)
-    place = out
-    for key in path[:-1]:
-        place = place[key]
-    if value == "del":
-        del place[path[-1]]
-    else:
-        place[path[-1]] = value
-    return out
-
+changed = changer_of(FULL)
 
 GOOD = {
     "every key": FULL,

@@ -3,7 +3,6 @@
 """scenes_test.py BRDF SOURCE: tests that the shipped scenes follow docs/scene.schema.json, and that the schema and the program
 accept and refuse the same scenes. ./test draws every third scene, ./test --full (BRDF_THOROUGH) all. Exit code 77 without
 python3-jsonschema."""
-import copy
 import json
 import os
 import pathlib
@@ -16,6 +15,8 @@ try:
 except ImportError:
     print("python3-jsonschema is not installed")
     sys.exit(77)
+
+from documents import changer_of
 
 brdf, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 BAD_FILE = 2
@@ -40,20 +41,7 @@ FULL = {
                  "scale": [1, 2, 3]}],
     "shading": "brdf", "per_vertex": False, "as_coded": False, "tone_map": "srgb", "exposure": 1,
 }
-
-
-def changed(path, value, scene=FULL):
-    """Returns the scene with this value at a path; `del` removes the value at the path."""
-    out = copy.deepcopy(scene)
-    place = out
-    for key in path[:-1]:
-        place = place[key]
-    if value == "del":
-        del place[path[-1]]
-    else:
-        place[path[-1]] = value
-    return out
-
+changed = changer_of(FULL)
 
 GOOD = {
     "every key": FULL,
