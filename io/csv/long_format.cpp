@@ -1,9 +1,12 @@
 #include "io/csv/long_format.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "io/files/error.h"
 #include "io/files/limits.h"
@@ -24,37 +27,46 @@ std::vector<Band> each_once(std::vector<Band> bands) {
   return bands;
 }
 
-auto directions_of(const SampleTable& table, std::size_t row) {
-  return std::tuple(table.theta_i[row], table.phi_i[row], table.theta_o[row], table.phi_o[row]);
-}
-
-// Returns all rows ordered by directions, then by band, then in the file's order.
-Rows sorted_rows(const SampleTable& table, const std::vector<Band>& bands) {
-  Rows rows(table.rows());
-  std::iota(rows.begin(), rows.end(), std::size_t{0});
-  std::ranges::sort(rows, [&](std::size_t a, std::size_t b) {
-    return std::tuple(directions_of(table, a), bands[a], a) <
-           std::tuple(directions_of(table, b), bands[b], b);
-  });
-  return rows;
-}
-
 std::size_t first_row(Pair pair) {
   return *std::ranges::min_element(pair);
 }
 
-// Returns the pairs in the order of their first rows.
-std::vector<Pair> pairs_of(const SampleTable& table, const Rows& sorted) {
+// All rows, ordered by directions, then by band, then in the file's order; and the pairs of directions, in
+// the order of their first rows.
+struct Sorted {
+  Rows rows;
   std::vector<Pair> pairs;
-  for (auto begin = sorted.begin(); begin != sorted.end();) {
-    const auto end = std::find_if(begin, sorted.end(), [&](std::size_t row) {
-      return directions_of(table, row) != directions_of(table, *begin);
-    });
-    pairs.emplace_back(begin, end);
-    begin = end;
+};
+
+// `bands`: all bands, in order. Sorts copies of the angles: a sort of row numbers alone would miss the cache
+// at each comparison and takes ten times as long for millions of rows.
+Sorted sorted_pairs(const SampleTable& table, const std::vector<Band>& of_rows,
+                    const std::vector<Band>& bands) {
+  struct Key {
+    std::array<double, 4> directions;
+    std::uint32_t band, row;
+  };
+  static_assert(kMostRows <= std::numeric_limits<std::uint32_t>::max());
+  std::vector<Key> keys(table.rows());
+  for (std::size_t k = 0; k < keys.size(); ++k)
+    keys[k] = {{table.theta_i[k], table.phi_i[k], table.theta_o[k], table.phi_o[k]},
+               std::uint32_t(std::ranges::lower_bound(bands, of_rows[k]) - bands.begin()),
+               std::uint32_t(k)};
+  std::ranges::sort(keys, [](const Key& a, const Key& b) {
+    return std::tie(a.directions, a.band, a.row) < std::tie(b.directions, b.band, b.row);
+  });
+  Sorted out;
+  out.rows.reserve(keys.size());
+  for (const Key& key : keys) out.rows.push_back(key.row);
+  std::vector<std::pair<std::size_t, Pair>> pairs;  // each with its first row
+  for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
+    while (end < keys.size() && keys[end].directions == keys[begin].directions) ++end;
+    const Pair pair(out.rows.data() + begin, end - begin);
+    pairs.emplace_back(first_row(pair), pair);
   }
-  std::ranges::sort(pairs, [](Pair a, Pair b) { return first_row(a) < first_row(b); });
-  return pairs;
+  std::ranges::sort(pairs, {}, &std::pair<std::size_t, Pair>::first);
+  for (const auto& [first, pair] : pairs) out.pairs.push_back(pair);
+  return out;
 }
 
 std::string words_of(const Band& band) {
@@ -104,10 +116,10 @@ bool has_all_bands(const std::vector<Band>& of_rows, const std::vector<Band>& ba
 std::vector<std::string> warnings_of(const SampleTable& narrow, const std::vector<Band>& bands) {
   const Band &first = bands.front(), &last = bands.back();
   const std::string count = std::to_string(bands.size());
-  const std::string what = bands.size() == 1 ? "1 band, " + words_of(first)
-                           : !first.polarisation
-                               ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
-                               : count + " bands, " + words_of(first) + " to " + words_of(last);
+  const std::string what =
+      bands.size() == 1     ? "1 band" + (words_of(first).empty() ? "" : ", " + words_of(first))
+      : !first.polarisation ? count + " wavelengths, " + to_text(first.nm) + " to " + words_of(last)
+                            : count + " bands, " + words_of(first) + " to " + words_of(last);
   std::vector<std::string> warnings = narrow.warnings;
   warnings.push_back("long format: " + plural(narrow.rows(), "row") + " of " + what);
   return warnings;
@@ -141,10 +153,10 @@ void add_rows(const SampleTable& narrow, const std::vector<Measured>& all, Sampl
 
 std::size_t leave_out_incomplete(SampleTable& narrow, std::vector<Band>& of_rows) {
   const std::vector<Band> bands = each_once(of_rows);
-  const Rows sorted = sorted_rows(narrow, of_rows);
+  const Sorted sorted = sorted_pairs(narrow, of_rows, bands);
   Rows kept;
   std::size_t incomplete = 0;
-  for (const Pair pair : pairs_of(narrow, sorted)) {
+  for (const Pair pair : sorted.pairs) {
     if (has_all_bands(of_rows, bands, pair))
       kept.insert(kept.end(), pair.begin(), pair.end());
     else
@@ -163,10 +175,10 @@ SampleTable widened(const SampleTable& narrow, const std::vector<Band>& of_rows)
   if (bands.size() > kMostChannels)
     throw InputError(narrow.name() + ": " + std::to_string(bands.size()) +
                      " wavelengths exceed the limit of " + std::to_string(kMostChannels));
-  const Rows sorted = sorted_rows(narrow, of_rows);
+  const Sorted sorted = sorted_pairs(narrow, of_rows, bands);
   const bool has_values = !narrow.channels.empty();
   std::vector<Measured> all;
-  for (const Pair pair : pairs_of(narrow, sorted))
+  for (const Pair pair : sorted.pairs)
     all.push_back({pair, has_values ? times_measured(narrow, of_rows, bands, pair) : 1});
 
   SampleTable wide;

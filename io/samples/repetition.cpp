@@ -98,7 +98,8 @@ void leave_out(SampleTable& table, const MayRepeat& may_repeat, const IsWrittenT
   keep_rows(table, kept);
   table.warnings.push_back(std::to_string(repeated) + (repeated == 1 ? " row repeats" : " rows repeat") +
                            " a direction with the same values (azimuths of 0 and 360 degrees, or any azimuth "
-                           "along the normal) and left out");
+                           "along the normal) and " +
+                           (repeated == 1 ? "is" : "are") + " left out");
 }
 
 }  // namespace
