@@ -11,6 +11,7 @@
 #include "brdf/quadrature.h"
 #include "io/formats/klems_bases.h"
 #include "io/samples/degrees.h"
+#include "synth/patch_symmetry.h"
 
 namespace brdf::synth {
 namespace {
@@ -36,67 +37,64 @@ double gap(double low, double high) {
 using Box = std::array<std::array<double, 2>, 4>;
 constexpr std::size_t kLightU = 0, kViewerU = 1, kViewerPhi = 2, kLightPhi = 3;
 
-// The widths of a lobe around the mirror direction (or the light), by polar angle.
-class LobeWidths {
+// The half widths at half maximum of a lobe, in degrees: in the direction in which the lobe is narrowest, and
+// in the direction in which it is widest. Infinite and 0 if there is no lobe.
+struct Widths {
+  double narrow = std::numeric_limits<double>::infinity(), wide = 0;
+};
+
+// The widths of the lobe around the mirror direction (or the light), by polar angle.
+class Lobe {
  public:
-  LobeWidths(const Material& material, bool is_mirror, bool is_isotropic) {
+  Lobe(const Material& material, bool is_mirror, bool is_isotropic) {
     for (std::size_t k = 0; k < kAngles; ++k)
       for (const double phi : {0.0, 45.0, 90.0}) {
         if (phi > 0 && is_isotropic) continue;
-        widths_[k] = std::min(widths_[k], width_at(material, kStep * double(k), phi, is_mirror));
+        const Widths one = widths_at(material, kStep * double(k), phi, is_mirror);
+        widths_[k].narrow = std::min(widths_[k].narrow, one.narrow);
+        widths_[k].wide = std::max(widths_[k].wide, one.wide);
       }
   }
-  // Returns the half width at half maximum, in degrees, at the polar angles next to `theta`; infinite if
-  // there is no lobe.
-  double at(double theta) const {
+  // Returns the widths at the polar angles next to `theta`.
+  Widths at(double theta) const {
     const auto k = std::min(static_cast<std::size_t>(theta / kStep), kAngles - 1);
-    return std::min(widths_[k], widths_[std::min(k + 1, kAngles - 1)]);
+    const Widths &below = widths_[k], &above = widths_[std::min(k + 1, kAngles - 1)];
+    return {std::min(below.narrow, above.narrow), std::max(below.wide, above.wide)};
   }
 
  private:
   static constexpr double kStep = 5;  // degrees
   static constexpr std::size_t kAngles = 18;
 
-  static double width_at(const Material& material, double theta, double phi, bool is_mirror) {
+  static Widths widths_at(const Material& material, double theta, double phi, bool is_mirror) {
     constexpr double kNarrowest = 0.005, kWidest = 12;  // degrees
     std::vector<double> peak(material.channels.size()), f(peak.size());
     const double viewer_phi = phi + (is_mirror ? 180 : 0);
     const Vec3<double> light = io::unit_vector(theta, phi);
     eval(material, light, io::unit_vector(theta, viewer_phi), peak);
+    Widths widths;
     for (double d = kNarrowest; d < kWidest; d *= 1.5) {
       const double turn = theta > d ? d / io::sin_degrees(theta) : 180;
-      const Vec3<double> beside[] = {io::unit_vector(theta + d < 90 ? theta + d : theta - d, viewer_phi),
-                                     io::unit_vector(theta > 0 ? theta : d, viewer_phi + turn)};
-      for (const Vec3<double>& viewer : beside) {
+      const Vec3<double> aside[] = {io::unit_vector(theta + d < 90 ? theta + d : theta - d, viewer_phi),
+                                    io::unit_vector(theta > 0 ? theta : d, viewer_phi + turn)};
+      bool all = true;
+      for (const Vec3<double>& viewer : aside) {
         eval(material, light, viewer, f);
-        for (std::size_t c = 0; c < f.size(); ++c)
-          if (f[c] < peak[c] / 2) return d;
+        for (std::size_t c = 0; c < f.size(); ++c) {
+          if (f[c] < peak[c] / 2)
+            widths.narrow = std::min(widths.narrow, d);
+          else
+            all = false;
+        }
       }
+      widths.wide = d;
+      if (all) return widths;
     }
-    return std::numeric_limits<double>::infinity();
+    return widths.narrow < kWidest ? widths : Widths{};
   }
 
-  std::array<double, kAngles> widths_ = [] {
-    std::array<double, kAngles> widths;
-    widths.fill(std::numeric_limits<double>::infinity());
-    return widths;
-  }();
+  std::array<Widths, kAngles> widths_;
 };
-
-// Returns whether f_r depends only on the difference of azimuths.
-bool is_turnable(const Material& material) {
-  if (is_anisotropic(material)) return false;
-  std::vector<double> first(material.channels.size()), turned(first.size());
-  for (const double theta_i : {5.0, 35.0, 70.0})
-    for (const double theta_o : {20.0, 37.0, 80.0})
-      for (const double turn : {13.0, 90.0, 201.0}) {
-        eval(material, io::unit_vector(theta_i, 0), io::unit_vector(theta_o, 170), first);
-        eval(material, io::unit_vector(theta_i, turn), io::unit_vector(theta_o, 170 + turn), turned);
-        for (std::size_t c = 0; c < first.size(); ++c)
-          if (std::abs(first[c] - turned[c]) > 1e-6 * std::abs(first[c])) return false;
-      }
-  return true;
-}
 
 struct Mean {
   std::vector<double> of;  // channels
@@ -107,35 +105,37 @@ struct Mean {
 // Integrates one pair of patches.
 class PairIntegral {
  public:
-  PairIntegral(const Material& material, const LobeWidths& mirror, const LobeWidths& retro, bool is_turnable)
+  PairIntegral(const Material& material, const Lobe& mirror, const Lobe& retro, bool is_turnable)
       : material_(material), mirror_(mirror), retro_(retro), dimensions_(is_turnable ? 3 : 4) {}
 
   Mean mean(const Patch& light, const Patch& viewer) {
     light_ = light;
     viewer_ = viewer;
-    first_.clear();
     total_.assign(material_.channels.size(), 0.0);
-    const bool is_lobe_resolved = divide_to_lobe(pieces());
+    std::vector<Cell> first;
+    const bool is_lobe_resolved = divide_to_lobe(pieces(), first);
     scale_ = total_;
     for (double& scale : scale_) scale = std::max(std::abs(scale), kSmallest);
     // The errors are known only now that the sizes of the values are known.
-    std::priority_queue<Cell> cells;
+    std::priority_queue<Examined> cells;
     double error = 0;
-    for (const Cell& cell : first_) {
-      const Halves halves = halved(cell);
-      for (const Cell& half : halves.of) {
-        error += half.error;
-        cells.push(half);
-      }
+    for (const Cell& cell : first) {
+      Examined one = examined(cell);
+      error += one.error;
+      cells.push(std::move(one));
     }
-    while (error > kPatchTolerance && cells.size() < 2 * most_cells()) {
-      const Cell cell = cells.top();
+    while (error > kPatchTolerance && cells.size() < most_cells()) {
+      const Examined worst = cells.top();
       cells.pop();
-      const Halves halves = halved(cell);
-      error -= cell.error;
-      for (const Cell& half : halves.of) {
-        error += half.error;
-        cells.push(half);
+      add(worst.correction, -1);
+      error -= worst.error;
+      // The halves replace the cell in the total.
+      add(worst.of.integral, -1);
+      for (const Cell& half : worst.halves) {
+        add(half.integral, 1);
+        Examined one = examined(half);
+        error += one.error;
+        cells.push(std::move(one));
       }
     }
     return {total_, std::max(error, 0.0), is_lobe_resolved && error <= kPatchTolerance};
@@ -145,12 +145,14 @@ class PairIntegral {
   struct Cell {
     Box box;
     std::vector<double> integral;  // of the channels; the integral over all cells is the mean
-    std::size_t widest = 0;        // the dimension of the largest second difference
-    double error = 0;
-    bool operator<(const Cell& other) const { return error < other.error; }
   };
-  struct Halves {
-    std::array<Cell, 2> of;
+  // A cell with the changes of its integral by halving it in each dimension. Their sum corrects the integral.
+  struct Examined {
+    Cell of;
+    std::array<Cell, 2> halves;  // in the dimension of the largest change
+    std::vector<double> correction;
+    double error = 0;  // sum of the changes of all dimensions, relative to the mean
+    bool operator<(const Examined& other) const { return error < other.error; }
   };
 
   // The azimuths are cut where the density of their differences has a kink, and at both planes of symmetry.
@@ -199,7 +201,7 @@ class PairIntegral {
 
   // Halves the cells around the lobes until they are as narrow as the lobe. Returns false if they became too
   // many. All cells of a size are halved before smaller ones.
-  bool divide_to_lobe(std::vector<Box> boxes) {
+  bool divide_to_lobe(std::vector<Box> boxes, std::vector<Cell>& first) {
     bool is_resolved = true;
     for (std::size_t k = 0; k < boxes.size(); ++k) {
       const Box box = boxes[k];
@@ -207,8 +209,8 @@ class PairIntegral {
       const bool is_full = boxes.size() > most_cells();
       if (widest == dimensions_ || is_full) {
         is_resolved = is_resolved && widest == dimensions_;
-        first_.push_back(cell_of(box));
-        for (std::size_t c = 0; c < total_.size(); ++c) total_[c] += last_[c];
+        first.push_back(cell_of(box));
+        add(first.back().integral, 1);
         continue;
       }
       const auto [low, high] = cut(box, widest);
@@ -219,7 +221,7 @@ class PairIntegral {
   }
 
   // Four dimensions need many cells for a narrow lobe, and time is limited.
-  std::size_t most_cells() const { return dimensions_ == 3 ? 100'000 : 300; }
+  std::size_t most_cells() const { return dimensions_ == 3 ? 100'000 : 3000; }
 
   static std::pair<Box, Box> cut(const Box& box, std::size_t dimension) {
     std::pair<Box, Box> halves{box, box};
@@ -241,11 +243,14 @@ class PairIntegral {
     const double apart_in_theta = std::max({light[0] - viewer[1], viewer[0] - light[1], 0.0});
     const double low = box[kViewerPhi][0] - box[kLightPhi][1], high = box[kViewerPhi][1] - box[kLightPhi][0];
     const double nearest = io::sin_degrees(std::min(light[0], viewer[0]));
-    const auto is_at = [&](const LobeWidths& widths, double turn) {
-      const double width = widths.at((light[0] + light[1]) / 2);
+    const auto is_at = [&](const Lobe& lobe, double turn) {
+      const Widths widths = lobe.at((light[0] + light[1]) / 2);
       constexpr double kReach = 3;  // widths
-      return sizes[widest] > width && apart_in_theta < kReach * width &&
-             gap(low - turn, high - turn) * nearest < kReach * width;
+      const auto is_within = [&](double width) {
+        return sizes[widest] > width && apart_in_theta < kReach * width &&
+               gap(low - turn, high - turn) * nearest < kReach * width;
+      };
+      return is_within(widths.narrow) || is_within(widths.wide);
     };
     return is_at(mirror_, 180) || is_at(retro_, 0) ? widest : dimensions_;
   }
@@ -284,8 +289,6 @@ class PairIntegral {
     Cell cell{box, std::vector<double>(channels, 0.0)};
     for (std::size_t c = 0; c < channels; ++c)
       for (std::size_t k = 0; k < count; ++k) cell.integral[c] += weights_[k] * values_[c * kMostNodes + k];
-    cell.widest = roughest(box, count, channels);
-    last_ = cell.integral;
     return cell;
   }
 
@@ -299,75 +302,56 @@ class PairIntegral {
     return {s * io::cos_degrees(phi), s * io::sin_degrees(phi), std::sqrt(1 - u)};
   }
 
-  // Returns the dimension in which the values of the nodes bend most.
-  std::size_t roughest(const Box& box, std::size_t count, std::size_t channels) const {
-    std::size_t best = 0;
-    double most = -1;
-    for (std::size_t d = 0, stride = 1; d < dimensions_; ++d, stride *= kNodes) {
-      double bend = 0;
-      for (std::size_t k = 0; k < count; ++k) {
-        if (k / stride % kNodes != 1) continue;
-        for (std::size_t c = 0; c < channels; ++c)
-          bend +=
-              weights_[k] * std::abs(values_[c * kMostNodes + k - stride] - 2 * values_[c * kMostNodes + k] +
-                                     values_[c * kMostNodes + k + stride]);
-      }
-      if (bend > most && box[d][1] > box[d][0]) {
-        most = bend;
-        best = d;
-      }
-    }
-    return best;
+  void add(const std::vector<double>& integral, double times) {
+    for (std::size_t c = 0; c < total_.size(); ++c) total_[c] += times * integral[c];
   }
 
-  // Halves a cell, replaces its integral in the total, and takes the difference as the error of both halves.
-  Halves halved(const Cell& cell) {
-    const auto [low, high] = cut(cell.box, cell.widest);
-    Halves halves{{cell_of(low), cell_of(high)}};
-    double difference = 0;
-    for (std::size_t c = 0; c < total_.size(); ++c) {
-      const double change = halves.of[0].integral[c] + halves.of[1].integral[c] - cell.integral[c];
-      total_[c] += change;
-      difference = std::max(difference, std::abs(change) / scale_[c]);
+  // Halves a cell in each dimension, and adds the changes of its integral to the total. Halving in a single
+  // dimension would miss a highlight that lies between the nodes of another.
+  Examined examined(Cell cell) {
+    Examined out;
+    out.correction.assign(total_.size(), 0.0);
+    double most = -1;
+    for (std::size_t d = 0; d < dimensions_; ++d) {
+      const auto [low, high] = cut(cell.box, d);
+      std::array<Cell, 2> halves{cell_of(low), cell_of(high)};
+      double error = 0;
+      for (std::size_t c = 0; c < total_.size(); ++c) {
+        const double change = halves[0].integral[c] + halves[1].integral[c] - cell.integral[c];
+        out.correction[c] += change;
+        error = std::max(error, std::abs(change) / scale_[c]);
+      }
+      out.error += error;
+      if (error > most) most = error, out.halves = std::move(halves);
     }
-    for (Cell& half : halves.of) half.error = difference / 2;
-    return halves;
+    add(out.correction, 1);
+    out.of = std::move(cell);
+    return out;
   }
 
   const Material& material_;
-  const LobeWidths &mirror_, &retro_;
+  const Lobe &mirror_, &retro_;
   const std::size_t dimensions_;
   Patch light_{}, viewer_{};
-  std::vector<Cell> first_;
-  std::vector<double> total_, scale_, last_;
+  std::vector<double> total_, scale_;
   static constexpr std::size_t kMostNodes = 81;
   DirectionArrays<double> nodes_{kMostNodes};
   std::vector<double> values_, weights_;  // of the nodes of a cell; values by channel
 };
 
-// Pairs of patches that have the same mean: the rings of both patches, and the difference of azimuths as a
-// number of steps.
-using Class = std::array<long, 3>;
-
-Class class_of(const Patch& light, const Patch& viewer) {
-  constexpr double kPerDegree = 1e6;  // finer than all steps
-  return {std::lround(light.lower * kPerDegree), std::lround(viewer.lower * kPerDegree),
-          std::lround(io::within_turn(viewer.phi - light.phi) * kPerDegree)};
-}
-
 }  // namespace
 
 PatchMeans patch_means(const Material& material, const io::Progress& progress) {
   const std::vector<Patch> patches = io::klems::patches_of(io::klems::known_bases().front().rings);
-  const bool turnable = is_turnable(material);
-  const LobeWidths mirror(material, true, turnable), retro(material, false, turnable);
+  const PatchSymmetry symmetry = symmetry_of(material);
+  const Lobe mirror(material, true, symmetry.turn), retro(material, false, symmetry.turn);
   std::vector<std::pair<std::size_t, std::size_t>> jobs;  // light, viewer
-  std::map<Class, std::size_t> known;
+  std::map<PatchSymmetry::Class, std::size_t> known;
   std::vector<std::size_t> job_of;
   for (std::size_t light = 0; light < patches.size(); ++light)
     for (std::size_t viewer = 0; viewer < patches.size(); ++viewer) {
-      std::size_t job = jobs.size();
-      if (turnable) job = known.emplace(class_of(patches[light], patches[viewer]), job).first->second;
+      const std::size_t job =
+          known.emplace(symmetry.class_of(patches[light], patches[viewer]), jobs.size()).first->second;
       if (job == jobs.size()) jobs.emplace_back(light, viewer);
       job_of.push_back(job);
     }
@@ -375,8 +359,8 @@ PatchMeans patch_means(const Material& material, const io::Progress& progress) {
   std::mutex mutex;
   int done = 0;
   io::parallel_for(jobs.size(), [&](std::size_t k) {
-    means[k] =
-        PairIntegral(material, mirror, retro, turnable).mean(patches[jobs[k].first], patches[jobs[k].second]);
+    means[k] = PairIntegral(material, mirror, retro, symmetry.turn)
+                   .mean(patches[jobs[k].first], patches[jobs[k].second]);
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, int(jobs.size()));
   });

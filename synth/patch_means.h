@@ -27,10 +27,12 @@ inline constexpr double kPatchTolerance = 1e-3;
 // of the patches, and light is incident from phi + 180 degrees of its patch (io/formats/klems_bases.h).
 //
 // Method: Gauss rules of three points in sin^2 of both polar angles and in azimuth, on cells that are halved
-// until the differences between cells and their halves meet kPatchTolerance. Cells near the mirror direction
-// and near retroreflection are first halved to the width of the lobe there, which is found by a search, so
+// until the changes by halving cells in every dimension meet kPatchTolerance. Cells near the mirror direction
+// and near retroreflection are first halved to the widths of the lobe there, which are found by a search, so
 // that no narrow lobe is missed. If f_r depends only on the difference of azimuths, three dimensions are
-// integrated instead of four.
+// integrated instead of four. Pairs of patches that exchange of light and viewer, or mirroring at the planes
+// of x and y, turn into each other are integrated once, if f_r does not change by more than 1e-6 under this
+// symmetry at 96 pairs of directions.
 // Example:
 //     const brdf::Material material = brdf::make_material(*brdf::find_form("ward"), {"fr"});
 //     const brdf::synth::PatchMeans means = brdf::synth::patch_means(material);
