@@ -45,9 +45,11 @@ inline io::Arrangement arrangement_of(const std::string& polarisation, const std
 // Returns the supplied facts. If nothing is supplied, `quantity` and `layout` are empty and `mirror_side` is
 // "auto".
 inline io::Supplied supplied_of(const std::string& quantity, const std::string& mirror_side,
-                                const std::string& layout) {
+                                const std::string& layout, const std::string& matrix = "") {
   io::stated_by_option(quantity);  // throws before any file is read
-  return {quantity, named<io::MirrorSide>("--mirror-side", mirror_side), false, layout};
+  io::Supplied supplied{quantity, named<io::MirrorSide>("--mirror-side", mirror_side), false, layout};
+  supplied.matrix = matrix;
+  return supplied;
 }
 
 void bind_samples(py::module_& module);

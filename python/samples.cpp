@@ -150,8 +150,8 @@ void bind_samples(py::module_& module) {
         return io::write_table(path, s.table());
       });
   module.def("read", [](const std::string& path, const std::string& quantity, const std::string& mirror_side,
-                        const std::string& layout) {
-    return read([&] { return io::read_samples(path, supplied_of(quantity, mirror_side, layout)); });
+                        const std::string& layout, const std::string& matrix) {
+    return read([&] { return io::read_samples(path, supplied_of(quantity, mirror_side, layout, matrix)); });
   });
   module.def("read_text", [](const std::string& text, const std::string& name, const std::string& quantity,
                              const std::string& mirror_side, const std::string& layout) {
@@ -161,13 +161,14 @@ void bind_samples(py::module_& module) {
   });
   module.def("read_directions",
              [](const std::string& path) { return read([&] { return io::read_directions(path); }); });
-  module.def("table_of_file", [](const std::string& path, const std::string& quantity,
-                                 const std::string& mirror_side, const std::string& layout,
-                                 const std::string& output) {
-    return read([&] {
-      return synth::table_of_file(path, supplied_of(quantity, mirror_side, layout), synth::cells_for(output));
-    });
-  });
+  module.def("table_of_file",
+             [](const std::string& path, const std::string& quantity, const std::string& mirror_side,
+                const std::string& layout, const std::string& matrix, const std::string& output) {
+               return read([&] {
+                 return synth::table_of_file(path, supplied_of(quantity, mirror_side, layout, matrix),
+                                             synth::cells_for(output));
+               });
+             });
   module.def("check_table_format", [](const std::string& path) { io::check_table_format(path); });
   module.def("from_arrays", &from_arrays);
   module.def("angles_of", &angles_of);

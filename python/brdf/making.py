@@ -36,25 +36,28 @@ def synth(material: Material, *, grid: str = "hemisphere", theta_i: Iterable[flo
 
 
 def convert(source: Path | Table | Material | Frame, output: Path, *, keep_fill: bool = False, polarisation: str = "keep",
-            repeats: str = "keep", quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> list[str]:
+            repeats: str = "keep", quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None,
+            matrix: str = "") -> list[str]:
     """Writes samples in another format: .csv, .binary (MERL), .exr, .astm, .zemax, .xompt, .brdf (BiRD) or
     .xml (Klems matrices): `brdf convert`. For a material, the values at the MERL cells are written, for .xml the means
     over the patches. Returns the losses, one phrase each.
 
     keep_fill: also write rows of fill values, which mark directions that were not measured.
     polarisation: treatment of channels with a polarisation in their names (fr_s, 465nm p): keep, average, s, p, ss, sp,
-    ps, pp. repeats: keep one row for each repeat measurement, or average. quantity, mirror_side, layout: facts that a
-    file does not state, as in `read`.
+    ps, pp. repeats: keep one row for each repeat measurement, or average. quantity, mirror_side, layout, matrix: as in
+    `read`.
     """
-    if isinstance(source, Material) and (quantity or mirror_side != "auto" or layout is not None):
-        raise InputError("quantity, mirror_side, layout: apply to files, but this source is already read")
+    if isinstance(source, Material) and (quantity or mirror_side != "auto" or layout is not None or matrix):
+        raise InputError("quantity, mirror_side, layout, matrix: apply to files, but this source is already read")
     name = path_of(output)
     _brdf.check_table_format(name)
     if isinstance(source, Material):
         source = Table._of(_brdf.table_of_material(source._optics, name))
     table = table_or_path(source, quantity, mirror_side, layout)
+    if matrix and isinstance(table, Table):
+        raise InputError("matrix: applies to files of Klems XML, but this source is already read")
     samples = table._samples if isinstance(table, Table) else _brdf.table_of_file(path_of(table), quantity, mirror_side,
-                                                                                  layout_word(layout), name)
+                                                                                  layout_word(layout), matrix, name)
     if not keep_fill:
         samples = samples.measured()
     return samples.arranged(polarisation, repeats).write(name)

@@ -300,16 +300,19 @@ def read_directions(path: Path) -> tuple[Array, Array]:
     return pairs.wi, pairs.wo
 
 
-def read(path: Path, *, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> Table:
+def read(path: Path, *, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None,
+         matrix: str = "") -> Table:
     """Reads samples in any format that the program reads (docs/formats.md). The format is detected from the content.
     InputError names file, line and column.
 
     quantity: the quantity of the values if the file does not state it: "BRF", "BRF %", "f_r*cos_o", ... (docs/formats.md);
     the values are converted to f_r. mirror_side: the sign of the viewing angle on the mirror side in a table of two signed
     angles, "positive" or "negative" (default "auto": the side of the largest values). layout: the description of a
-    laboratory's table, a file or a dictionary (`brdf describe-table` proposes one). `warnings` reports the decisions.
+    laboratory's table, a file or a dictionary (`brdf describe-table` proposes one). matrix: words of the name of the matrix
+    to read from Klems XML, such as "back visible" (default: reflection at the front, visible). `warnings` reports the
+    decisions.
     """
-    return Table._of(_brdf.read(path_of(path), quantity, mirror_side, layout_word(layout)))
+    return Table._of(_brdf.read(path_of(path), quantity, mirror_side, layout_word(layout), matrix))
 
 
 def table_or_path(source: Any, quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None) -> Table | Path:

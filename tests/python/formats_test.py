@@ -50,6 +50,21 @@ class Formats(unittest.TestCase):
                 seen.add(table.format)
         self.assertEqual(NAMES - seen, set(), "each format is read at least once")
 
+    def test_a_matrix_of_klems_xml_is_chosen_as_by_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            xml, out = f"{folder}/x.xml", f"{folder}/out.csv"
+            brdf.convert(brdf.material("lambert", rho=[0.3]), xml)
+            back = brdf.read(xml, matrix="back")
+            self.assertIn("Reflection Back", " ".join(back.warnings))
+            self.assertIn("Reflection Front", " ".join(brdf.read(xml).warnings))
+            brdf.convert(xml, out, matrix="back")
+            self.assertEqual(rows(pathlib.Path(out).read_text()), rows(back.to_csv()))
+            with self.assertRaisesRegex(brdf.InputError, "sideways"):
+                brdf.read(xml, matrix="sideways")
+            for call in (lambda: brdf.read(out, matrix="back"), lambda: brdf.convert(back, out, matrix="back")):
+                with self.assertRaisesRegex(brdf.InputError, "(?i)klems"):
+                    call()
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])
