@@ -1,5 +1,6 @@
 // A shader with eval, sample and pdf, and copies of it with one fault each: the checks that can see the fault
-// fail, with its name, and the others pass. The same functions in HLSL give the same findings.
+// fail, with its name, and the others pass. The same functions in HLSL give the same findings. ./test judges
+// every third copy, ./test --full all.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +9,7 @@
 
 #include "cli/options/shader_options.h"
 #include "io/files/temporary.h"
+#include "tests/thorough.h"
 #include "validate/joint/judge_sampler.h"
 
 #ifdef BRDF_HAS_SHADER
@@ -105,8 +107,8 @@ void expect_passes(const Findings& findings) {
 }
 
 TEST(SampledShader, TheSoundOnePasses) {
-  expect_passes(judged(kSound));
-  expect_passes(judged(kSound, 7));
+  for (const std::uint64_t seed : {1, 7})
+    if (seed == 1 || thorough()) expect_passes(judged(kSound, seed));
 }
 
 TEST(SampledShader, TheSameInHlsl) {
@@ -199,7 +201,9 @@ TEST(SampledShader, EveryMutationIsFound) {
        {"density_mass", "sample_distribution", "sample_mean"},
        "integrates to"},
   };
-  for (const Mutation& m : mutations) {
+  const std::size_t step = thorough() ? 1 : 3;
+  for (std::size_t k = 0; k < std::size(mutations); k += step) {
+    const Mutation& m = mutations[k];
     const Findings found = judged(replaced(kSound, m.from, m.to));
     if (m.checks.empty()) {  // changes f, not how f is sampled
       EXPECT_THAT(failed(found), testing::IsEmpty()) << m.name;
@@ -214,12 +218,13 @@ TEST(SampledShader, EveryMutationIsFound) {
 }
 
 TEST(SampledShader, HarmlessChangesPass) {
-  for (const auto& [from, to] :
-       {std::pair<std::string, std::string>{"phi = 2.0 * kPi * u.y", "phi = 2.0 * kPi * (1.0 - u.y)"},
-        {"max(1.0 - u.x, 1e-7)", "max(1.0 - u.x, 1e-6)"},
-        {"if (u.z < p) {", "if (u.z > 1.0 - p) {"},
-        {"* L.z / pdf;", "* (L.z / pdf);"}})
-    expect_passes(judged(replaced(kSound, from, to)));
+  const std::pair<std::string, std::string> changes[] = {
+      {"phi = 2.0 * kPi * u.y", "phi = 2.0 * kPi * (1.0 - u.y)"},
+      {"max(1.0 - u.x, 1e-7)", "max(1.0 - u.x, 1e-6)"},
+      {"if (u.z < p) {", "if (u.z > 1.0 - p) {"},
+      {"* L.z / pdf;", "* (L.z / pdf);"}};
+  for (std::size_t k = 0; k < std::size(changes); k += thorough() ? 1 : 2)
+    expect_passes(judged(replaced(kSound, changes[k].first, changes[k].second)));
 }
 
 TEST(SampledShader, CausesAreNamed) {
