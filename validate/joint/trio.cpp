@@ -55,6 +55,7 @@ std::vector<SampledCase> cases_of(const Subject& subject, const SamplerFacts& fa
 }
 
 std::vector<double> Trio::f(std::span<const Vec3<double>> wi, bool times_cosine) const {
+  if (!facts().has_eval) return std::vector<double>(wi.size() * channels());
   DirectionArrays<double> rows(wi.size());
   for (std::size_t k = 0; k < wi.size(); ++k) rows.set(k, wi[k], case_.wo);
   std::vector<double> out(wi.size() * channels()), row(wi.size());
