@@ -285,6 +285,53 @@ TEST(Sampler, AValueDoesNotEqualAnEvalThatIsNoNumber) {
   EXPECT_EQ(found.at("sample_value").outcome, Outcome::fail) << found.at("sample_value").statement;
 }
 
+TEST(Sampler, AFewLostSamplesAreNoFinding) {
+  // A cosine sampler, so that all weights are equal except for the lost ones.
+  HalfCosine sampler;
+  sampler.share = 1 - 1e-12;
+  double lost = 5e-5;
+  sampler.at_last = [&lost](Draw& d, std::span<const double> u) {
+    if (std::abs(u[1] - 0.3) < lost / 2) d.pdf = 0;
+  };
+  const auto few = judged(sampler);
+  EXPECT_EQ(few.at("sample_distribution").outcome, Outcome::pass) << few.at("sample_distribution").statement;
+  EXPECT_EQ(few.at("sample_mean").outcome, Outcome::pass) << few.at("sample_mean").statement;
+  lost = 4e-3;
+  const auto many = judged(sampler);
+  EXPECT_THAT(
+      many.at("sample_distribution").statement,
+      testing::ContainsRegex("do not follow the density: [0-9]+ samples for 0 expected of 16384 are lost"));
+  EXPECT_EQ(many.at("density_mass").outcome, Outcome::fail);
+}
+
+TEST(Sampler, ADrawOfAGeneratorMayUseAllRandomNumbers) {
+  HalfCosine sampler;
+  sampler.change().randoms = 40;
+  sampler.change().generated = true;
+  long draws = 0, zeros = 0;
+  sampler.at_last = [&](Draw& d, std::span<const double> u) {
+    ++draws;
+    zeros += u.back() == 0;
+    d.used = 2;
+  };
+  judged(sampler);
+  EXPECT_LT(double(zeros), 0.001 * double(draws));
+}
+
+TEST(Sampler, AnInaccurateIntegralDecidesNothing) {
+  HalfCosine sampler;
+  sampler.change().gives_pdf = false;
+  const auto right = sampler.density_of;
+  sampler.density_of = [right](const Vec3<double>& w) {
+    const bool dark = std::sin(900 * w.x) * std::sin(900 * w.y) < 0;
+    return right(w) * (dark ? 0.5 : 1.5);
+  };
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("sample_distribution").outcome, Outcome::undecided)
+      << found.at("sample_distribution").statement;
+  EXPECT_THAT(found.at("sample_distribution").statement, HasSubstr("not accurate enough"));
+}
+
 // Values of Abramowitz and Stegun, tables 26.1 and 26.7.
 TEST(SamplerStatistics, TailsAreThoseOfTables) {
   EXPECT_NEAR(two_sided_tail(1.959963985), 0.05, 1e-9);

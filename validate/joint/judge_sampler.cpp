@@ -287,13 +287,17 @@ class SamplerJudge {
 
   void judge_distribution(const Trio& trio, const Cells& cells, const Integrals& in,
                           const std::vector<long>& observed, long lost, std::size_t all) {
-    if (in.mass_error > 1e-3 || !in.all_finite) {
+    // If all of the error of the integrals is in one cell, the statistic may still change by little.
+    constexpr double kLittle = 2;
+    if (double(all * cells.all().size()) * in.mass_error * in.mass_error > kLittle || !in.all_finite) {
       distribution_why_ = "the integrals of the density are not accurate enough";
       return;
     }
     ++done_[distribution];
     const double n = double(all);
     double tail = 1, statistic = 0;
+    double of_rest = 1;     // probability of the samples that are lost or in cells with few expected samples
+    std::string rest_text;  // how many they are
     int degrees = 0;
     double visible = 0;
     std::size_t worst_cell = 0;
@@ -320,26 +324,34 @@ class SamplerJudge {
         if (!coarse && std::abs(deviation) > std::abs(worst_deviation))
           worst_deviation = deviation, worst_cell = k;
       }
-      double part = 1;
       if (rest_expected >= kLeastExpected) {
         chi2 += (rest_seen - rest_expected) * (rest_seen - rest_expected) / rest_expected;
         ++used;
-      } else if (rest_seen > 2 * rest_expected + 10) {
-        part = poisson_two_sided(rest_seen, std::max(rest_expected, 1e-3));
+      } else if (const double most = rest_expected + n * kMassBound; rest_seen > most) {
+        const double probability = poisson_two_sided(rest_seen, most);
+        if (probability < of_rest)
+          rest_text = io::short_number(rest_seen, 12) + " samples for " +
+                      io::short_number(std::round(10 * rest_expected) / 10, 3) + " expected";
+        of_rest = std::min(of_rest, probability);
       }
-      if (used > 1) part = std::min(part, chi_square_tail(chi2, used - 1));
+      const double part = used > 1 ? chi_square_tail(chi2, used - 1) : 1;
       if (part < tail || degrees == 0) tail = part, statistic = chi2, degrees = used - 1;
       // A density that is wrong by x in a quarter of the samples shifts the statistic by n x^2 / 4.
       if (coarse && used > 1) visible = std::sqrt(4 * (threshold(used - 1) - (used - 1) + 12) / n);
     }
     power_[distribution] = std::max(power_[distribution], visible);
-    findings_[distribution].value =
-        std::max(findings_[distribution].value, -std::log10(std::max(tail, 1e-300)));
+    const double severity = -std::log10(std::max(std::min(tail, of_rest), 1e-300));
+    findings_[distribution].value = std::max(findings_[distribution].value, severity);
+    if (of_rest < level_ && of_rest < tail)
+      worse(distribution, severity,
+            "the samples do not follow the density: " + rest_text + " of " + std::to_string(all) +
+                " are lost, or have directions at which the density is nearly 0",
+            trio);
     if (!(tail < level_)) return;
     const Cell& c = cells.all()[worst_cell];
     const double s = (c.s0 + c.s1) / 2, phi = (c.phi0 + c.phi1) / 2, rho = std::sqrt(s * (2 - s));
     const Vec3<double> wi{rho * std::cos(phi), rho * std::sin(phi), 1 - s};
-    worse(distribution, -std::log10(std::max(tail, 1e-300)),
+    worse(distribution, severity,
           "the samples do not follow the density: chi-square " + io::short_number(statistic) + " with " +
               std::to_string(degrees) + " degrees of freedom, probability " + io::short_number(tail, 2) +
               "; in the worst cell " + std::to_string(observed[worst_cell]) + " samples for " +
@@ -356,6 +368,20 @@ class SamplerJudge {
       (chi_square_tail(middle, degrees) > level_ ? low : high) = middle;
     }
     return low;
+  }
+
+  // The deviation of the mean, in standard errors, that a test at the level allows; std::nullopt if a few
+  // large weights dominate.
+  std::optional<double> limit_of(const Moments& m, double error) const {
+    const double n = double(m.count()), z = two_sided_quantile(level_);
+    // The skewness of rare large weights moves the quantiles of the mean (Cornish and Fisher 1938).
+    const double skew = std::abs(m.skewness()) / std::sqrt(n);
+    if (skew * z <= 1) return z + skew * (z * z - 1) / 6;
+    // Weights of a small range, such as equal ones with a few lost samples: Bernstein's inequality with the
+    // variance of the weights (Maurer and Pontil 2009).
+    if (m.smallest() < 0 || m.largest() > 2 * m.mean()) return std::nullopt;
+    const double logarithm = std::log(4 / level_);
+    return std::sqrt(2 * logarithm) + 7 * (m.largest() - m.smallest()) * logarithm / (3 * (n - 1) * error);
   }
 
   void judge_mean(const Trio& trio, const Weights& weights) {
@@ -391,27 +417,25 @@ class SamplerJudge {
         mean_why_ = "the albedo could not be integrated accurately enough";
         continue;
       }
-      const double error = m.error() + 1e-9 * truth, z_level = two_sided_quantile(level_);
-      // The skewness of rare large weights moves the quantiles of the mean (Cornish and Fisher 1938).
-      const double skew = std::abs(m.skewness()) / std::sqrt(double(m.count()));
-      if (skew * z_level > 1) {
+      const double error = m.error() + 1e-9 * truth;
+      const std::optional<double> limit = limit_of(m, error);
+      if (!limit) {
         mean_why_ = "a few large weights dominate the mean: the largest is " + io::short_number(m.largest()) +
                     " for a mean of " + io::short_number(m.mean());
         continue;
       }
-      const double limit = z_level + skew * (z_level * z_level - 1) / 6;
       ++done_[mean];
       // Constants such as 1 / pi may be rounded differently in two functions.
       const double z = std::max(std::abs(m.mean() - truth) - bound - kSameValue * truth, 0.0) / error;
       findings_[mean].value = std::max(findings_[mean].value, z);
-      power_[mean] = std::max(power_[mean], ((limit + kPower) * error + bound) / truth + kSameValue);
+      power_[mean] = std::max(power_[mean], ((*limit + kPower) * error + bound) / truth + kSameValue);
       const double relative = std::sqrt(m.variance()) / truth;
       if (relative > noise_) {
         noise_ = relative;
         largest_weight_ = m.largest() / truth;
         best_ = least_noise_of_catalogue(trio, c, truth, seed(1));
       }
-      if (z > limit)
+      if (z > *limit)
         worse(mean, z,
               "the mean of the weights is " + io::short_number(m.mean(), 5) + " +- " +
                   io::short_number(error, 2) + ", but the albedo is " + io::short_number(truth, 5) + " (" +

@@ -105,14 +105,13 @@ std::size_t Trio::randoms_used() const {
 void for_draws(const Trio& trio, std::size_t count, std::uint64_t seed,
                const std::function<void(std::span<const double>, std::span<const Draw>)>& each) {
   Random random(seed);
-  const std::size_t width = trio.facts().randoms, used = trio.randoms_used();
+  const std::size_t width = trio.facts().randoms;
   std::vector<double> u;
   for (std::size_t done = 0; done < count; done += kBlock) {
     const std::size_t rows = std::min(kBlock, count - done);
-    u.assign(rows * width, 0);
-    for (std::size_t r = 0; r < rows; ++r)
-      // Loops of a generator may use more numbers than the trial run did.
-      for (std::size_t k = 0; k < std::min(width, used + 4); ++k) u[r * width + k] = random.uniform();
+    // All of them, because loops of a generator may use more numbers than a trial run shows.
+    u.resize(rows * width);
+    for (double& x : u) x = random.uniform();
     const std::vector<Draw> draws = trio.draw(u);
     each(u, draws);
   }

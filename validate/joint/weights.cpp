@@ -8,10 +8,11 @@
 namespace brdf::validate {
 
 void Moments::add(double weight) {
-  if (count_ == 0) first_ = weight;
+  if (count_ == 0) first_ = smallest_ = largest_ = weight;
   const double x = weight - first_;
   sum_ += x, sum2_ += x * x, sum3_ += x * x * x;
-  largest_ = std::max(largest_, std::abs(weight));
+  smallest_ = std::min(smallest_, weight);
+  largest_ = std::max(largest_, weight);
   ++count_;
 }
 

@@ -15,6 +15,7 @@ class Moments {
   void add(double weight);
 
   long count() const { return count_; }
+  double smallest() const { return smallest_; }
   double largest() const { return largest_; }
   double mean() const { return first_ + shifted(); }
   double variance() const;
@@ -25,7 +26,7 @@ class Moments {
   double shifted() const { return sum_ / double(count_); }
 
   // Of the differences from the first weight, so that equal weights have no variance from rounding.
-  double first_ = 0, sum_ = 0, sum2_ = 0, sum3_ = 0, largest_ = 0;
+  double first_ = 0, sum_ = 0, sum2_ = 0, sum3_ = 0, smallest_ = 0, largest_ = 0;
   long count_ = 0;
 };
 
