@@ -188,14 +188,6 @@ void bind_joint(Joint& joint, const Function& reflectance) {
         "`//: pdf per half` states another measure");
 }
 
-double Joint::per_solid_angle(double density, const Vec3<double>& wi, const Vec3<double>& wo) const {
-  if (measure_ == DensityOf::projected) return density * std::abs(wi.z);
-  if (measure_ == DensityOf::solid_angle) return density;
-  const Vec3<double> sum{wi.x + wo.x, wi.y + wo.y, wi.z + wo.z};
-  const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
-  return density / (4 * std::abs(sum.x * wo.x + sum.y * wo.y + sum.z * wo.z) / length);
-}
-
 template <class T>
 void Joint::draw_in(std::span<const double> values, const Vec3<double>& wo, std::span<const double> u,
                     std::span<Draw> out) const {
@@ -227,7 +219,8 @@ void Joint::draw_in(std::span<const double> values, const Vec3<double>& wo, std:
       const auto number = [&](std::size_t k) { return Functions<T>::value(runner.result(l, k)); };
       Draw& draw = out[first + std::size_t(l)];
       draw.wi = {number(0), number(1), number(2)};
-      draw.pdf = pdf_at_ < 0 ? std::nan("") : per_solid_angle(number(std::size_t(pdf_at_)), draw.wi, wo);
+      draw.pdf =
+          pdf_at_ < 0 ? std::nan("") : per_solid_angle(measure_, number(std::size_t(pdf_at_)), draw.wi, wo);
       draw.valid = valid_at_ < 0 || number(std::size_t(valid_at_)) != 0;
       std::size_t at = values_at_;
       for (std::size_t k = 0; k < value_list_.size(); ++k)
@@ -266,7 +259,7 @@ void Joint::density_in(std::span<const double> values, const Vec3<double>& wo,
     }
     for (int l = 0; l < lanes; ++l) {
       const std::size_t k = first + std::size_t(l);
-      out[k] = per_solid_angle(Functions<T>::value(runner.result(l, 0)), wi[k], wo);
+      out[k] = per_solid_angle(measure_, Functions<T>::value(runner.result(l, 0)), wi[k], wo);
     }
   }
 }

@@ -69,7 +69,6 @@ class Joint {
   template <class T>
   void density_in(std::span<const double> values, const Vec3<double>& wo, std::span<const Vec3<double>> wi,
                   std::span<double> out) const;
-  double per_solid_angle(double density, const Vec3<double>& wi, const Vec3<double>& wo) const;
 
   std::optional<Part> sampler_, density_;
   std::vector<Value> value_list_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -47,13 +48,31 @@ struct SamplerFacts {
   bool has_density = false;  // density() is available
   std::vector<Value> values = {};
   std::size_t randoms = 0;  // numbers in [0, 1) that a draw takes
+  bool in_float = true;     // `single` is obeyed; otherwise all results are in double
   bool generated = false;   // draws use different counts of them
+  bool has_eval = true;     // values of f are available
   // Names of the functions, for messages; pdf_name is the name of the density that draw() returns.
   std::string sampler_name = "sample", density_name = "pdf", pdf_name = "pdf", eval_name = "eval";
   SampleValue eval_returns = SampleValue::f;
   std::vector<std::size_t> colour_weights = {};  // weights that are one number per channel
   std::vector<std::string> missing = {};         // reasons why a function is not available
+  // Clauses on an absent function.
+  std::string no_sampler = "the file has no sampler that is understood",
+              no_density = "the file has no density function that is understood",
+              no_eval = "the file has no reflectance";
+  // The declaration of the quantity that the sampler returns, without the name of the quantity.
+  std::string before_quantity = "a line `//: sample returns ", after_quantity = "`";
 };
+
+// Returns the density of a measure, at a direction wi for the viewer wo, per solid angle of wi in 1/sr.
+inline double per_solid_angle(DensityOf measure, double density, const Vec3<double>& wi,
+                              const Vec3<double>& wo) {
+  if (measure == DensityOf::projected) return density * std::abs(wi.z);
+  if (measure == DensityOf::solid_angle) return density;
+  const Vec3<double> sum{wi.x + wo.x, wi.y + wo.y, wi.z + wo.z};
+  const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
+  return density / (4 * std::abs(sum.x * wo.x + sum.y * wo.y + sum.z * wo.z) / length);
+}
 
 class DirectionSampler {
  public:

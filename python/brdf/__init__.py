@@ -19,7 +19,7 @@ from ._brdf import EnvironmentError, InputError, Stopped
 from ._brdf import version as __version__
 from .fitting import Candidate, Fit, Interval, fit, fit_files
 from .forms import Form, Parameter, Violation, form, forms
-from .judging import Finding, Judgement, validate
+from .judging import Finding, Judgement, judge, validate
 from .making import convert, export, synth
 from .material import Albedo, Material, directions, load, material
 from .programs import lobes, maps, parity, program, prove, recommend, render, study, trade, view
@@ -28,6 +28,6 @@ from .table import Table, read, read_directions
 __all__ = [
     "Albedo", "Candidate", "EnvironmentError", "Finding", "Fit", "Form", "InputError", "Interval", "Judgement",
     "Material", "Parameter", "Stopped", "Table", "Violation", "__version__", "convert", "directions", "export", "fit",
-    "fit_files", "form", "forms", "load", "lobes", "maps", "material", "parity", "program", "prove", "read",
+    "fit_files", "form", "forms", "judge", "load", "lobes", "maps", "material", "parity", "program", "prove", "read",
     "read_directions", "recommend", "render", "study", "synth", "trade", "validate", "view",
 ]

@@ -1,4 +1,4 @@
-"""Checks of forms over their whole parameter domain, of materials, and of measured tables."""
+"""Checks of forms over their whole parameter domain, of materials, of measured tables, and of samplers."""
 from __future__ import annotations
 
 import json
@@ -10,13 +10,14 @@ from typing import Any, Union
 
 from . import _brdf
 from ._brdf import InputError
+from .callables import Evaluated, Functions, Sampled
 from .display import table_html
 from .entries import Entries
 from .forms import forms
 from .frames import Frame, Layout, kind_of, layout_word
 from .material import Material
 from .table import Table, table_or_path
-from .words import Path, finite, list_of, path_of, seed_of
+from .words import Path, finite, list_of, path_of, seed_of, whole
 
 Subject = Union[Material, Table, Path, Frame]
 Progress = Callable[[int, int], Any]
@@ -34,7 +35,7 @@ class Finding(Entries):
 
 
 class Judgement(Entries):
-    """The result of `brdf validate`; `to_dict()` returns the object that --json prints."""
+    """The result of `validate` and of `judge`; `to_dict()` returns the object that `brdf validate --json` prints."""
 
     def __init__(self, judged: _brdf.Judged, required: list[str]) -> None:
         self._judged, self._required = judged, required
@@ -110,3 +111,42 @@ def validate(subjects: Subject | list[Subject] | tuple[Subject, ...] = (), *,
             items.append(table._samples if isinstance(table, Table) else path_of(table))
     return Judgement(_brdf.validate(names, items, effort, finite("--max-theta", max_theta), keep_fill, seed_of(seed),
                                      quantity, mirror_side, layout_word(layout), progress), required)
+
+
+MOST_RANDOMS = 32  # numbers that a sample takes
+
+
+def judge(*, eval: Evaluated | None = None, sample: Sampled | None = None, pdf: Evaluated | None = None,
+          returns: str = "f", value: str | None = None, density_of: str = "solid_angle", randoms: int = 2,
+          name: str = "functions", effort: str = "quick", require: str | Iterable[str] | None = None,
+          seed: int = 1) -> Judgement:
+    """Judges a BRDF, its sampler and the density of the sampler together, given as functions of numpy arrays.
+
+    The nine checks are those that `brdf validate --shader` adds for a sampler, except that the functions are evaluated in
+    double precision only. Directions are unit vectors (n, 3) in the local frame, normal +z; every row of wo is the same
+    viewing direction. Each call returns one result for each row, and a result must depend on its own row alone.
+
+    eval(wi, wo): the values, (n,) or (n, channels) with up to 3 channels. returns: their quantity, f or f*cos_i.
+    sample(u, wo): u has shape (n, randoms) with numbers from 0 to 1, and the ends 0 and 1 are tried. The function returns wi,
+    or (wi, pdf), or (wi, pdf, value), or a dictionary with wi and any of pdf, value and valid. A sample is lost if its
+    pdf is 0, or if valid is False. value: the quantity of the returned value, f, f*cos_i or f*cos_i/pdf; without this
+    option the judge takes f*cos_i/pdf if the values equal it, otherwise the quantity of eval. pdf(wi, wo): the densities,
+    (n,). density_of: the measure of both densities, solid_angle, projected or half (the solid angle of the half vector).
+
+    A function may be left out, except that sample or pdf must be given; the checks that need the function are then undecided.
+    name: of the subject in the findings. effort: 6 viewing directions (quick) or 24 (full). require: those of the nine
+    checks that must pass for `passed`. Raises InputError if a function raises an exception, or if its results have a wrong
+    shape or are no numbers.
+    """
+    required = list_of(require)
+    known = _brdf.sampler_checks()
+    for check in required:
+        if check not in known:
+            raise InputError(f"require {check}: must be one of {', '.join(known)}")
+    if sample is None and pdf is None:
+        raise InputError("nothing to judge: give sample, pdf or both")
+    functions = Functions(eval, sample, pdf, whole("randoms", randoms, 1, MOST_RANDOMS))
+    return Judgement(_brdf.judge(name, None if eval is None else functions.eval,
+                                 None if sample is None else functions.sample, None if pdf is None else functions.pdf,
+                                 functions.channels, randoms, functions.gives_pdf, functions.gives_value, returns,
+                                 value or "", density_of, effort, seed_of(seed)), required)

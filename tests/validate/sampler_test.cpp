@@ -68,10 +68,10 @@ class HalfCosine final : public DirectionSampler {
   SamplerFacts facts_;
 };
 
-std::map<std::string, Finding> judged(const DirectionSampler& sampler, std::uint64_t seed = 1) {
+std::map<std::string, Finding> judged(const DirectionSampler& sampler, std::uint64_t seed = 1,
+                                      const Subject& subject = Subject::form(*find_form("lambert"))) {
   CheckOptions options;
   options.seed = seed;
-  const Subject subject = Subject::form(*find_form("lambert"));
   std::map<std::string, Finding> out;
   std::vector<Finding> findings = judge_sampler(subject, sampler, options, 1 << 14);
   for (std::size_t k = 0; k < findings.size(); ++k) out[std::string(kSamplerChecks[k])] = findings[k];
@@ -221,6 +221,115 @@ TEST(Sampler, MoreThanTwoMovingNumbersAreNotJudgedExactly) {
   EXPECT_EQ(found.at("jacobian").outcome, Outcome::undecided);
   EXPECT_THAT(found.at("jacobian").statement, HasSubstr("depends on 3 random numbers"));
   EXPECT_THAT(failed(found), testing::IsEmpty());
+}
+
+// A reflectance of 0.5 / pi, except at directions of the light at which the test replaces it.
+class Replaced final : public ReflectanceModel {
+ public:
+  explicit Replaced(std::function<double(const Vec3<double>&)> value) : value_(std::move(value)) {
+    info_.name = info_.family = "replaced";
+    info_.outside = true;
+  }
+  const ReflectanceInfo& info() const override { return info_; }
+  void eval(const ParameterValues<double>&, const Directions<double>& d, double* out) const override {
+    for (std::size_t k = 0; k < d.count; ++k)
+      out[k] = d.wi_z[k] > 0 && d.wo_z[k] > 0 ? value_({d.wi_x[k], d.wi_y[k], d.wi_z[k]}) : 0;
+  }
+  using ReflectanceModel::eval;
+
+ private:
+  std::function<double(const Vec3<double>&)> value_;
+  ReflectanceInfo info_;
+};
+
+TEST(Sampler, AWeightThatIsNotFiniteIsAFinding) {
+  // The sampler returns no value, so that only the mean of the weights looks at f.
+  HalfCosine sampler;
+  sampler.change().values = {};
+  const auto subject = [](double there) {
+    const auto model = std::make_shared<const Replaced>([there](const Vec3<double>& w) {
+      return w.x > 0.5 && w.x < 0.52 && std::abs(w.y) < 0.1 ? there : 0.5 / kPi;
+    });
+    return Subject::material("replaced", make_material(Reflectance(model), {"fr"}), OutsideFacts{});
+  };
+  EXPECT_EQ(judged(sampler, 1, subject(0.5 / kPi)).at("sample_mean").outcome, Outcome::pass);
+  for (const double there : {std::nan(""), HUGE_VAL}) {
+    const auto found = judged(sampler, 1, subject(there));
+    const Finding& mean = found.at("sample_mean");
+    EXPECT_EQ(mean.outcome, Outcome::fail) << mean.statement;
+    EXPECT_THAT(mean.statement, HasSubstr("the mean of the weights is not finite"));
+    EXPECT_THAT(mean.statement, HasSubstr(std::isnan(there) ? "f*cos_i of eval is nan" : "is inf"));
+    EXPECT_THAT(mean.statement, testing::Not(HasSubstr("noise")));
+    ASSERT_TRUE(mean.witness);
+    EXPECT_EQ(mean.witness->angles.size(), 4u);
+    EXPECT_EQ(mean.witness->parameters.size(), 2u);  // the random numbers
+  }
+  // The density function alone is no number at a few of the directions.
+  HalfCosine unknown;
+  unknown.change().gives_pdf = false;
+  unknown.change().values = {};
+  const auto right = unknown.density_of;
+  unknown.density_of = [right](const Vec3<double>& w) {
+    return w.x > 0.5 && w.x < 0.52 && std::abs(w.y) < 0.1 ? std::nan("") : right(w);
+  };
+  EXPECT_THAT(judged(unknown).at("sample_mean").statement, HasSubstr("with a density of nan"));
+}
+
+TEST(Sampler, AValueDoesNotEqualAnEvalThatIsNoNumber) {
+  const auto model = std::make_shared<const Replaced>(
+      [](const Vec3<double>& w) { return w.x > 0.5 ? std::nan("") : 0.5 / kPi; });
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0] = {0.5 / kPi, 0.5 / kPi, 0.5 / kPi}; };
+  const auto found =
+      judged(sampler, 1, Subject::material("x", make_material(Reflectance(model), {"fr"}), OutsideFacts{}));
+  EXPECT_EQ(found.at("sample_value").outcome, Outcome::fail) << found.at("sample_value").statement;
+}
+
+TEST(Sampler, AFewLostSamplesAreNoFinding) {
+  // A cosine sampler, so that all weights are equal except for the lost ones.
+  HalfCosine sampler;
+  sampler.share = 1 - 1e-12;
+  double lost = 5e-5;
+  sampler.at_last = [&lost](Draw& d, std::span<const double> u) {
+    if (std::abs(u[1] - 0.3) < lost / 2) d.pdf = 0;
+  };
+  const auto few = judged(sampler);
+  EXPECT_EQ(few.at("sample_distribution").outcome, Outcome::pass) << few.at("sample_distribution").statement;
+  EXPECT_EQ(few.at("sample_mean").outcome, Outcome::pass) << few.at("sample_mean").statement;
+  lost = 4e-3;
+  const auto many = judged(sampler);
+  EXPECT_THAT(
+      many.at("sample_distribution").statement,
+      testing::ContainsRegex("do not follow the density: [0-9]+ samples for 0 expected of 16384 are lost"));
+  EXPECT_EQ(many.at("density_mass").outcome, Outcome::fail);
+}
+
+TEST(Sampler, ADrawOfAGeneratorMayUseAllRandomNumbers) {
+  HalfCosine sampler;
+  sampler.change().randoms = 40;
+  sampler.change().generated = true;
+  long draws = 0, zeros = 0;
+  sampler.at_last = [&](Draw& d, std::span<const double> u) {
+    ++draws;
+    zeros += u.back() == 0;
+    d.used = 2;
+  };
+  judged(sampler);
+  EXPECT_LT(double(zeros), 0.001 * double(draws));
+}
+
+TEST(Sampler, AnInaccurateIntegralDecidesNothing) {
+  HalfCosine sampler;
+  sampler.change().gives_pdf = false;
+  const auto right = sampler.density_of;
+  sampler.density_of = [right](const Vec3<double>& w) {
+    const bool dark = std::sin(900 * w.x) * std::sin(900 * w.y) < 0;
+    return right(w) * (dark ? 0.5 : 1.5);
+  };
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("sample_distribution").outcome, Outcome::undecided)
+      << found.at("sample_distribution").statement;
+  EXPECT_THAT(found.at("sample_distribution").statement, HasSubstr("not accurate enough"));
 }
 
 // Values of Abramowitz and Stegun, tables 26.1 and 26.7.

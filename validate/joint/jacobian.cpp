@@ -285,7 +285,11 @@ bool draws_are_too_few(const Inverse& inverse, std::span<const DensityRow> rows)
 JacobianRows jacobian_rows(const Trio& trio, int probes, std::uint64_t seed) {
   constexpr int kMostThorough = 6;
   JacobianRows out;
-  if (!trio.facts().draws || trio.facts().randoms < 2) return out;
+  if (!trio.facts().draws) return out;
+  if (trio.facts().randoms < 2) {
+    out.why = "a draw takes fewer than 2 random numbers";
+    return out;
+  }
   constexpr std::size_t kMostNumbers = 6;  // the search takes a draw for each number and start
   if (trio.randoms_used() > kMostNumbers) {
     out.why = "a draw uses " + std::to_string(trio.randoms_used()) + " random numbers, more than " +

@@ -12,6 +12,7 @@
 #include "validate/joint/jacobian.h"
 #include "validate/joint/pointwise.h"
 #include "validate/joint/statistics.h"
+#include "validate/joint/weights.h"
 
 namespace brdf::validate {
 namespace {
@@ -23,30 +24,6 @@ constexpr double kLeastExpected = 25;
 std::string degrees_text(const SampledCase& c) {
   return "theta_o " + io::short_number(c.theta, 3);
 }
-
-// The mean of a channel's weights with its moments.
-struct Moments {
-  // Of the differences from the first weight, so that equal weights have no variance from rounding.
-  double first = 0, sum = 0, sum2 = 0, sum3 = 0, largest = 0;
-  long count = 0;
-  void add(double weight) {
-    if (count == 0) first = weight;
-    const double x = weight - first;
-    sum += x, sum2 += x * x, sum3 += x * x * x;
-    largest = std::max(largest, std::abs(weight));
-    ++count;
-  }
-  double shifted() const { return sum / double(count); }
-  double mean() const { return first + shifted(); }
-  double variance() const { return std::max(sum2 / double(count) - shifted() * shifted(), 0.0); }
-  double error() const { return std::sqrt(variance() / double(count)); }
-  double skewness() const {
-    const double m = shifted(), v = variance();
-    // The third moment of weights that are equal to rounding is rounding.
-    if (!(v > 1e-12 * mean() * mean())) return 0;
-    return (sum3 / double(count) - 3 * m * v - m * m * m) / std::pow(v, 1.5);
-  }
-};
 
 class SamplerJudge {
  public:
@@ -143,6 +120,7 @@ class SamplerJudge {
   }
 
   void judge_support(const Trio& trio, const Integrals& integrals) {
+    if (!facts_.has_eval) return;
     ++done_[support];
     for (std::size_t c = 0; c < trio.channels() && c < 3; ++c) {
       if (!(integrals.albedo[c] > 0)) continue;
@@ -234,11 +212,11 @@ class SamplerJudge {
     const std::size_t all = draws();
     std::vector<long> observed(cells.all().size());
     long lost = 0, too_many = 0;
-    std::vector<Moments> moments(std::min<std::size_t>(trio.channels(), 3));
+    Weights weights(std::min<std::size_t>(trio.channels(), 3));
     Pointwise points;
     for_draws(trio, all, seed(k) + 1234567, [&](std::span<const double> u, std::span<const Draw> draws) {
       compare_draws(trio, quantities_, u, draws, points);
-      add_weights(trio, draws, moments);
+      weights.add(trio, quantities_, u, draws);
       for (const Draw& draw : draws) {
         too_many += draw.used > facts_.randoms;
         if (counts(facts_, draw) && std::isfinite(draw.wi.x + draw.wi.y))
@@ -254,36 +232,7 @@ class SamplerJudge {
       judge_mass(trio, *integrals, long(all), lost, rows);
       judge_distribution(trio, cells, *integrals, observed, lost, all);
     }
-    judge_mean(trio, moments);
-  }
-
-  // The weight of a draw: the value that the sampler returns as a weight, or eval's value over the density.
-  void add_weights(const Trio& trio, std::span<const Draw> draws, std::vector<Moments>& moments) const {
-    std::size_t from = facts_.values.size();
-    for (std::size_t j = facts_.values.size(); j-- > 0;)
-      if (quantities_.of[j] == SampleValue::weight || has_pdf()) from = j;
-    std::vector<Vec3<double>> wi;
-    for (const Draw& draw : draws) wi.push_back(draw.wi.z > 0 ? draw.wi : Vec3<double>{0, 0, 1});
-    std::vector<double> f, density;
-    if (from == facts_.values.size() && has_pdf()) f = trio.f(wi, true);
-    if (!facts_.gives_pdf && facts_.has_density) density = trio.density(wi);
-    if (from == facts_.values.size() && f.empty()) return;
-    for (std::size_t k = 0; k < draws.size(); ++k) {
-      const Draw& draw = draws[k];
-      const double pdf = facts_.gives_pdf ? draw.pdf : density.empty() ? std::nan("") : density[k];
-      const bool none = !draw.valid || (has_pdf() && !(pdf > 0)) || !(draw.wi.z > 0);
-      for (std::size_t c = 0; c < moments.size(); ++c) {
-        double weight = 0;
-        if (!none && from == facts_.values.size())
-          weight = f[c * wi.size() + k] / pdf;
-        else if (!none)
-          weight =
-              quantities_.of[from] == SampleValue::weight
-                  ? draw.values[from][c]
-                  : draw.values[from][c] * (quantities_.of[from] == SampleValue::f ? draw.wi.z : 1) / pdf;
-        moments[c].add(std::isfinite(weight) ? weight : 0);
-      }
-    }
+    judge_mean(trio, weights);
   }
 
   void judge_points(const Trio& trio, const Pointwise& p) {
@@ -292,11 +241,14 @@ class SamplerJudge {
     compared_[range] += p.length.compared;
     if (p.density.share() > kFewDraws) {
       const std::string cause = cause_of(trio, p.returned);
+      const bool all_differ = p.density.share() > 0.95;
       worse(match, p.density.share(),
             "the density that " + facts_.sampler_name + " returns and " + facts_.density_name +
                 " differ at " + io::percent(p.density.share()) + " of the samples, by up to " +
                 io::percent(p.density.worst) +
-                (cause.empty() ? "" : "; " + facts_.density_name + " " + cause),
+                (cause.empty()
+                     ? ""
+                     : (all_differ ? "; " : "; at these samples ") + facts_.density_name + " " + cause),
             trio, &p.density.wi, p.density.u);
     }
     if (p.value.share() > kFewDraws)
@@ -328,21 +280,24 @@ class SamplerJudge {
     for (const auto& [kind, count] : p.fits)
       if (kind != quantities_.of[0] && double(count) > 0.99 * double(p.value.compared))
         text += "; it is " + std::string(name_of(kind)) +
-                ", so a factor is applied twice or not at all; if this is "
-                "meant, declare it with a line `//: sample returns " +
-                std::string(name_of(kind)) + "`";
+                ", so a factor is applied twice or not at all; if this is meant, declare it with " +
+                facts_.before_quantity + std::string(name_of(kind)) + facts_.after_quantity;
     return text;
   }
 
   void judge_distribution(const Trio& trio, const Cells& cells, const Integrals& in,
                           const std::vector<long>& observed, long lost, std::size_t all) {
-    if (in.mass_error > 1e-3 || !in.all_finite) {
+    // If all of the error of the integrals is in one cell, the statistic may still change by little.
+    constexpr double kLittle = 2;
+    if (double(all * cells.all().size()) * in.mass_error * in.mass_error > kLittle || !in.all_finite) {
       distribution_why_ = "the integrals of the density are not accurate enough";
       return;
     }
     ++done_[distribution];
     const double n = double(all);
     double tail = 1, statistic = 0;
+    double of_rest = 1;     // probability of the samples that are lost or in cells with few expected samples
+    std::string rest_text;  // how many they are
     int degrees = 0;
     double visible = 0;
     std::size_t worst_cell = 0;
@@ -369,26 +324,34 @@ class SamplerJudge {
         if (!coarse && std::abs(deviation) > std::abs(worst_deviation))
           worst_deviation = deviation, worst_cell = k;
       }
-      double part = 1;
       if (rest_expected >= kLeastExpected) {
         chi2 += (rest_seen - rest_expected) * (rest_seen - rest_expected) / rest_expected;
         ++used;
-      } else if (rest_seen > 2 * rest_expected + 10) {
-        part = poisson_two_sided(rest_seen, std::max(rest_expected, 1e-3));
+      } else if (const double most = rest_expected + n * kMassBound; rest_seen > most) {
+        const double probability = poisson_two_sided(rest_seen, most);
+        if (probability < of_rest)
+          rest_text = io::short_number(rest_seen, 12) + " samples for " +
+                      io::short_number(std::round(10 * rest_expected) / 10, 3) + " expected";
+        of_rest = std::min(of_rest, probability);
       }
-      if (used > 1) part = std::min(part, chi_square_tail(chi2, used - 1));
+      const double part = used > 1 ? chi_square_tail(chi2, used - 1) : 1;
       if (part < tail || degrees == 0) tail = part, statistic = chi2, degrees = used - 1;
       // A density that is wrong by x in a quarter of the samples shifts the statistic by n x^2 / 4.
       if (coarse && used > 1) visible = std::sqrt(4 * (threshold(used - 1) - (used - 1) + 12) / n);
     }
     power_[distribution] = std::max(power_[distribution], visible);
-    findings_[distribution].value =
-        std::max(findings_[distribution].value, -std::log10(std::max(tail, 1e-300)));
+    const double severity = -std::log10(std::max(std::min(tail, of_rest), 1e-300));
+    findings_[distribution].value = std::max(findings_[distribution].value, severity);
+    if (of_rest < level_ && of_rest < tail)
+      worse(distribution, severity,
+            "the samples do not follow the density: " + rest_text + " of " + std::to_string(all) +
+                " are lost, or have directions at which the density is nearly 0",
+            trio);
     if (!(tail < level_)) return;
     const Cell& c = cells.all()[worst_cell];
     const double s = (c.s0 + c.s1) / 2, phi = (c.phi0 + c.phi1) / 2, rho = std::sqrt(s * (2 - s));
     const Vec3<double> wi{rho * std::cos(phi), rho * std::sin(phi), 1 - s};
-    worse(distribution, -std::log10(std::max(tail, 1e-300)),
+    worse(distribution, severity,
           "the samples do not follow the density: chi-square " + io::short_number(statistic) + " with " +
               std::to_string(degrees) + " degrees of freedom, probability " + io::short_number(tail, 2) +
               "; in the worst cell " + std::to_string(observed[worst_cell]) + " samples for " +
@@ -407,16 +370,42 @@ class SamplerJudge {
     return low;
   }
 
-  void judge_mean(const Trio& trio, const std::vector<Moments>& moments) {
+  // The deviation of the mean, in standard errors, that a test at the level allows; std::nullopt if a few
+  // large weights dominate.
+  std::optional<double> limit_of(const Moments& m, double error) const {
+    const double n = double(m.count()), z = two_sided_quantile(level_);
+    // The skewness of rare large weights moves the quantiles of the mean (Cornish and Fisher 1938).
+    const double skew = std::abs(m.skewness()) / std::sqrt(n);
+    if (skew * z <= 1) return z + skew * (z * z - 1) / 6;
+    // Weights of a small range, such as equal ones with a few lost samples: Bernstein's inequality with the
+    // variance of the weights (Maurer and Pontil 2009).
+    if (m.smallest() < 0 || m.largest() > 2 * m.mean()) return std::nullopt;
+    const double logarithm = std::log(4 / level_);
+    return std::sqrt(2 * logarithm) + 7 * (m.largest() - m.smallest()) * logarithm / (3 * (n - 1) * error);
+  }
+
+  void judge_mean(const Trio& trio, const Weights& weights) {
+    if (weights.not_finite().differing > 0) {
+      worse(mean, HUGE_VAL,
+            "the mean of the weights is not finite, because the weight is not at " +
+                io::percent(weights.not_finite().share()) + " of the samples: " + weights.reason(),
+            trio, &weights.not_finite().wi, weights.not_finite().u);
+      return;
+    }
+    if (!facts_.has_eval) {
+      mean_why_ = facts_.no_eval;
+      return;
+    }
     const SampledCase& at = trio.at();
     AlbedoOptions integral;
     integral.fixed = Fixed::viewer;
     integral.tolerance = 1e-6;
     integral.max_evaluations = 400'000;
-    for (std::size_t c = 0; c < moments.size(); ++c) {
-      const Moments& m = moments[c];
-      if (m.count == 0) {
-        mean_why_ = "without a density and without weights there is no mean";
+    for (std::size_t c = 0; c < weights.of().size(); ++c) {
+      const Moments& m = weights.of()[c];
+      if (m.count() == 0) {
+        mean_why_ =
+            facts_.no_density + ", and " + facts_.sampler_name + " returns neither a density nor a weight";
         return;
       }
       double truth = 0, bound = 0;
@@ -428,27 +417,25 @@ class SamplerJudge {
         mean_why_ = "the albedo could not be integrated accurately enough";
         continue;
       }
-      const double error = m.error() + 1e-9 * truth, z_level = two_sided_quantile(level_);
-      // The skewness of rare large weights moves the quantiles of the mean (Cornish and Fisher 1938).
-      const double skew = std::abs(m.skewness()) / std::sqrt(double(m.count));
-      if (skew * z_level > 1) {
-        mean_why_ = "a few large weights dominate the mean: the largest is " + io::short_number(m.largest) +
+      const double error = m.error() + 1e-9 * truth;
+      const std::optional<double> limit = limit_of(m, error);
+      if (!limit) {
+        mean_why_ = "a few large weights dominate the mean: the largest is " + io::short_number(m.largest()) +
                     " for a mean of " + io::short_number(m.mean());
         continue;
       }
-      const double limit = z_level + skew * (z_level * z_level - 1) / 6;
       ++done_[mean];
       // Constants such as 1 / pi may be rounded differently in two functions.
       const double z = std::max(std::abs(m.mean() - truth) - bound - kSameValue * truth, 0.0) / error;
       findings_[mean].value = std::max(findings_[mean].value, z);
-      power_[mean] = std::max(power_[mean], (limit + kPower) * error / truth);
+      power_[mean] = std::max(power_[mean], ((*limit + kPower) * error + bound) / truth + kSameValue);
       const double relative = std::sqrt(m.variance()) / truth;
       if (relative > noise_) {
         noise_ = relative;
-        largest_weight_ = m.largest / truth;
+        largest_weight_ = m.largest() / truth;
         best_ = least_noise_of_catalogue(trio, c, truth, seed(1));
       }
-      if (z > limit)
+      if (z > *limit)
         worse(mean, z,
               "the mean of the weights is " + io::short_number(m.mean(), 5) + " +- " +
                   io::short_number(error, 2) + ", but the albedo is " + io::short_number(truth, 5) + " (" +
@@ -469,6 +456,7 @@ class SamplerJudge {
   }
 
   void judge_single(const Trio& trio, std::size_t k) {
+    if (!facts_.in_float) return;
     const SingleCompared s = single_of(trio, full_ ? 16384 : 4096, seed(k) + 31);
     compared_[single] += s.difference.compared + s.branches;
     branches_ += s.branches;
@@ -495,22 +483,22 @@ class SamplerJudge {
     f.statement = looked ? if_good : why_not;
   }
 
-  std::string none_of(const std::string& functions) const {
-    std::string text = functions;
+  std::string with_reasons(std::string text) const {
     for (const std::string& why : facts_.missing) text += "; " + why;
     return text;
   }
 
   void conclude() {
-    const std::string cases = std::to_string(cases_.size()) + " cases", few = "the file has no ";
-    const std::string no_density = none_of(few + "density function that is understood"),
-                      no_sampler = none_of(few + "sampler that is understood");
+    const std::string cases = std::to_string(cases_.size()) + " cases";
+    const std::string no_density = with_reasons(facts_.no_density),
+                      no_sampler = with_reasons(facts_.no_sampler);
     const std::string at_level = ", level " + io::short_number(level_, 2) + " each";
     findings_[mass].bound = kMassBound;
     conclude_one(mass, facts_.has_density && mass_unknown_.empty() && done_[mass] > 0,
                  mass_unknown_.empty() ? no_density : mass_unknown_,
-                 "the integral of the density is 1 minus the share of lost samples, in " + cases +
-                     "; quadrature to " + io::short_number(largest_mass_error_, 2));
+                 (facts_.draws ? "the integral of the density is 1 minus the share of lost samples, in "
+                               : "the density integrates to 1 in ") +
+                     cases + "; quadrature to " + io::short_number(largest_mass_error_, 2));
     findings_[match].bound = kSameValue;
     conclude_one(match, compared_[match] > 0,
                  !facts_.draws         ? no_sampler
@@ -523,6 +511,7 @@ class SamplerJudge {
     conclude_one(value, compared_[value] > 0,
                  !facts_.draws           ? no_sampler
                  : facts_.values.empty() ? facts_.sampler_name + " returns no value to compare"
+                 : !facts_.has_eval      ? facts_.no_eval
                                          : "no value could be compared: its quantity needs a density",
                  values_text());
     const bool jacobian_looked = decided_ >= 16 && decided_ * 3 >= probes_;
@@ -553,7 +542,7 @@ class SamplerJudge {
                  "the mean of the weights is the albedo in " + cases + at_level + "; a constant error of " +
                      io::percent(power_[mean], 2) + " would be found" + noise_text());
     findings_[support].bound = kLostAlbedo;
-    conclude_one(support, done_[support] > 0, no_density,
+    conclude_one(support, done_[support] > 0, facts_.has_density ? facts_.no_eval : no_density,
                  "the density is above 0 wherever f cos_i is, except for " +
                      io::percent(findings_[support].value, 2) + " of the albedo at most");
     conclude_one(range, compared_[range] > 0,
@@ -563,10 +552,13 @@ class SamplerJudge {
                      " combinations of the random numbers 0, 1/2, 1 - 2^-24 and 1");
     findings_[single].bound = kFewDraws;
     conclude_one(single, compared_[single] > 0,
-                 facts_.draws ? std::string("no sample above the horizon was drawn") : no_sampler,
+                 !facts_.draws      ? no_sampler
+                 : !facts_.in_float ? facts_.sampler_name + " is available in double precision only"
+                                    : "no sample above the horizon was drawn",
                  "float and double agree within 1 % at " + std::to_string(compared_[single]) + " samples; " +
                      std::to_string(branches_) + " next to a boundary took another branch");
-    if (worst_[mean].severity >= 0 && noise_ > 0) findings_[mean].statement += noise_text();
+    if (worst_[mean].severity >= 0 && std::isfinite(worst_[mean].severity) && noise_ > 0)
+      findings_[mean].statement += noise_text();
     if (too_many_)
       for (const Place place : {mass, jacobian, distribution, mean})
         if (findings_[place].outcome != Outcome::fail) {

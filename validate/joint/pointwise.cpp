@@ -13,6 +13,7 @@ constexpr double kUnit = 1e-5;         // of the length of a direction
 constexpr double kVisible = 0.01;      // between float and double
 
 double relative(double a, double b) {
+  if (!std::isfinite(a) || !std::isfinite(b)) return a == b ? 0 : HUGE_VAL;
   const double larger = std::max(std::abs(a), std::abs(b));
   return larger < kNearlyZero ? 0 : std::abs(a - b) / larger;
 }
@@ -66,26 +67,28 @@ Quantities quantities_of(const Trio& trio, std::uint64_t seed) {
   const SamplerFacts& facts = trio.facts();
   Quantities out;
   std::vector<long> as_eval(facts.values.size()), as_weight(facts.values.size());
-  for_draws(trio, 512, seed, [&](std::span<const double>, std::span<const Draw> draws) {
-    for (const Draw& draw : draws) {
-      if (!counts(facts, draw)) continue;
-      const double f = trio.f(std::span(&draw.wi, 1), false)[0];
-      const double pdf = facts.gives_pdf     ? draw.pdf
-                         : facts.has_density ? trio.density_of(draw.wi, trio.at().wo)
-                                             : std::nan("");
-      for (std::size_t k = 0; k < facts.values.size(); ++k) {
-        const double value = draw.values[k][0];
-        as_eval[k] += relative(value, quantity(facts.eval_returns, f, draw.wi.z, pdf)) <= kSameValue;
-        as_weight[k] += relative(value, quantity(SampleValue::weight, f, draw.wi.z, pdf)) <= kSameValue;
+  // Without f there are no comparisons, and a value counts as what the reflectance would return.
+  if (facts.has_eval && !facts.values.empty())
+    for_draws(trio, 512, seed, [&](std::span<const double>, std::span<const Draw> draws) {
+      for (const Draw& draw : draws) {
+        if (!counts(facts, draw)) continue;
+        const double f = trio.f(std::span(&draw.wi, 1), false)[0];
+        const double pdf = facts.gives_pdf     ? draw.pdf
+                           : facts.has_density ? trio.density_of(draw.wi, trio.at().wo)
+                                               : std::nan("");
+        for (std::size_t k = 0; k < facts.values.size(); ++k) {
+          const double value = draw.values[k][0];
+          as_eval[k] += relative(value, quantity(facts.eval_returns, f, draw.wi.z, pdf)) <= kSameValue;
+          as_weight[k] += relative(value, quantity(SampleValue::weight, f, draw.wi.z, pdf)) <= kSameValue;
+        }
       }
-    }
-  });
+    });
   for (std::size_t k = 0; k < facts.values.size(); ++k) {
     const auto& value = facts.values[k];
     out.of.push_back(value.kind                  ? *value.kind
                      : as_weight[k] > as_eval[k] ? SampleValue::weight
                                                  : facts.eval_returns);
-    if (!value.kind && out.announced.empty())
+    if (!value.kind && facts.has_eval && out.announced.empty())
       out.announced =
           "the value is taken as " + std::string(name_of(out.of.back())) +
           (as_weight[k] > as_eval[k] ? ", which it equals" : ", as " + facts.eval_name + " returns");
@@ -124,7 +127,7 @@ void compare_draws(const Trio& trio, const Quantities& quantities, std::span<con
         out.returned.push_back({draw.wi, density[k], draw.pdf, {}});
     }
     const double pdf = facts.gives_pdf ? draw.pdf : facts.has_density ? density[k] : std::nan("");
-    for (std::size_t j = 0; j < facts.values.size(); ++j) {
+    for (std::size_t j = 0; facts.has_eval && j < facts.values.size(); ++j) {
       double worst = 0;
       for (std::size_t c = 0; c < std::min<std::size_t>(trio.channels(), 3); ++c)
         worst = std::max(worst, relative(draw.values[j][c],
@@ -151,6 +154,7 @@ Edges edges_of(const Trio& trio) {
       u[r * facts.randoms + k] = kPlaces[digits % 4];
   out.combinations = int(rows);
   for (const bool single : {false, true}) {
+    if (single && !facts.in_float) break;
     const std::vector<Draw> draws = trio.draw(u, single);
     for (std::size_t r = 0; r < rows; ++r) {
       const std::string fault = fault_of(facts, draws[r]);

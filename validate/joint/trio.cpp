@@ -55,6 +55,7 @@ std::vector<SampledCase> cases_of(const Subject& subject, const SamplerFacts& fa
 }
 
 std::vector<double> Trio::f(std::span<const Vec3<double>> wi, bool times_cosine) const {
+  if (!facts().has_eval) return std::vector<double>(wi.size() * channels());
   DirectionArrays<double> rows(wi.size());
   for (std::size_t k = 0; k < wi.size(); ++k) rows.set(k, wi[k], case_.wo);
   std::vector<double> out(wi.size() * channels()), row(wi.size());
@@ -104,14 +105,13 @@ std::size_t Trio::randoms_used() const {
 void for_draws(const Trio& trio, std::size_t count, std::uint64_t seed,
                const std::function<void(std::span<const double>, std::span<const Draw>)>& each) {
   Random random(seed);
-  const std::size_t width = trio.facts().randoms, used = trio.randoms_used();
+  const std::size_t width = trio.facts().randoms;
   std::vector<double> u;
   for (std::size_t done = 0; done < count; done += kBlock) {
     const std::size_t rows = std::min(kBlock, count - done);
-    u.assign(rows * width, 0);
-    for (std::size_t r = 0; r < rows; ++r)
-      // Loops of a generator may use more numbers than the trial run did.
-      for (std::size_t k = 0; k < std::min(width, used + 4); ++k) u[r * width + k] = random.uniform();
+    // All of them, because loops of a generator may use more numbers than a trial run shows.
+    u.resize(rows * width);
+    for (double& x : u) x = random.uniform();
     const std::vector<Draw> draws = trio.draw(u);
     each(u, draws);
   }

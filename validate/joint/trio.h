@@ -31,7 +31,8 @@ class Trio {
   const SampledCase& at() const { return case_; }
   std::size_t channels() const { return case_.at.channels.size(); }
 
-  // Returns f (or f cos_i) of all directions, channel by channel; 0 below the horizon.
+  // Returns f (or f cos_i) of all directions, channel by channel; 0 below the horizon, and everywhere if f is
+  // not available.
   std::vector<double> f(std::span<const Vec3<double>> wi, bool times_cosine) const;
   // Returns the density of each direction, 1/sr. `wo`: another viewing direction.
   std::vector<double> density(std::span<const Vec3<double>> wi, bool single = false) const;

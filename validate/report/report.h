@@ -33,7 +33,7 @@ struct MeasuredTable {
 };
 
 struct ReportContent {
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  // without subjects and tables, the page has no plots
   std::vector<Subject> subjects;
   std::vector<MeasuredTable> tables;
   std::vector<Picture> pictures;

@@ -87,6 +87,15 @@ void add_pictures(io::HtmlReport& report, const ReportContent& content) {
   if (!row.empty()) report.pictures(row);
 }
 
+std::string title_of(const ReportContent& content) {
+  const std::size_t count = content.subjects.size() + content.tables.size();
+  if (count > 1) return std::to_string(count) + " subjects";
+  if (!content.tables.empty()) return io::file_name(content.tables.front().table.source);
+  if (!content.subjects.empty()) return io::file_name(content.subjects.front().name());
+  // Findings of functions come without a subject that could be drawn.
+  return content.findings.empty() ? "0 subjects" : content.findings.front().subject;
+}
+
 // Adds one sphere per subject. A page with many subjects has no spheres, since each one adds a shader and a
 // picture.
 void add_spheres(io::HtmlReport& report, const ReportContent& content) {
@@ -132,15 +141,12 @@ void add_properties(io::HtmlReport& report, const std::vector<Finding>& findings
 }
 
 std::string to_html(const ReportContent& content) {
-  const std::size_t count = content.subjects.size() + content.tables.size();
-  const std::string what = count != 1               ? std::to_string(count) + " subjects"
-                           : content.tables.empty() ? io::file_name(content.subjects.front().name())
-                                                    : io::file_name(content.tables.front().table.source);
-  io::HtmlReport report("Validation of " + what);
+  io::HtmlReport report("Validation of " + title_of(content));
   report.verdict(mark_of(content.findings), summary(content.findings));
   add_pictures(report, content);
   add_spheres(report, content);
   std::vector<Finding> of_subjects, of_tables = content.findings;
+  if (content.subjects.empty() && content.tables.empty()) of_subjects.swap(of_tables);
   for (const Subject& subject : content.subjects) {
     const std::vector<Finding> own = findings_of(content.findings, subject.name());
     of_subjects.insert(of_subjects.end(), own.begin(), own.end());
