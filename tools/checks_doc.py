@@ -39,7 +39,7 @@ def page_of(root):
     general = [row for row in forms if row not in own and row not in sampled]
     page = [INTRODUCTION, "## Of forms, materials and shaders", "", *table_of(general, "question"), "",
             "Only of shaders:", "", *table_of(own, "question"), "",
-            "Only of shaders with a sampler or a density of their own:", "", *table_of(sampled, "question"), "",
+            "Only of shaders with a sampler or a density of their own, and of forms with `--samplers`:", "", *table_of(sampled, "question"), "",
             "## Of tables of measurements", "", *table_of(tables, "question")]
     return "\n".join(page) + "\n", [name for name, _, _ in tables]
 

@@ -55,6 +55,7 @@ constexpr OptionRow kTable[] = {
     {"--such-that", Group::checks, Value::text},
     {"--numerics", Group::checks},
     {"--integrators", Group::checks},
+    {"--samplers", Group::checks},
     {"--gpu", Group::checks},
     {"--check", Group::checks, Value::json},
     {"--self-test", Group::checks},

@@ -25,6 +25,7 @@
 #include "io/material/settings.h"
 #include "study/proofs.h"
 #include "validate/form/against.h"
+#include "validate/joint/catalogue_sampler.h"
 #include "validate/numerics/error_bounds.h"
 #include "validate/numerics/integrators.h"
 #include "validate/numerics/numerics.h"
@@ -50,6 +51,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"--shader", kDomain | kOnDevice},
     {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
     {"--sample --pdf", kDomain, "--shader"},
+    {"--samplers", kDomain, "--form --all"},
     {"--such-that --against", kDomain},
     {"--map", kDomain, "--against"},
     {"--effort", kFunctions | kIntegrators | kTraced | kNumerics},
@@ -66,7 +68,7 @@ constexpr OptionOf kValidateOptions[] = {
 
 struct ValidateCall {
   std::vector<std::string> files, forms, pictures, require;
-  bool all = false, json = false, keep_fill = false;
+  bool all = false, json = false, keep_fill = false, samplers = false;
   std::string effort = "quick", output;
   double max_theta = 89.5;
   std::uint64_t seed = 1;
@@ -107,6 +109,9 @@ validate::ReportContent judged(const CLI::App& verb, const ValidateCall& o,
     for (const Reflectance& form : catalogue()) content.subjects.push_back(validate::Subject::form(form));
   for (const std::string& name : o.forms)
     content.subjects.push_back(validate::Subject::form(io::require_form(name)));
+  if (o.samplers)
+    for (validate::Subject& subject : content.subjects)
+      subject.judge_also(validate::catalogue_sampler(*subject.of_form()));
   if (const auto shader = load(o.shader, "validate", o.json))
     content.subjects.push_back(subject_of(*shader, o.shader.file));
   restrict_all(o, content.subjects);
@@ -250,6 +255,9 @@ void add_validate(CLI::App& app) {
   verb->add_option("FILES", o->files, "Materials (JSON) and sample tables");
   add_repeated_option(*verb, "--form", o->forms, "Form to judge over its whole parameter domain");
   verb->add_flag("--all", o->all, "Every form");
+  verb->add_flag("--samplers", o->samplers,
+                 "Judge the importance sampler of each form as well (of --form, --all; a shader's sampler is "
+                 "always judged)");
   add_shader_options(*verb, o->shader);
   add_sampler_options(*verb, o->shader);
   verb->add_option("--such-that", o->such_that,
@@ -298,6 +306,7 @@ void add_validate(CLI::App& app) {
       "          brdf validate --form ward --effort full --seed 2\n"
       "          brdf fit samples.csv --form ward -o - | brdf validate - --quiet\n"
       "          brdf validate --all --json\n"
+      "          brdf validate --form ward --samplers --require jacobian,sample_mean\n"
       "          brdf validate --shader disney.brdf --param roughness=0.05:1 --require finite,non_negative\n"
       "          brdf validate --shader ggx.glsl --such-that \"albedo + f0 <= 1\" --against cook_torrance "
       "--map "

@@ -80,7 +80,8 @@ T pdf_half_cosine(T n, const Geometry<T>& g) {
 template <class T>
 Vec3<T> sample_gaussian_slopes(const Roughness<T>& a, T u1, T u2) {
   using std::cos, std::sin, std::log;
-  const T radius = math::sqrt(-log(T(1) - u1));
+  // A generator that rounds to float can return exactly 1.
+  const T radius = math::sqrt(-log(at_least(T(1) - u1, T(1e-30))));
   const T phi = T(2 * kPi) * u2;
   return normalised(Vec3<T>{a.alpha_x * radius * cos(phi), a.alpha_y * radius * sin(phi), T(1)});
 }

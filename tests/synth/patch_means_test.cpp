@@ -110,7 +110,7 @@ TEST(PatchMeans, AgreeWithAPlainSumForAnisotropicMaterials) {
   }
 }
 
-// Means from 2^22 directions of scrambled Sobol points (four scramblings of 2^20 points, standard errors below
+// Means from 2^22 directions of scrambled Sobol points (four scramblings of 2^20, standard errors below
 // 2e-7), which are independent of all rules of the integration. Pairs that a symmetry connects are equal.
 TEST(PatchMeans, OfALongNarrowLobeAgreeWithManyDirections) {
   Material material = one("ward", {{"alpha_x", 0.05}, {"alpha_y", 0.25}});

@@ -7,6 +7,8 @@
 #include <functional>
 #include <map>
 
+#include "tests/thorough.h"
+#include "validate/joint/catalogue_sampler.h"
 #include "validate/joint/cells.h"
 #include "validate/joint/judge_sampler.h"
 #include "validate/joint/statistics.h"
@@ -360,6 +362,26 @@ TEST(SamplerCells, CoverTheHemisphere) {
     }
   }
 }
+
+class CatalogueSamplers : public testing::TestWithParam<std::string> {};
+
+TEST_P(CatalogueSamplers, PassEveryCheckThatLooksAtThem) {
+  const Reflectance form = *find_form(GetParam());
+  const Subject subject = Subject::form(form);
+  const auto findings = judge_sampler(subject, *catalogue_sampler(form), CheckOptions{}, 1 << 14);
+  for (std::size_t k = 0; k < findings.size(); ++k)
+    EXPECT_NE(findings[k].outcome, Outcome::fail) << kSamplerChecks[k] << ": " << findings[k].statement;
+}
+
+// Every third form in ./test, all in ./test --full.
+std::vector<std::string> judged_forms() {
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < catalogue().size(); k += thorough() ? 1 : 3)
+    out.emplace_back(catalogue()[k]->info().name);
+  return out;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CatalogueSamplers, testing::ValuesIn(judged_forms()));
 
 }  // namespace
 }  // namespace brdf::validate

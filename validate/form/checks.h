@@ -51,7 +51,8 @@ Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 // One check, with all that callers need to know about it. A check does not put its own name into its
 // finding; the code that runs the check does.
 struct Check {
-  // outside: only for outside code; sampled: only for outside code with a sampler or a density of its own.
+  // outside: only for outside code; sampled: only for outside code with a sampler or a density of its own,
+  // and for forms of the catalogue if their samplers are judged as well.
   enum class Of { all, outside, sampled };
   std::string_view name, meaning;
   double cost;  // approximate, relative to the other checks

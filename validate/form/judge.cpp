@@ -20,9 +20,8 @@ void require_known(const Subject& subject) {
 }
 
 bool concerns(const Check& check, const Subject& subject) {
-  const OutsideFacts* facts = subject.outside_facts();
-  if (check.of == Check::Of::sampled) return facts != nullptr && facts->sampler != nullptr;
-  return check.of == Check::Of::all || facts != nullptr;
+  if (check.of == Check::Of::sampled) return subject.sampler() != nullptr;
+  return check.of == Check::Of::all || subject.outside_facts() != nullptr;
 }
 
 void cut_short(Finding& finding, const Budget& budget) {
@@ -43,7 +42,7 @@ std::size_t place_of(std::string_view check) {
 std::vector<Finding> sampler_findings(const Subject& subject, CheckOptions options) {
   Budget budget(options.seconds);
   options.budget = &budget;
-  std::vector<Finding> findings = judge_sampler(subject, *subject.outside_facts()->sampler, options);
+  std::vector<Finding> findings = judge_sampler(subject, *subject.sampler(), options);
   for (Finding& f : findings)
     if (budget.left_out() > 0 && f.outcome == Outcome::pass) cut_short(f, budget);
   return findings;

@@ -201,6 +201,7 @@ class Inverse {
   struct Solution {
     Numbers u;
     std::vector<bool> moves;
+    std::vector<double> same = {};  // the largest difference of each number between two equal solutions
   };
 
   // Two solutions are the same if the numbers that move the direction agree; the others are choices, and the
@@ -208,13 +209,17 @@ class Inverse {
   void add(std::vector<Solution>& found, const Numbers& u, const Draw* own) const {
     constexpr double kLeastSlope = 1e-4;
     Solution s{u, {}};
-    for (std::size_t j = 0; j < used_; ++j)
-      s.moves.push_back(length_of(difference_of(own[2 + 2 * j].wi, own[1 + 2 * j].wi)) >
-                        kLeastSlope * kNewtonStep);
+    for (std::size_t j = 0; j < used_; ++j) {
+      const double moved = length_of(difference_of(own[2 + 2 * j].wi, own[1 + 2 * j].wi));
+      s.moves.push_back(moved > kLeastSlope * kNewtonStep);
+      // In a narrow lobe, directions that count as hits belong to numbers that differ by more.
+      constexpr double kHits = 8;
+      s.same.push_back(std::max(kSame, kHits * kHit * 2 * kNewtonStep / std::max(moved, 1e-300)));
+    }
     for (const Solution& other : found) {
       bool same = other.moves == s.moves;
       for (std::size_t j = 0; j < used_ && same; ++j)
-        same = !s.moves[j] || std::abs(other.u[j] - u[j]) < kSame;
+        same = !s.moves[j] || std::abs(other.u[j] - u[j]) < s.same[j];
       if (same) return;
     }
     found.push_back(std::move(s));

@@ -18,7 +18,8 @@ namespace brdf::validate {
 namespace {
 
 constexpr double kMassBound = 1e-4, kLostAlbedo = 1e-4;
-constexpr double kPower = 1.2816;  // standard deviations for a probability of 90 %
+constexpr double kTolerance = 1e-6;  // of the integral of a density
+constexpr double kPower = 1.2816;    // standard deviations for a probability of 90 %
 constexpr double kLeastExpected = 25;
 
 std::string degrees_text(const SampledCase& c) {
@@ -105,7 +106,7 @@ class SamplerJudge {
     const Cells cells(pilot);
     std::optional<Integrals> integrals;
     if (facts_.has_density) {
-      integrals = integrals_of(trio, cells, 1e-6, full_ ? 1'000'000 : 200'000);
+      integrals = integrals_of(trio, cells, pilot, kTolerance, most_evaluations());
       findings_[mass].evaluations += integrals->evaluations;
       judge_support(trio, *integrals);
     }
@@ -207,9 +208,10 @@ class SamplerJudge {
             trio);
   }
 
-  void judge_draws(const Trio& trio, std::size_t k, const Cells& cells,
-                   const std::optional<Integrals>& integrals, const std::vector<DensityRow>& rows) {
+  void judge_draws(const Trio& trio, std::size_t k, const Cells& cells, std::optional<Integrals> integrals,
+                   const std::vector<DensityRow>& rows) {
     const std::size_t all = draws();
+    std::vector<Vec3<double>> seen;
     std::vector<long> observed(cells.all().size());
     long lost = 0, too_many = 0;
     Weights weights(std::min<std::size_t>(trio.channels(), 3));
@@ -220,7 +222,7 @@ class SamplerJudge {
       for (const Draw& draw : draws) {
         too_many += draw.used > facts_.randoms;
         if (counts(facts_, draw) && std::isfinite(draw.wi.x + draw.wi.y))
-          ++observed[cells.find(draw.wi)];
+          ++observed[cells.find(draw.wi)], seen.push_back(draw.wi);
         else
           ++lost;
       }
@@ -228,11 +230,33 @@ class SamplerJudge {
     for (Finding& f : findings_) f.evaluations += long(all);
     if (too_many > 0) too_many_ = true;
     judge_points(trio, points);
+    if (integrals &&
+        (integrals->mass_error > kTolerance || looks_different(*integrals, observed, lost, all))) {
+      // The samples show at which places the integral has to be accurate.
+      seen.resize(std::min<std::size_t>(seen.size(), 1 << 17));
+      integrals = integrals_of(trio, cells, seen, kTolerance, 20 * most_evaluations());
+      findings_[mass].evaluations += integrals->evaluations;
+    }
     if (integrals) {
       judge_mass(trio, *integrals, long(all), lost, rows);
       judge_distribution(trio, cells, *integrals, observed, lost, all);
     }
     judge_mean(trio, weights);
+  }
+
+  long most_evaluations() const { return full_ ? 1'000'000 : 200'000; }
+
+  // Returns whether a cell, or the rest that is lost, has a number of samples that its integral does not
+  // explain by chance alone.
+  static bool looks_different(const Integrals& in, const std::vector<long>& observed, long lost,
+                              std::size_t all) {
+    constexpr double kFromExpected = 4;
+    const auto differs = [](double seen, double expected) {
+      return std::abs(seen - expected) > 1 + kFromExpected * std::sqrt(std::max(expected, 1.0));
+    };
+    for (std::size_t k = 0; k < observed.size(); ++k)
+      if (differs(double(observed[k]), double(all) * in.density[k])) return true;
+    return differs(double(lost), double(all) * std::max(1 - in.mass, 0.0));
   }
 
   void judge_points(const Trio& trio, const Pointwise& p) {

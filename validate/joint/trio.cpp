@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brdf/angle.h"
+#include "io/files/shell.h"
 #include "io/files/text.h"
 #include "validate/search/degrees.h"
 #include "validate/search/search.h"
@@ -144,8 +145,9 @@ Witness witness_of(const Subject& subject, const Trio& trio, std::string_view ch
   }
   for (std::size_t k = 0; k < u.size(); ++k) w.parameters.emplace_back("u" + std::to_string(k), u[k]);
   const OutsideFacts* facts = subject.outside_facts();
-  if (facts && !facts->words.empty())
-    w.command = "brdf validate " + facts->words + " --require " + std::string(check) + " --seed " +
+  const std::string words = facts ? facts->words : "--form " + io::shell_word(subject.name()) + " --samplers";
+  if (!words.empty())
+    w.command = "brdf validate " + words + " --require " + std::string(check) + " --seed " +
                 std::to_string(options.seed) + (options.effort == Effort::full ? " --effort full" : "");
   return w;
 }

@@ -161,6 +161,10 @@ std::string Subject::selector(const Material& at) const {
   return words;
 }
 
+const DirectionSampler* Subject::sampler() const {
+  return outside_ ? outside_->sampler.get() : own_sampler_.get();
+}
+
 std::string Subject::explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                                const Vec3<double>& wo) const {
   const std::string text = outside_ && outside_->explain ? outside_->explain(check, at, wi, wo) : "";

@@ -88,6 +88,10 @@ class Subject {
   Material restricted(Material at) const;
   bool is_outside() const { return outside_.has_value(); }
   const OutsideFacts* outside_facts() const { return outside_ ? &*outside_ : nullptr; }
+  // Lets the checks of samplers judge this sampler, which is the catalogue's own. Valid only for a form.
+  void judge_also(std::shared_ptr<const DirectionSampler> sampler) { own_sampler_ = std::move(sampler); }
+  // The sampler to judge, of the outside code or of the catalogue; null if no sampler is judged.
+  const DirectionSampler* sampler() const;
   // Returns "; " followed by the explanation from the code's source; empty if there is no explanation.
   std::string explained(std::string_view check, const Material& at, const Vec3<double>& wi,
                         const Vec3<double>& wo) const;
@@ -106,6 +110,7 @@ class Subject {
   std::vector<std::size_t> shared_;
   bool anisotropic_ = false;
   std::optional<OutsideFacts> outside_;
+  std::shared_ptr<const DirectionSampler> own_sampler_;
   std::optional<io::Condition> condition_;
 };
 

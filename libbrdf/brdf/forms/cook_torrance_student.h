@@ -184,7 +184,9 @@ struct StudentSlopes {
   static Vec3<T> sample(const StudentRoughness<T>& s, T u1, T u2, const Vec3<T>& wo) {
     using std::cos, std::sin, std::expm1, std::log1p;
     const Roughness<T> a = s.ggx();
-    const T radius = math::sqrt(expm1(-log1p(-u1) / (s.gamma - T(1))));
+    // Infinite for u1 of exactly 1, which a generator that rounds to float can return.
+    const T slope2 = at_most(expm1(-log1p(-u1) / (s.gamma - T(1))), T(1e30));
+    const T radius = math::sqrt(slope2);
     const T phi = T(2 * kPi) * u2;
     return mirrored(wo,
                     normalised(Vec3<T>{a.alpha_x * radius * cos(phi), a.alpha_y * radius * sin(phi), T(1)}));
