@@ -65,6 +65,11 @@ struct LoadedShader {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined;
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits;
+  // In half precision (validate/search/subject.h).
+  std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
+      in_half;
+  std::string half_unknown;
+  bool has_half_types = false;
   std::shared_ptr<const DirectionSampler> sampler;  // of the same file; null if it has none
 };
 

@@ -52,7 +52,9 @@ struct SamplerFacts {
   std::string sampler_name = "sample", density_name = "pdf", pdf_name = "pdf", eval_name = "eval";
   SampleValue eval_returns = SampleValue::f;
   std::vector<std::size_t> colour_weights = {};  // weights that are one number per channel
-  std::vector<std::string> missing = {};         // reasons why a function is not available
+  // The reason why draws in float do not show all that a device may compute; empty: they do.
+  std::string half_unknown = {};
+  std::vector<std::string> missing = {};  // reasons why a function is not available
 };
 
 class DirectionSampler {

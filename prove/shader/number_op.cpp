@@ -215,6 +215,7 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     // Nothing is known of these operations yet.
     case Op::sinh:
     case Op::cosh:
+    case Op::to_half:
       return std::nullopt;
     // Operations on integers, and on both kinds: box_steps.cpp, whole.cpp.
     case Op::select:

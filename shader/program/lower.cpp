@@ -53,15 +53,16 @@ void Lowering::refuse(const std::string& what) const {
 
 Slot Lowering::emit(Op op, Slot a, Slot b, Slot c) {
   const bool pure = op != Op::copy && op != Op::icopy && op < Op::load_number;
-  const auto key = std::tuple(op, a, b, c);
+  const auto key = std::tuple(op, a, b, c, narrow_);
   if (pure)
     if (const auto found = computed_.find(key); found != computed_.end()) return found->second;
   const bool integer = (op >= Op::equal && op <= Op::bits_of) || (op >= Op::icopy && op <= Op::logical_not) ||
                        op == Op::load_integer;
   const Slot r = integer ? program_.integers++ : program_.numbers++;
   emit_to(op, r, a, b, c);
-  if (pure) computed_[key] = r;
-  return r;
+  const Slot result = narrow_ && needs_rounding(op) ? to_half(r) : r;
+  if (pure) computed_[key] = result;
+  return result;
 }
 
 void Lowering::emit_to(Op op, Slot r, Slot a, Slot b, Slot c) {
@@ -275,6 +276,17 @@ Slots Lowering::call(const spirv::Function& function,
   return frame.result;
 }
 
+// The scalars of the returned value, or of an argument that the function writes, and their type.
+std::pair<Slots, Id> Lowering::written_value(int argument, const spirv::Function& entry,
+                                             const Slots& returned, const std::map<int, Pointer>& written) {
+  const auto to = written.find(argument);
+  if (argument >= 0 && to == written.end()) refuse("an output argument is missing");
+  const Id id = argument < 0 ? entry.id : entry.parameters[std::size_t(argument)];
+  const Id type = argument < 0 ? entry.type : to->second.type;
+  Slots all = argument < 0 ? returned : load(to->second);
+  return {is_narrow_result(id, type) ? to_half(std::move(all), type) : std::move(all), type};
+}
+
 // The sum of the parts of the reflectance.
 Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
                           const std::map<int, Pointer>& written) {
@@ -284,11 +296,7 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
   if (parts.empty()) refuse("the function returns nothing; a reflectance is a float or a vec3");
   Slots sum;
   for (const ResultPart& part : parts) {
-    const auto to = written.find(part.argument);
-    const bool is_returned = part.argument < 0;
-    if (!is_returned && to == written.end()) refuse("an output argument is missing");
-    const Id type = is_returned ? entry.type : to->second.type;
-    const Slots all = is_returned ? returned : load(to->second);
+    const auto [all, type] = written_value(part.argument, entry, returned, written);
     const std::vector<bool> integer = kinds(type);
     if ((part.count != 1 && part.count != 3) || part.first + part.count > all.size() || integer[part.first])
       refuse("the function returns " + module_.spelled(type) + "; a reflectance is a float or a vec3");
@@ -353,6 +361,8 @@ Program Lowering::run(const spirv::Function& entry) {
   // The results get slots of their own, so that they are set on every path.
   for (Slot& slot : program_.results) slot = emit(Op::copy, slot);
   end_stretch(End::stop);
+  std::vector<Step>& first = program_.stretches.front().steps;
+  first.insert(first.begin(), prelude_.begin(), prelude_.end());
   return std::move(program_);
 }
 

@@ -130,8 +130,9 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
           arguments.push_back({std::nullopt, value(frame, id)});
       }
       const std::uint32_t line = line_;
-      frame.values[i.result] = {i.type, call(called->second, arguments)};
+      Slots returned = call(called->second, arguments);
       line_ = line;
+      frame.values[i.result] = {i.type, is_narrow(i) ? to_half(std::move(returned), i.type) : returned};
       return;
     }
     default:
@@ -139,7 +140,10 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
   }
   if (i.result == 0)
     refuse("writes to an image, a buffer or another pixel; a reflectance may only return a value");
+  narrow_ = is_narrow(i);
   Slots out = operation(frame, i);
+  if (narrow_) out = to_half(std::move(out), i.type);
+  narrow_ = false;
   if (out.size() != module_.scalars(i.type)) refuse("a value has two types");
   frame.values[i.result] = {i.type, std::move(out)};
 }

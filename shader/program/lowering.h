@@ -59,6 +59,8 @@ class Lowering {
   // lower.cpp: control flow
   Slots call(const spirv::Function& function,
              const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+  std::pair<Slots, Id> written_value(int argument, const spirv::Function& entry, const Slots& returned,
+                                     const std::map<int, Pointer>& written);
   Slots result_of(const spirv::Function& entry, const Slots& returned, const std::map<int, Pointer>& written);
   void block(Frame& frame, const spirv::Block& block, bool last);
   void end(Frame& frame, const spirv::Block& block, const spirv::Instruction& i, bool last);
@@ -120,6 +122,14 @@ class Lowering {
 
   Slot emit(Op op, Slot a = 0, Slot b = 0, Slot c = 0);
   void emit_to(Op op, Slot r, Slot a, Slot b = 0, Slot c = 0);
+  // lower_half.cpp: half precision
+  bool is_narrow(const spirv::Instruction& i) const;
+  bool is_narrow_result(Id value, Id type) const;
+  static bool needs_rounding(Op op);
+  Slot to_half(Slot slot);
+  Slot half_input(Slot slot);
+  Slot half_constant(std::uint32_t bits);
+  Slots to_half(Slots slots, Id type);
   [[noreturn]] void refuse(const std::string& what) const;
 
   const spirv::Module& module_;
@@ -132,9 +142,13 @@ class Lowering {
   std::map<std::uint64_t, Slot> number_constants_;
   std::map<std::uint32_t, Slot> integer_constants_;
   // Results of the operations in this stretch.
-  std::map<std::tuple<Op, Slot, Slot, Slot>, Slot> computed_;
-  Slot random_ = 0;        // the first number of kRandomInput
-  Slot random_count_ = 0;  // integer slot: the numbers used so far
+  std::map<std::tuple<Op, Slot, Slot, Slot, bool>, Slot> computed_;
+  // The instruction that is lowered computes in half precision.
+  bool narrow_ = false;
+  std::set<Slot> halves_;      // slots that hold numbers of half precision
+  std::vector<Step> prelude_;  // precedes the first stretch
+  Slot random_ = 0;            // the first number of kRandomInput
+  Slot random_count_ = 0;      // integer slot: the numbers used so far
   std::uint32_t line_ = 0;
   std::size_t steps_ = 0;
   int depth_ = 0;

@@ -83,6 +83,7 @@ inline constexpr Operation kOperations[] = {
     {Op::log1p, "xx", 'x', "log(1.0 + A) + B"},
     {Op::erfcx, "x", 'x', ""},
     {Op::angle, "xx", 'x', "atan(A, B)"},
+    {Op::to_half, "x", 'x', "unpackHalf2x16(packHalf2x16(vec2(A, 0.0))).x"},
     {Op::select, "ixx", 'x', "A != 0u ? B : C"},
     {Op::equal, "xx", 'i', "A == B ? 1u : 0u", Access::one, Compares::equal},
     {Op::not_equal, "xx", 'i', "A < B || B < A ? 1u : 0u", Access::one, Compares::not_equal},

@@ -57,6 +57,8 @@ enum class Op : std::uint8_t {
   log1p,
   erfcx,
   angle,
+  // Rounds to half precision in float; other scalars keep the value.
+  to_half,
   select,  // r = integer a ? number b : number c
   // numbers to an integer; _or: also true if an operand is NaN
   equal,

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "shader/program/half.h"
 #include "shader/program/program.h"
 #include "shader/run/functions.h"
 
@@ -223,6 +224,11 @@ template <class T, int W, class Lanes>
       return unary([](const T& a) { return F::erfcx(a); });
     case Op::angle:
       return binary([](const T& a, const T& b) { return F::angle(a, b); });
+    case Op::to_half:
+      if constexpr (std::is_same_v<T, float>)
+        return unary([](float a) { return rounded_to_half(a); });
+      else
+        return unary([](const T& a) { return a; });
     // As GLSL defines them: if an operand is NaN, the result is the first operand.
     case Op::min:
       return binary([](const T& a, const T& b) { return pick(b < a, b, a); });
