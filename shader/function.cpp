@@ -20,6 +20,7 @@
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
+#include "shader/textures.h"
 
 namespace brdf::shader {
 namespace {
@@ -253,6 +254,7 @@ Function function_of(Source source, const Compiled& compiled) {
   options.written = chosen.results.written;
   options.accumulated = chosen.results.accumulated;
   options.zero_globals = source.language == Language::hlsl;
+  options.textures = textures_of(module, source);
   const bool kernels = holds_kernels(module, f.source.name);
   std::shared_ptr<Function> in_half = set_programs(f, options, kernels, [&](const LowerOptions& o) {
     return lowered(module, *chosen.function, o, source.name);
@@ -294,7 +296,7 @@ Function function_of(Source source, const Compiled& compiled) {
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
   for (const std::string& note :
        {chosen.note, chosen.results.note, undeclared(f), unmentioned(compiled.unmentioned),
-        said_of_half(f, in_half.get(), compiled.narrow_word),
+        said_of_half(f, in_half.get(), compiled.narrow_word), said_of_textures(f, options.textures),
         std::string(entry_point == chosen.function->id ? kMerged : "")})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)

@@ -80,7 +80,7 @@ Form TurningSteps::value(const State& s, const Step& x, const Operation& o) {
   if (!all_still) return unknown();
   std::vector<int> key{int(x.op)};
   for (int k = 0; k < o.count(); ++k) key.push_back(operand(k).name);
-  if (x.op == Op::min) key.push_back(int(x.c));
+  if (x.op == Op::min || x.op == Op::texel) key.push_back(int(x.c));
   return still(forms_.names.of(key), hand);
 }
 

@@ -136,6 +136,9 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
       "nothing) (of --shader)");
   add_repeated_option(verb, "-I,--include-folder", options.include_folders,
                       "A folder for included files, searched after the file's own folder (of --shader)");
+  add_repeated_option(verb, "--texture", options.textures,
+                      "A texture's file, NAME=FILE.exr, then :nearest or :bilinear, and :repeat, :clamp or "
+                      ":mirror (of --shader; default: bilinear, repeat)");
 }
 
 void add_sampler_options(CLI::App& verb, ShaderOptions& options) {
@@ -164,7 +167,7 @@ bool is_given(const ShaderOptions& options) {
        {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
         std::pair("--returns", !options.returns.empty()), std::pair("--sample", !options.sample.empty()),
         std::pair("--pdf", !options.pdf.empty()), std::pair("--define", !options.defines.empty()),
-        std::pair("-I", !options.include_folders.empty())})
+        std::pair("-I", !options.include_folders.empty()), std::pair("--texture", !options.textures.empty())})
     if (given && options.file.empty()) throw InputError(std::string(name) + ": needs --shader FILE");
 #ifndef BRDF_HAS_SHADER
   if (!options.file.empty())
@@ -175,8 +178,11 @@ bool is_given(const ShaderOptions& options) {
 
 #ifdef BRDF_HAS_SHADER
 shader::ShaderChoice choice_of(const ShaderOptions& options) {
-  return {options.file,    options.parameters,      options.entry,  options.returns,
-          options.defines, options.include_folders, options.sample, options.pdf};
+  std::vector<shader::TextureChoice> textures;
+  for (const std::string& text : options.textures) textures.push_back(shader::parse_texture(text));
+  return {options.file,        options.parameters,      options.entry,  options.returns,
+          options.defines,     options.include_folders, options.sample, options.pdf,
+          std::move(textures), options.shares_textures};
 }
 #endif
 

@@ -23,12 +23,13 @@ struct ShaderOptions {
   std::string file = {};
   std::vector<std::string> parameters;
   std::string entry, returns;
-  std::vector<std::string> defines, include_folders;
-  std::string sample, pdf;  // of validate alone
-  bool embed = false;       // materials of the shader hold its text
+  std::vector<std::string> defines, include_folders, textures;
+  bool shares_textures = false;  // the textures of many shaders
+  std::string sample, pdf;       // of validate alone
+  bool embed = false;            // materials of the shader hold its text
 };
 
-// Adds --shader, --param, --entry, --returns, --define and -I.
+// Adds --shader, --param, --entry, --returns, --define, -I and --texture.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
 // Adds --sample and --pdf.
 void add_sampler_options(CLI::App& verb, ShaderOptions& options);

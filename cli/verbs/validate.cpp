@@ -48,7 +48,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"FILES", kMaterial | kTable},
     {"--form --all", kDomain | kNumerics | kOnDevice},
     {"--shader", kDomain | kOnDevice},
-    {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
+    {"--param --entry --returns --define --include-folder --texture", kDomain | kOnDevice, "--shader"},
     {"--sample --pdf", kDomain, "--shader"},
     {"--such-that --against", kDomain},
     {"--map", kDomain, "--against"},

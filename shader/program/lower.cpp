@@ -216,18 +216,17 @@ void Lowering::block(Frame& frame, const spirv::Block& block, bool last) {
   refuse("a block has no end");
 }
 
-std::optional<Slots> Lowering::kernel(
-    const spirv::Function& function, const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
+std::optional<Slots> Lowering::kernel(const spirv::Function& function,
+                                      const std::vector<Argument>& arguments) {
   const Kernel* known = options_.kernels_by_meaning ? kernel_of(module_, function) : nullptr;
   if (!known) return std::nullopt;
   Slots operands;
-  for (const auto& [pointer, slots] : arguments) operands.push_back((pointer ? load(*pointer) : slots).at(0));
+  for (const Argument& a : arguments) operands.push_back((a.pointer ? load(*a.pointer) : a.slots).at(0));
   return Slots{operands.size() > 1 ? emit(known->op, operands[0], operands[1])
                                    : emit(known->op, operands[0])};
 }
 
-Slots Lowering::call(const spirv::Function& function,
-                     const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
+Slots Lowering::call(const spirv::Function& function, const std::vector<Argument>& arguments) {
   if (++depth_ > kDeepestCalls)
     refuse("calls are nested more than " + std::to_string(kDeepestCalls) + " deep");
   if (arguments.size() != function.parameters.size() || function.blocks.empty())
@@ -244,11 +243,13 @@ Slots Lowering::call(const spirv::Function& function,
   Frame frame;
   frame.function = &function;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    const auto& [pointer, slots] = arguments[k];
-    if (pointer)
-      frame.pointers[function.parameters[k]] = *pointer;
+    const Argument& argument = arguments[k];
+    if (argument.texture)
+      frame.textures[function.parameters[k]] = *argument.texture;
+    else if (argument.pointer)
+      frame.pointers[function.parameters[k]] = *argument.pointer;
     else
-      frame.values[function.parameters[k]] = {function.parameter_types[k], slots};
+      frame.values[function.parameters[k]] = {function.parameter_types[k], argument.slots};
   }
   for (const spirv::Block& b : function.blocks) frame.blocks[b.label] = &b;
   for (std::size_t k = 0; k < function.blocks.size(); ++k) {
@@ -329,21 +330,23 @@ Program Lowering::run(const spirv::Function& entry) {
   for (const auto& [id, global] : module_.globals)
     if (global.variable && options_.parameters.contains(module_.name(id)))
       make_input(global_variable(id), module_.type(global.instruction.type).element, module_.name(id), -1);
-  std::vector<std::pair<std::optional<Pointer>, Slots>> arguments;
+  std::vector<Argument> arguments;
   std::map<int, Pointer> written;
   for (std::size_t k = 0; k < entry.parameters.size(); ++k) {
     const Id given = entry.parameter_types[k];
     const spirv::Type& type = module_.type(given);
     const std::string name = module_.name(entry.parameters[k]);
     line_ = entry.line;
-    if (type.kind == spirv::Kind::opaque) refuse("the argument " + name + " is not a number");
+    if (is_opaque(given)) {
+      arguments.push_back(
+          {.texture = texture_named(name, type.kind == spirv::Kind::pointer ? type.element : given)});
+      continue;
+    }
     if (type.kind == spirv::Kind::pointer) {
-      if (module_.type(type.element).kind == spirv::Kind::opaque)
-        refuse("the argument " + name + " is a texture; use a parameter for its value");
       Variable& variable = new_variable(type.element);
       arguments.push_back({Pointer{&variable, type.element}, {}});
       if (options_.written.contains(int(k))) {
-        written[int(k)] = *arguments.back().first;
+        written[int(k)] = *arguments.back().pointer;
         options_.accumulated.contains(int(k)) ? set_zero(variable) : clear(variable);
       } else {
         make_input(variable, type.element, name, int(k));

@@ -1,6 +1,7 @@
 // Converts a SPIR-V module to a flattened program.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,11 +30,12 @@ struct LowerOptions {
   // operations: for scalars other than float.
   bool kernels_by_meaning = false;
   Halves halves = Halves::none;
-  std::size_t most_steps = 200'000;      // limit of the program's size
-  std::vector<ResultPart> results = {};  // their sum is the value; empty: the returned value
-  std::set<int> written = {};            // arguments that are not inputs
-  std::set<int> accumulated = {};        // subset of `written` that is `inout` and holds 0 before the call
-  bool zero_globals = false;             // the language sets global variables without a value to 0 (HLSL)
+  std::map<std::string, Texture> textures = {};  // by the names of their variables and arguments
+  std::size_t most_steps = 200'000;              // limit of the program's size
+  std::vector<ResultPart> results = {};          // their sum is the value; empty: the returned value
+  std::set<int> written = {};                    // arguments that are not inputs
+  std::set<int> accumulated = {};  // subset of `written` that is `inout` and holds 0 before the call
+  bool zero_globals = false;       // the language sets global variables without a value to 0 (HLSL)
   // The results follow one another instead of being added; a truth value becomes 0 or 1. If `random` is not
   // empty, a last result is the number of random numbers that the run has used.
   bool apart = false;
@@ -46,8 +48,8 @@ inline constexpr const char* kRandomInput = "@random";
 inline constexpr std::uint32_t kMostRandom = 32;
 
 // Converts the function to a flattened program. Throws InputError, with the line, for features that a
-// reflectance cannot have (textures, screen-space derivatives, discard), and if the program would be larger
-// than allowed.
+// reflectance cannot have (textures without a file, screen-space derivatives, discard), and if the program
+// would be larger than allowed.
 Program lower(const spirv::Module& module, const spirv::Function& entry, const LowerOptions& options = {});
 
 // Returns the first line of a step that rounds to half precision, 0 if the line is unknown; std::nullopt if

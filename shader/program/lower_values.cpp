@@ -96,7 +96,7 @@ Lowering::Variable& Lowering::global_variable(Id id) {
   const std::string name = module_.name(id);
   if (pointer.kind != Kind::pointer) refuse("a pointer is not a variable");
   if (module_.type(pointer.element).kind == Kind::opaque)
-    refuse("reads the texture " + name + "; use a parameter for its value");
+    refuse("reads " + name + ", which is no single texture; use a parameter for its value");
   Variable& v = new_variable(pointer.element);
   globals_[id] = &v;
   if (pointer.storage == spv::StorageClassUniformConstant || pointer.storage == spv::StorageClassUniform ||

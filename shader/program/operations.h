@@ -100,6 +100,7 @@ inline constexpr Operation kOperations[] = {
     {Op::from_signed, "i", 'x', "float(a)"},
     {Op::from_unsigned, "i", 'x', "float(A)"},
     {Op::from_bits, "i", 'x', "uintBitsToFloat(A)"},
+    {Op::texel, "i", 'x', ""},
     {Op::icopy, "i", 'i', "A"},
     {Op::iadd, "ii", 'i', "A + B"},
     {Op::isub, "ii", 'i', "A - B"},

@@ -155,6 +155,21 @@ class Parser {
         type.storage = word(w, 1);
         type.element = known(2);
         break;
+      case spv::OpTypeImage: {
+        const Type& of = module_.type(word(w, 1));
+        const bool plain = word(w, 3) != 1 && word(w, 4) == 0 && word(w, 5) == 0 && word(w, 6) != 2;
+        type.kind = Kind::opaque;
+        type.is_texture = plain && w[2] == spv::Dim2D && of.kind == Kind::number;
+        break;
+      }
+      case spv::OpTypeSampledImage:
+        type.kind = Kind::opaque;
+        type.is_texture = module_.type(word(w, 1)).is_texture;
+        break;
+      case spv::OpTypeSampler:
+        type.kind = Kind::opaque;
+        type.is_sampler = true;
+        break;
       case spv::OpTypeFunction:
         type.kind = Kind::opaque;
         type.element = known(1);

@@ -30,6 +30,8 @@ enum class Kind {
 struct Type {
   Kind kind = Kind::none;
   bool is_signed = false;
+  // Of an opaque type: a texture of two dimensions with numbers, alone or with its sampler; or a sampler.
+  bool is_texture = false, is_sampler = false;
   bool is_half = false;     // of a number: of 16 bits, not of 32
   Id element = 0;           // of a vector, matrix, array or pointer
   std::uint32_t count = 0;  // number of elements of a vector, columns of a matrix, length of an array
