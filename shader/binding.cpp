@@ -312,21 +312,22 @@ std::set<std::pair<bool, std::uint32_t>> read_slots(const Program& p) {
 
 namespace {
 
-Binder bound_binder(Function& f) {
+Binder bound_binder(Function& f, Function* in_half) {
   Binder binder(f, f.source.parameters);
   f.bindings = binder.bind(f.as_written);
   f.bindings_as_meant = binder.bind(f.as_meant);
+  if (in_half != nullptr) in_half->bindings = in_half->bindings_as_meant = binder.bind(in_half->as_written);
   return binder;
 }
 
 }  // namespace
 
-void bind_inputs(Function& f, const std::set<std::string>& elsewhere) {
-  bound_binder(f).check_declared(elsewhere);
+void bind_inputs(Function& f, Function* in_half, const std::set<std::string>& elsewhere) {
+  bound_binder(f, in_half).check_declared(elsewhere);
 }
 
 void bind_companion(Function& f) {
-  bound_binder(f);
+  bound_binder(f, nullptr);
 }
 
 }  // namespace brdf::shader

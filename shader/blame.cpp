@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "io/files/numbers.h"
+#include "shader/program/half.h"
+#include "shader/program/lower.h"
 #include "shader/trace.h"
 
 namespace brdf::shader {
@@ -78,7 +80,7 @@ const char* name_of(Op op) {
       "sign", "floor", "ceil",       "trunc", "round", "roundEven", "fract", "sqrt", "inversesqrt",
       "exp",  "exp2",  "log",        "log2",  "pow",   "sin",       "cos",   "tan",  "asin",
       "acos", "atan",  "atan",       "sinh",  "cosh",  "tanh",      "min",   "max",  "clamp",
-      "mix",  "step",  "smoothstep", "fma",   "log1p", "erfcx",     "angle"};
+      "mix",  "step",  "smoothstep", "fma",   "log1p", "erfcx",     "angle", "half"};
   return std::size_t(op) < std::size(kNames) ? kNames[std::size_t(op)] : "";
 }
 
@@ -112,14 +114,13 @@ const Entry* first_other_way(const Trace& a, const Trace& b) {
   return nullptr;
 }
 
-// Follows two runs of the same steps back from the result. Returns the entry at which the runs differ while
+// Follows two runs of the same steps back from entry `e`. Returns the entry at which the runs differ while
 // its operands differ far less; -1 if there is no entry.
-int where_they_part(const Trace& a, const Trace& b) {
+int where_they_part(const Trace& a, const Trace& b, int e) {
   const auto error = [&](int entry) {
     const double x = a.entries[std::size_t(entry)].result, y = b.entries[std::size_t(entry)].result;
     return x == y ? 0 : std::abs(x - y) / std::max(std::abs(y), 1e-300);
   };
-  int e = a.last;
   while (e >= 0) {
     const Entry& entry = a.entries[std::size_t(e)];
     int worst = -1;
@@ -131,8 +132,36 @@ int where_they_part(const Trace& a, const Trace& b) {
   return e;
 }
 
-// Compares float and double for the same steps. Returns the operation at which they take different paths or
-// at which their values separate.
+// The text of a step that rounds to half precision, with the operation that made its operand.
+std::string rounding_text(const Trace& trace, const Entry& e) {
+  std::string text = e.from[0] < 0 ? io::short_number(e.operand[0], 6)
+                                   : operation_text(trace.entries[std::size_t(e.from[0])]);
+  text += ", in half precision " + io::short_number(e.result, 6);
+  if (std::isinf(e.result)) return text + " (an overflow: the largest number is 65504)";
+  const bool small = std::abs(e.operand[0]) < double(kLeastNormalHalf);
+  return text + (small ? " (an underflow: the least normal number is 6.1e-05)" : "");
+}
+
+Blame made_in_half(const Function& f, const Trace& trace, const Entry* e, const std::string& rest = "") {
+  if (!e || e->step->op != Op::to_half) return made(f, e);
+  return made(f, e, rounding_text(trace, *e) + rest);
+}
+
+// Returns the operand that differs most between the two runs of a step; -1 if no operand differs visibly.
+int different_operand(const Trace& a, const Trace& b, const Entry& e) {
+  int worst = -1;
+  double most = 0.01;
+  for (const int from : e.from) {
+    if (from < 0 || std::size_t(from) >= b.entries.size()) continue;
+    const double x = a.entries[std::size_t(from)].result, y = b.entries[std::size_t(from)].result;
+    const double error = std::abs(x - y) / std::max(std::abs(y), 1e-300);
+    if (error > most) most = error, worst = from;
+  }
+  return worst;
+}
+
+// Compares float, or half precision, with double for the same steps. Returns the operation at which they
+// take different paths or at which their values separate.
 Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<double>& wi,
                   const Vec3<double>& wo, std::size_t component) {
   const auto rounded = [](double x) { return double(float(x)); };
@@ -141,15 +170,27 @@ Blame lost_digits(const Function& f, std::span<const double> values, const Vec3<
   const Vec3<double> i{rounded(wi.x), rounded(wi.y), rounded(wi.z)},
       o{rounded(wo.x), rounded(wo.y), rounded(wo.z)};
   const Trace single = traced<float>(f, at, i, o, component), wide = traced<double>(f, at, i, o, component);
-  if (!std::isfinite(single.result)) return made(f, follow(single, not_finite_operand));
-  if (const Entry* other = first_other_way(single, wide))
-    return made(f, other, "float takes a different branch than double");
-  const int e = where_they_part(single, wide);
+  const Entry* const other = first_other_way(single, wide);
+  const bool is_half = first_half(f.as_written).has_value();
+  int e = single.last;
+  std::string rest;
+  if (!std::isfinite(single.result)) {
+    const Entry* const first = follow(single, not_finite_operand);
+    // A quotient by a number that half precision has made 0, for example.
+    e = first && !other && is_half ? different_operand(single, wide, *first) : -1;
+    if (e < 0) return made_in_half(f, single, first);
+    rest = "; then " + (first->step->line > 0 ? "line " + std::to_string(first->step->line) + ": " : "") +
+           operation_text(*first);
+  } else if (other) {
+    return made(f, other,
+                std::string(is_half ? "half precision" : "float") + " takes a different branch than double");
+  }
+  e = where_they_part(single, wide, e);
   if (e < 0) return {};
   const Entry& entry = single.entries[std::size_t(e)];
-  return made(
-      f, &entry,
-      operation_text(entry) + ", in double " + io::short_number(wide.entries[std::size_t(e)].result, 6));
+  rest = ", in double " + io::short_number(wide.entries[std::size_t(e)].result, 6) + rest;
+  if (entry.step->op == Op::to_half) return made_in_half(f, single, &entry, rest);
+  return made(f, &entry, operation_text(entry) + (is_half ? " with operands in half precision" : "") + rest);
 }
 
 }  // namespace
@@ -186,7 +227,7 @@ Blame blame_jump(const Function& f, std::span<const double> values, const Direct
     return blame;
   }
   if (first_other_way(a, b)) return {};
-  const int e = where_they_part(a, b);
+  const int e = where_they_part(a, b, a.last);
   if (e < 0) return {};
   return made(f, &a.entries[std::size_t(e)],
               operation_text(a.entries[std::size_t(e)]) + ", and at a neighbouring direction " +

@@ -42,6 +42,13 @@ void choose(Source& source, const ShaderChoice& choice) {
       throw InputError("-I " + io::shown(folder) + ": is not a folder");
     source.include_folders.push_back(std::filesystem::absolute(folder).string());
   }
+  for (const TextureChoice& texture : choice.textures) {
+    if (std::ranges::find(source.textures, texture.name, &TextureChoice::name) != source.textures.end())
+      throw InputError("--texture " + io::shown(to_text(texture)) + ": another --texture gives " +
+                       texture.name);
+    source.textures.push_back(texture);
+  }
+  source.shares_textures = choice.shares_textures;
 }
 
 std::string command_words(const ShaderChoice& choice) {
@@ -53,6 +60,8 @@ std::string command_words(const ShaderChoice& choice) {
   if (!choice.pdf.empty()) words += " --pdf " + io::shell_word(choice.pdf);
   for (const std::string& d : choice.defines) words += " --define " + io::shell_word(d);
   for (const std::string& folder : choice.include_folders) words += " -I " + io::shell_file(folder);
+  for (const TextureChoice& texture : choice.textures)
+    words += " --texture " + io::shell_word(to_text(texture));
   return words;
 }
 

@@ -18,10 +18,12 @@ struct ShaderChoice {
   std::string entry = {}, returns = {};
   std::vector<std::string> defines = {}, include_folders = {};
   std::string sample = {}, pdf = {};  // the sampler and the density of the file; empty: found by their names
+  std::vector<TextureChoice> textures = {};
+  bool shares_textures = false;  // some of the textures may belong to other shaders
 };
 
 // Adds the choice to the source. Throws InputError if a text cannot be parsed, a macro is defined twice
-// with different values, or an include folder is not a folder.
+// with different values, an include folder is not a folder, or a texture is given twice.
 void choose(Source& source, const ShaderChoice& choice);
 
 // Returns the command line options that make the same choice.

@@ -279,14 +279,14 @@ class Equal {
   void follow(State& s, const Step& x, Value&& value) const {
     const Operation& o = operation(x.op);
     const std::uint32_t slots[] = {x.a, x.b, x.c};
-    Key key{std::uint32_t(x.op)};
+    Key key{std::uint32_t(x.op), x.op == Op::texel ? x.c : 0};
     for (int k = 0; k < o.count(); ++k) {
       const std::uint32_t width = k == 0 && o.loads() ? x.c : 1;
       for (std::uint32_t j = 0; j < width; ++j) key.push_back(s[index(o.reads_integer(k), slots[k] + j)]);
     }
     const std::uint32_t r = index(o.writes_integer(), x.r);
     if (x.op == Op::copy || x.op == Op::icopy) {
-      s[r] = key[1];
+      s[r] = key[2];
       return;
     }
     if (!o.stores()) {

@@ -15,11 +15,12 @@
 #include "shader/front/compile.h"
 #include "shader/front/languages.h"
 #include "shader/front/module_file.h"
-#include "shader/front/stripped.h"
+#include "shader/half_precision.h"
 #include "shader/joint.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
+#include "shader/textures.h"
 
 namespace brdf::shader {
 namespace {
@@ -191,21 +192,6 @@ Function make_function(const ShaderChoice& choice) {
 
 namespace {
 
-// A note on types that a device may compute in 16 bits. The compiled module does not mark all of them.
-std::string said_of_half(const Source& source) {
-  const Stripped bare = stripped(source.text);
-  const bool hlsl = source.language == Language::hlsl;
-  for (const Token& token : tokens_of(bare.text)) {
-    const std::string word(token.text.substr(0, token.text.find_last_not_of("1234") + 1));
-    const bool is_half = hlsl ? word == "half" || token.text.starts_with("min16float")
-                              : token.is("mediump") || token.is("lowp");
-    if (is_half && bare.text.find("define " + word) == bare.text.npos)
-      return std::string(token.text) + " is computed in 32 bits (line " + std::to_string(token.line) +
-             "): loss of precision and overflow in 16 bits on a device are not checked";
-  }
-  return "";
-}
-
 // The names of --entry take the places of names that a module has lost: by their order, or, as "0=L", by the
 // location of an input. `words` becomes a list by order.
 void name_arguments(spirv::Module& module, const spirv::Function& function, std::vector<std::string>& words) {
@@ -253,14 +239,6 @@ constexpr const char* kMerged =
     "the reflectance is the entry point of the module: if an optimiser has written the module, the order of "
     "operations is the optimiser's";
 
-std::string said_of_relaxed(const spirv::Module& module) {
-  if (module.relaxed == 0) return "";
-  return io::plural(module.relaxed, "value") +
-         " of the module may be computed in 16 bits (RelaxedPrecision), and this program computes in 32 "
-         "bits: "
-         "loss of precision and overflow on a device are not checked";
-}
-
 Function function_of(Source source, const Compiled& compiled) {
   static std::atomic<std::uint64_t> count{0};
   source.whole = compiled.whole;
@@ -276,21 +254,21 @@ Function function_of(Source source, const Compiled& compiled) {
   options.written = chosen.results.written;
   options.accumulated = chosen.results.accumulated;
   options.zero_globals = source.language == Language::hlsl;
-  f.as_written = lowered(module, *chosen.function, options, source.name);
-  f.as_meant = f.as_written;
+  options.textures = textures_of(module, source);
   const bool kernels = holds_kernels(module, f.source.name);
-  if (kernels) {
-    options.kernels_by_meaning = true;
-    f.as_meant = lowered(module, *chosen.function, options, source.name);
-  }
+  std::shared_ptr<Function> in_half = set_programs(f, options, kernels, [&](const LowerOptions& o) {
+    return lowered(module, *chosen.function, o, source.name);
+  });
   f.source = std::move(source);
   f.entry = signature(module, *chosen.function);
   f.returns = f.source.returns.value_or(Returns::f);
   options.results.clear();
+  if (in_half == nullptr && compiled.ignores_narrow && !compiled.narrow_word.empty())
+    f.half_unknown = "the text compiles only if " + compiled.narrow_word + " is read as a type of 32 bits";
   const std::shared_ptr<Joint> joint = make_joint(module, *chosen.function, f.source, options, kernels);
   f.exchanged =
       exchanges(joint.get(), module, *chosen.function) && !(f.source.entry && f.source.entry->arguments);
-  bind_inputs(f, joint ? joint->parameters() : std::set<std::string>{});
+  bind_inputs(f, in_half.get(), joint ? joint->parameters() : std::set<std::string>{});
   if (joint) bind_joint(*joint, f);
   f.joint = joint;
   check_roles(f);
@@ -318,13 +296,22 @@ Function function_of(Source source, const Compiled& compiled) {
   if (!compiled.left_out.empty()) f.notes.push_back(without_functions(compiled.left_out));
   for (const std::string& note :
        {chosen.note, chosen.results.note, undeclared(f), unmentioned(compiled.unmentioned),
-        is_module ? said_of_relaxed(module) : said_of_half(f.source),
+        said_of_half(f, in_half.get(), compiled.narrow_word), said_of_textures(f, options.textures),
         std::string(entry_point == chosen.function->id ? kMerged : "")})
     if (!note.empty()) f.notes.push_back(note);
   if (f.as_meant.takes_bits)
     f.notes.push_back(
         "float only: the shader operates on the bits of a float; other precisions use the bits of the float "
         "value");
+  if (in_half != nullptr) {
+    const Program program = in_half->as_written;
+    const std::vector<Binding> bindings = in_half->bindings;
+    *in_half = f;
+    in_half->as_written = in_half->as_meant = program;
+    in_half->bindings = in_half->bindings_as_meant = bindings;
+    in_half->number = ++count;
+    f.in_half = std::move(in_half);
+  }
   return f;
 }
 

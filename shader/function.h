@@ -99,6 +99,14 @@ struct Function {
   // The sampler and the density of the same file (shader/joint.h); null: the file has neither.
   std::shared_ptr<const Joint> joint = {};
   Symmetry symmetry, symmetry_as_meant;
+  // The function with every value that has, or may have, 16 bits rounded to half precision; in double this
+  // program rounds nothing. Null: the function has no such values.
+  std::shared_ptr<const Function> in_half = {};
+  // Values of 16-bit types are rounded in float, too.
+  bool has_half_types = false;
+  // The reason why half precision is not evaluated although the text has types that may have 16 bits; empty:
+  // it is evaluated, or there are no such types.
+  std::string half_unknown;
 
   template <class T>
   const Program& program() const {

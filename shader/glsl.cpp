@@ -187,6 +187,7 @@ std::string glsl_obstacle(const Function& f) {
   for (const Stretch& s : f.as_written.stretches)
     for (const Step& step : s.steps) {
       const Operation& o = operation(step.op);
+      if (step.op == Op::texel) return "reads a texture";
       if ((o.loads() || o.stores()) && step.c > kLongestArray)
         return "has an array of more than " + std::to_string(kLongestArray) + " numbers";
     }

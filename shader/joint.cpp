@@ -6,6 +6,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "shader/binding.h"
+#include "shader/half_precision.h"
 
 namespace brdf::shader {
 namespace {
@@ -15,12 +16,11 @@ constexpr int kLanesDrawn = 16;
 Function companion(const spirv::Module& module, const spirv::Function& function, const Source& source,
                    const std::optional<EntryLine>& line, LowerOptions options, bool kernels) {
   Function f;
-  f.as_written = lower(module, function, options);
-  f.as_meant = f.as_written;
-  if (kernels) {
-    options.kernels_by_meaning = true;
-    f.as_meant = lower(module, function, options);
-  }
+  const auto in_half = set_programs(f, std::move(options), kernels,
+                                    [&](const LowerOptions& o) { return lower(module, function, o); });
+  // Values of 16-bit types are rounded in float; values that may have 16 bits are not.
+  if (in_half != nullptr && in_half->as_written.size() != f.as_written.size())
+    f.half_unknown = "half precision, which the file allows, is not evaluated for samplers and densities";
   f.source = source;
   f.source.entry = line;
   f.entry = signature(module, function);
@@ -69,6 +69,12 @@ std::set<std::string> Joint::parameters() const {
   return out;
 }
 
+std::string Joint::half_unknown() const {
+  for (const auto* part : {&sampler_, &density_})
+    if (*part && !(*part)->function.half_unknown.empty()) return (*part)->function.half_unknown;
+  return "";
+}
+
 std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Function& reflectance,
                                   const Source& source, const LowerOptions& of_reflectance, bool kernels) {
   const FoundSampler sampler = find_sampler(module, source, reflectance);
@@ -77,7 +83,6 @@ std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Func
   for (const std::string& why : {sampler.missing, density.missing})
     if (!why.empty()) joint->missing_.push_back(why);
   LowerOptions options = of_reflectance;
-  options.kernels_by_meaning = false;
   options.apart = true;
   if (sampler.function) {
     options.results = {sampler.direction};

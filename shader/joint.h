@@ -38,6 +38,8 @@ class Joint {
   const std::string& direction_name() const { return direction_name_; }
   DensityOf measure() const { return measure_; }
   bool measure_is_declared() const { return measure_is_declared_; }
+  // The reason why float does not show all that a device may compute; empty: it does.
+  std::string half_unknown() const;
   // The reasons why a function is not evaluated, as sentences.
   const std::vector<std::string>& missing() const { return missing_; }
   // Sentences on the interpretation of the functions.

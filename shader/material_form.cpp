@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 
+#include "io/files/content.h"
 #include "io/files/digest.h"
 #include "io/material/shader_forms.h"
 #include "shader/shader.h"
@@ -27,7 +28,8 @@ std::string relative_path(const std::string& file, const fs::path& folder) {
 // it.
 template <class Path>
 Json choice_json(const ShaderOrigin& origin, const Path& path) {
-  const auto& [file, parameters, entry, returns, defines, include_folders, sample, pdf] = origin.choice;
+  const auto& [file, parameters, entry, returns, defines, include_folders, sample, pdf, textures, shares] =
+      origin.choice;
   Json json;
   json["file"] = origin.text.empty() ? path(file) : fs::path(file).filename().string();
   json["sha256"] = origin.sha256;
@@ -38,6 +40,12 @@ Json choice_json(const ShaderOrigin& origin, const Path& path) {
   if (!sample.empty()) json["sample"] = sample;
   if (!pdf.empty()) json["pdf"] = pdf;
   for (const std::string& folder : include_folders) json["include_folders"].push_back(path(folder));
+  for (std::size_t k = 0; k < textures.size() && !shares; ++k)
+    json["textures"].push_back({{"name", textures[k].name},
+                                {"file", path(textures[k].file)},
+                                {"sha256", origin.texture_sha256[k]},
+                                {"filter", name_of(textures[k].filter)},
+                                {"wrap", name_of(textures[k].wrap)}});
   if (!origin.text.empty()) json["text"] = origin.text;
   return json;
 }
@@ -50,9 +58,27 @@ std::vector<std::string> texts_of(const JsonPlace& place, const char* key) {
   return texts;
 }
 
+template <class Rule>
+Rule rule_of(const JsonPlace& place) {
+  const auto rule = find_named<Rule>(place.text());
+  if (!rule) place.fail("must be one of " + known_names<Rule>());
+  return *rule;
+}
+
+void read_textures(const JsonPlace& list, const fs::path& folder, ShaderOrigin& origin) {
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const JsonPlace place = list.at(k);
+    place.allow_keys({"name", "file", "sha256", "filter", "wrap"});
+    origin.choice.textures.push_back({place.at("name").text(), (folder / place.at("file").text()).string(),
+                                      rule_of<TextureFilter>(place.at("filter")),
+                                      rule_of<TextureWrap>(place.at("wrap"))});
+    origin.texture_sha256.push_back(place.at("sha256").text());
+  }
+}
+
 ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
   place.allow_keys({"file", "sha256", "parameters", "entry", "returns", "defines", "include_folders",
-                    "sample", "pdf", "text"});
+                    "sample", "pdf", "textures", "text"});
   ShaderOrigin origin;
   const fs::path file = place.at("file").text();
   origin.relative = file.is_relative();
@@ -67,12 +93,29 @@ ShaderOrigin read_origin(const JsonPlace& place, const fs::path& folder) {
                    place.has("sample") ? place.at("sample").text() : "",
                    place.has("pdf") ? place.at("pdf").text() : ""};
   for (std::string& include : origin.choice.include_folders) include = (folder / include).string();
+  if (place.has("textures")) read_textures(place.at("textures"), folder, origin);
   return origin;
+}
+
+void check_textures(const JsonPlace& place, const ShaderOrigin& origin) {
+  for (std::size_t k = 0; k < origin.choice.textures.size(); ++k) {
+    const std::string& file = origin.choice.textures[k].file;
+    const JsonPlace texture = place.at("textures").at(k);
+    std::error_code error;
+    if (!fs::exists(file, error))
+      texture.at("file").fail("does not exist (" + absolute_path(file) + "): move the texture to this place");
+    if (io::sha256(io::read_content(file).bytes) != origin.texture_sha256[k])
+      texture.at("sha256").fail(
+          "does not match " + file +
+          ", which has changed since this material was made: restore the old file, or fit "
+          "the samples again with --shader and --texture");
+  }
 }
 
 // Checks that the text is the text that the material was made with. Reports the reason as an error if it is
 // not.
 void check_text(const JsonPlace& place, const ShaderOrigin& origin) {
+  check_textures(place, origin);
   if (!origin.text.empty()) {
     if (io::sha256(origin.text) != origin.sha256)
       place.at("sha256").fail("does not match the text: one of the two was changed");

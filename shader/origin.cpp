@@ -60,6 +60,14 @@ struct Expansion {
   }
 };
 
+std::string digest_of(const TextureChoice& texture) {
+  try {
+    return io::sha256(io::read_content(texture.file).bytes);
+  } catch (const InputError& error) {
+    throw InputError("--texture " + texture.name + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::string whole_text(const ShaderChoice& choice) {
@@ -77,6 +85,7 @@ ShaderOrigin origin_of(const ShaderChoice& choice, bool embedded) {
   ShaderOrigin origin{.choice = choice, .relative = std::filesystem::path(choice.file).is_relative()};
   std::string text = whole_text(choice);
   origin.sha256 = io::sha256(text);
+  for (const TextureChoice& texture : choice.textures) origin.texture_sha256.push_back(digest_of(texture));
   if (!embedded) return origin;
   if (is_module(text))
     throw InputError("--embed: " + choice.file +

@@ -17,7 +17,8 @@ struct ShaderOrigin {
   ShaderChoice choice = {};  // with the file's path as opened from the current folder
   std::string sha256 = {};   // of the whole text
   std::string text = {};     // the whole text, if the material contains it; empty: the file contains it
-  bool relative = false;     // the file was given by a relative path
+  std::vector<std::string> texture_sha256 = {};  // of the files of the choice's textures, in their order
+  bool relative = false;                         // the file was given by a relative path
 };
 
 // Returns the origin of a shader; if `embedded`, with the whole text for storage in a material. Throws the

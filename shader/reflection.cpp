@@ -28,7 +28,7 @@ bool is_even(Parity p) {
 bool is_odd_function(Op op) {
   return op == Op::neg || op == Op::sin || op == Op::tan || op == Op::asin || op == Op::atan ||
          op == Op::sinh || op == Op::tanh || op == Op::sign || op == Op::trunc || op == Op::round_even ||
-         op == Op::round;
+         op == Op::round || op == Op::to_half;
 }
 
 struct Reflection {

@@ -27,6 +27,7 @@ class ShaderSampler final : public DirectionSampler {
     for (std::size_t k = 0; k < model_->weight_parameters().size(); ++k)
       if (f.parameters[model_->weight_parameters()[k]].colour) facts_.colour_weights.push_back(k);
     facts_.missing = joint.missing();
+    facts_.half_unknown = joint.half_unknown().empty() ? f.half_unknown : joint.half_unknown();
   }
 
   const SamplerFacts& facts() const override { return facts_; }

@@ -55,7 +55,7 @@ Turning TurningSteps::indexed(State& s, const Step& x, const Operation& o) {
 Form TurningSteps::value(const State& s, const Step& x, const Operation& o) {
   const std::uint32_t slots[] = {x.a, x.b, x.c};
   const auto operand = [&](int k) -> const Form& { return at(s, o.reads_integer(k), slots[k]); };
-  if (x.op == Op::copy || x.op == Op::icopy) return operand(0);
+  if (x.op == Op::copy || x.op == Op::icopy || x.op == Op::to_half) return operand(0);
   bool all_still = true, all_known = true;
   int depth = 1;
   for (int k = 0; k < o.count(); ++k) {
@@ -80,7 +80,7 @@ Form TurningSteps::value(const State& s, const Step& x, const Operation& o) {
   if (!all_still) return unknown();
   std::vector<int> key{int(x.op)};
   for (int k = 0; k < o.count(); ++k) key.push_back(operand(k).name);
-  if (x.op == Op::min) key.push_back(int(x.c));
+  if (x.op == Op::min || x.op == Op::texel) key.push_back(int(x.c));
   return still(forms_.names.of(key), hand);
 }
 

@@ -10,6 +10,7 @@
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
 #include "shader/front/languages.h"
+#include "shader/half_precision.h"
 #include "shader/in_more_digits.h"
 #include "shader/joint.h"
 #include "shader/material_form.h"
@@ -25,13 +26,15 @@ namespace {
 std::string explain(const shader::ShaderReflectance& model, std::string_view check, const Material& at,
                     const Vec3<double>& wi, const Vec3<double>& wo) {
   using shader::Fault;
+  const bool half = check == "half" && model.function().in_half;
+  const shader::Function& function = half ? *model.function().in_half : model.function();
   const Fault fault = check == "finite"         ? Fault::not_finite
                       : check == "non_negative" ? Fault::negative
                                                 : Fault::loses_digits;
   for (std::size_t c = 0; c < at.channels.size(); ++c) {
     const std::vector<double> values = model.values_of(at.terms.front().values(c));
     const std::string text =
-        to_text(shader::blame<double>(model.function(), fault, values, wi, wo, std::min<std::size_t>(c, 2)));
+        to_text(shader::blame<double>(function, fault, values, wi, wo, std::min<std::size_t>(c, 2)));
     if (!text.empty()) return text;
   }
   return "";
@@ -70,6 +73,19 @@ std::vector<double> in_more_digits(const shader::ShaderReflectance& model, const
   return out;
 }
 
+// Returns an empty function if the shader has no values of 16 bits.
+std::function<std::vector<double>(const Material&, const Vec3<double>&, const Vec3<double>&)> in_half(
+    std::shared_ptr<const shader::ShaderReflectance> model) {
+  if (!model->function().in_half) return {};
+  return [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
+    std::vector<double> out;
+    for (std::size_t c = 0; c < at.channels.size(); ++c)
+      out.push_back(shader::in_half(model->function(), model->values_of(at.terms.front().values(c)), wi, wo,
+                                    std::min<std::size_t>(c, 2)));
+    return out;
+  };
+}
+
 LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, std::string words) {
   return {Reflectance(model),
           model->material(model),
@@ -91,6 +107,9 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
           [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo) {
             return in_more_digits(*model, at, wi, wo);
           },
+          in_half(model),
+          model->function().half_unknown,
+          model->function().has_half_types,
           shader::sampler_of(model)};
 }
 
@@ -117,6 +136,9 @@ void add_shader_options(CLI::App& verb, ShaderOptions& options) {
       "nothing) (of --shader)");
   add_repeated_option(verb, "-I,--include-folder", options.include_folders,
                       "A folder for included files, searched after the file's own folder (of --shader)");
+  add_repeated_option(verb, "--texture", options.textures,
+                      "A texture's file, NAME=FILE.exr, then :nearest or :bilinear, and :repeat, :clamp or "
+                      ":mirror (of --shader; default: bilinear, repeat)");
 }
 
 void add_sampler_options(CLI::App& verb, ShaderOptions& options) {
@@ -145,7 +167,7 @@ bool is_given(const ShaderOptions& options) {
        {std::pair("--param", !options.parameters.empty()), std::pair("--entry", !options.entry.empty()),
         std::pair("--returns", !options.returns.empty()), std::pair("--sample", !options.sample.empty()),
         std::pair("--pdf", !options.pdf.empty()), std::pair("--define", !options.defines.empty()),
-        std::pair("-I", !options.include_folders.empty())})
+        std::pair("-I", !options.include_folders.empty()), std::pair("--texture", !options.textures.empty())})
     if (given && options.file.empty()) throw InputError(std::string(name) + ": needs --shader FILE");
 #ifndef BRDF_HAS_SHADER
   if (!options.file.empty())
@@ -156,8 +178,11 @@ bool is_given(const ShaderOptions& options) {
 
 #ifdef BRDF_HAS_SHADER
 shader::ShaderChoice choice_of(const ShaderOptions& options) {
-  return {options.file,    options.parameters,      options.entry,  options.returns,
-          options.defines, options.include_folders, options.sample, options.pdf};
+  std::vector<shader::TextureChoice> textures;
+  for (const std::string& text : options.textures) textures.push_back(shader::parse_texture(text));
+  return {options.file,        options.parameters,      options.entry,  options.returns,
+          options.defines,     options.include_folders, options.sample, options.pdf,
+          std::move(textures), options.shares_textures};
 }
 #endif
 

@@ -23,12 +23,13 @@ struct ShaderOptions {
   std::string file = {};
   std::vector<std::string> parameters;
   std::string entry, returns;
-  std::vector<std::string> defines, include_folders;
-  std::string sample, pdf;  // of validate alone
-  bool embed = false;       // materials of the shader hold its text
+  std::vector<std::string> defines, include_folders, textures;
+  bool shares_textures = false;  // the textures of many shaders
+  std::string sample, pdf;       // of validate alone
+  bool embed = false;            // materials of the shader hold its text
 };
 
-// Adds --shader, --param, --entry, --returns, --define and -I.
+// Adds --shader, --param, --entry, --returns, --define, -I and --texture.
 void add_shader_options(CLI::App& verb, ShaderOptions& options);
 // Adds --sample and --pdf.
 void add_sampler_options(CLI::App& verb, ShaderOptions& options);
@@ -65,6 +66,11 @@ struct LoadedShader {
   std::function<std::string(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)> undefined;
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits;
+  // In half precision (validate/search/subject.h).
+  std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
+      in_half;
+  std::string half_unknown;
+  bool has_half_types = false;
   std::shared_ptr<const DirectionSampler> sampler;  // of the same file; null if it has none
 };
 

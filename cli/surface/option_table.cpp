@@ -46,6 +46,7 @@ constexpr OptionRow kTable[] = {
     {"--pdf", Group::shader, Value::text},
     {"--define", Group::shader, Value::text},
     {"--include-folder", Group::shader, Value::folder},
+    {"--texture", Group::shader, Value::text},
     {"--require", Group::checks},
     {"--property", Group::checks},
     {"study --against", Group::comparison, Value::folder},

@@ -26,7 +26,7 @@ using validate::Finding;
 using validate::Outcome;
 
 struct CheckShaderCall {
-  std::vector<std::string> paths, defines, include_folders;
+  std::vector<std::string> paths, defines, include_folders, textures;
   std::string baseline, junit, sarif, effort = "quick";
   bool update = false, json = false;
   double seconds = 0;
@@ -75,6 +75,8 @@ std::vector<Finding> findings_of(const std::string& file, const CheckShaderCall&
     ShaderOptions choice{.file = file};
     choice.defines = o.defines;
     choice.include_folders = o.include_folders;
+    choice.textures = o.textures;
+    choice.shares_textures = true;
     const auto shader = load(choice, "check-shader", true);
     readable.statement = "read as a reflectance";
     findings = validate::run_checks({subject_of(*shader, file)}, options);
@@ -188,6 +190,9 @@ void add_check_shader(CLI::App& app) {
   add_repeated_option(*verb, "--define", o->defines, "A macro that is defined in all files, NAME=VALUE");
   add_repeated_option(*verb, "-I,--include-folder", o->include_folders,
                       "A folder for included files, searched after each file's own folder");
+  add_repeated_option(*verb, "--texture", o->textures,
+                      "A texture's file for every shader with a texture of this name, NAME=FILE.exr, then "
+                      ":nearest or :bilinear, and :repeat, :clamp or :mirror");
   verb->add_option("--effort", o->effort, "Effort of the search for the worst case")
       ->check(CLI::IsMember({"quick", "full"}))
       ->capture_default_str();
@@ -205,6 +210,7 @@ void add_check_shader(CLI::App& app) {
       "          brdf check-shader shaders/ --baseline accepted.json --junit shaders.xml --sarif "
       "shaders.sarif\n"
       "          brdf check-shader shaders/ extra.hlsl --define QUALITY=2 -I engine/include --seconds 60\n"
+      "          brdf check-shader shaders/ --texture albedoMap=grey.exr:nearest\n"
       "          brdf check-shader shaders/ --effort full --seed 2 --json");
   on_run(*verb, [o] { return run_check_shader(*o); });
 }

@@ -33,7 +33,7 @@ constexpr OptionOf kFitOptions[] = {
     {"--keep-fill --polarisation --repeats --quantity --mirror-side --layout", kSamples},
     {"--seed", kAnyFit, "--starts --bootstrap"},
     {"--shader", kOneTable},
-    {"--param --entry --returns --define --include-folder --embed", kOneTable, "--shader"},
+    {"--param --entry --returns --define --include-folder --texture --embed", kOneTable, "--shader"},
     {"--report", kOneTable | kOneStack},
     {"--tolerance", kOneTable},
     {"--no-pictures", kManyFiles},

@@ -21,7 +21,7 @@ constexpr OptionOf kLobesOptions[] = {
     {"MATERIAL --state --output --width --measured --theta --shader", kAnyLobe},
     {"--compare --solo", kPlot},
     {"--body", kBody},
-    {"--param --entry --returns --define --include-folder --set", kAnyLobe, "--shader"},
+    {"--param --entry --returns --define --include-folder --texture --set", kAnyLobe, "--shader"},
 };
 
 Exit run_lobes(const CLI::App& verb, LobesCall& o) {

@@ -99,7 +99,8 @@ void add_models(CLI::App& app) {
       "Examples: brdf models ward\n"
       "          brdf models --json\n"
       "          brdf models --shader disney.brdf\n"
-      "          brdf models --shader skin.hlsl --define QUALITY=2 -I engine/common");
+      "          brdf models --shader skin.hlsl --define QUALITY=2 -I engine/common\n"
+      "          brdf models --shader paint.glsl --texture albedoMap=albedo.exr:nearest:clamp");
   on_run(*verb, [options] {
     if (!options->form.empty() && !options->shader.file.empty()) throw InputError("give a form or --shader");
     const auto shader = load(options->shader, "models");

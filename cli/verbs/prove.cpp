@@ -42,8 +42,9 @@ void refuse_beside_self_test(const CLI::App& verb) {
   if (verb.count("--seed") > 0 && verb.count("--self-test") == 0)
     throw InputError("--seed: applies to --self-test only");
   if (verb.count("--self-test") == 0) return;
-  for (const char* other : {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns",
-                            "--define", "-I", "--form", "--all", "--property", "--require", "MATERIALS"})
+  for (const char* other :
+       {"--output", "--check", "--gap", "--shader", "--param", "--entry", "--returns", "--define", "-I",
+        "--texture", "--form", "--all", "--property", "--require", "MATERIALS"})
     if (verb.count(other) > 0)
       throw InputError(std::string(other) + ": has no effect with --self-test: leave it out");
 }
@@ -51,7 +52,8 @@ void refuse_beside_self_test(const CLI::App& verb) {
 // Refuses options that have no effect with --check: the user would assume that they had one.
 void refuse_beside_check(const CLI::App& verb) {
   if (verb.count("--check") == 0) return;
-  for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns"})
+  for (const char* other : {"--output", "--seconds", "--gap", "--shader", "--param", "--entry", "--returns",
+                            "--define", "-I", "--texture"})
     if (verb.count(other) > 0)
       throw InputError(std::string(other == std::string_view("--output") ? "-o" : other) +
                        ": has no effect with --check: leave it out");

@@ -147,7 +147,7 @@ constexpr OptionOf kRenderOptions[] = {
     {"--supersample", kAll & ~kMeasures},
     {"--balls", kAll, "--over"},
     {"--turntable --fps --quality", kAnimation},
-    {"--param --entry --returns --define --include-folder --set", kAll, "--shader"},
+    {"--param --entry --returns --define --include-folder --texture --set", kAll, "--shader"},
     {"--compare --measured", kOfTwo | kMeasures},
     {"--split --split-at", kPngOfTwo},
     {"--gbuffer", kPng | kPngOfTwo | kExr | kExrOfTwo},

@@ -49,7 +49,7 @@ constexpr OptionOf kValidateOptions[] = {
     {"FILES", kMaterial | kTable},
     {"--form --all", kDomain | kNumerics | kOnDevice},
     {"--shader", kDomain | kOnDevice},
-    {"--param --entry --returns --define --include-folder", kDomain | kOnDevice, "--shader"},
+    {"--param --entry --returns --define --include-folder --texture", kDomain | kOnDevice, "--shader"},
     {"--sample --pdf", kDomain, "--shader"},
     {"--samplers", kDomain, "--form --all"},
     {"--such-that --against", kDomain},

@@ -62,6 +62,8 @@ struct SamplerFacts {
               no_eval = "the file has no reflectance";
   // The declaration of the quantity that the sampler returns, without the name of the quantity.
   std::string before_quantity = "a line `//: sample returns ", after_quantity = "`";
+  // The reason why draws in float do not show all that a device may compute; empty: they do.
+  std::string half_unknown = {};
 };
 
 // Returns the density of a measure, at a direction wi for the viewer wo, per solid angle of wi in 1/sr.

@@ -104,6 +104,8 @@ void BoxSteps<B>::apply(Way<B>& w, const Step& s) {
     to_integer(w, s);
   else if (s.op == Op::from_signed || s.op == Op::from_unsigned)
     from_integer(w, s);
+  else if (s.op == Op::texel)
+    read_texel(w, s);
   else if (s.op == Op::load_number || s.op == Op::load_integer)
     load(w, s);
   else if (s.op == Op::store_number || s.op == Op::store_integer)
@@ -144,6 +146,13 @@ void BoxSteps<B>::from_integer(Way<B>& w, const Step& s) {
   const double low = wraps ? x.known() ? double(x.bits()) : 0 : double(x.lo),
                high = wraps ? x.known() ? low : 4294967295.0 : double(x.hi);
   w.write(s.r, I::of(double(B(low)), double(B(high))), reason_of(w, s, {}));
+}
+
+// Every texel of the table may be the one that is read.
+template <class B>
+void BoxSteps<B>::read_texel(Way<B>& w, const Step& s) {
+  const shader::TexelTable& table = *tables_[s.c];
+  w.write(s.r, I::of(double(table.least), double(table.most)), reason_of(w, s, {}));
 }
 
 template <class B>

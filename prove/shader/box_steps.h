@@ -14,6 +14,7 @@ class BoxSteps {
  public:
   using I = Interval<B>;
 
+  explicit BoxSteps(const shader::Program& program) : tables_(program.tables) {}
   // Discards the reasons of another run.
   void start_over() { reasons_.resize(2, {shader::Undefined::variable, 0, {}}); }
   // Executes a step on the state of a way.
@@ -33,6 +34,7 @@ class BoxSteps {
   std::uint32_t reason_of_choice(const Way<B>& w, const shader::Step& s, const Whole& truth);
   void select(Way<B>& w, const shader::Step& s);
   void to_integer(Way<B>& w, const shader::Step& s);
+  void read_texel(Way<B>& w, const shader::Step& s);
   void from_integer(Way<B>& w, const shader::Step& s);
   void apply_comparison(Way<B>& w, const shader::Step& s);
   void apply_numbers(Way<B>& w, const shader::Step& s);
@@ -40,6 +42,7 @@ class BoxSteps {
   void load(Way<B>& w, const shader::Step& s);
   void store(Way<B>& w, const shader::Step& s);
 
+  std::vector<std::shared_ptr<const shader::TexelTable>> tables_;
   std::vector<shader::UndefinedValue> reasons_{{shader::Undefined::variable, 0, {}},
                                                {shader::Undefined::no_return, 0, {}}};
 };

@@ -1,5 +1,6 @@
 #include "prove/shader/number_op.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "shader/program/operations.h"
@@ -105,6 +106,17 @@ Interval<B> cosine_of(const Interval<B>& x) {
   return Interval<B>::widened(cos_at(x.hi).lo, std::min(cos_at(x.lo).hi, 1.0), Interval<B>::kKernelUnits);
 }
 
+// A mean with shares from 0 to 1 lies between its operands; the difference, both products and the sum round.
+template <class B>
+Interval<B> mixed(const Interval<B>& a, const Interval<B>& b, const Interval<B>& c) {
+  using I = Interval<B>;
+  const I sum = added(multiplied(a, added(I(1), -c), false), multiplied(b, c, false));
+  if (sum.poisoned() || !(c.lo >= 0 && c.hi <= 1)) return sum;
+  const double error = 8 * I::kUnit * std::max(a.magnitude(), b.magnitude()) + 8 * I::kTiny;
+  return I::of(std::max(sum.lo, std::min(a.lo, b.lo) - error),
+               std::min(sum.hi, std::max(a.hi, b.hi) + error));
+}
+
 template <class B>
 Interval<B> absolute(const Interval<B>& x) {
   if (x.poisoned()) return x;
@@ -123,6 +135,7 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
                                      const Interval<B>& c) {
   using I = Interval<B>;
   const auto floor = [](const I& x) { return monotone(x, [](double v) { return std::floor(v); }); };
+  const auto share = [](const I& x) { return I::of(std::max(x.lo, 0.0), std::min(x.hi, 1.0)); };
   const auto trunc = [](const I& x) { return monotone(x, [](double v) { return std::trunc(v); }); };
   switch (op) {
     case Op::copy:
@@ -156,7 +169,9 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     case Op::round_even:
       return monotone(a, [](double v) { return std::nearbyint(v); });
     case Op::fract:
-      return a.poisoned() || std::floor(a.lo) == std::floor(a.hi) ? added(a, -floor(a)) : I::of(0, 1);
+      return a.poisoned()                           ? a
+             : std::floor(a.lo) == std::floor(a.hi) ? share(added(a, -floor(a)))
+                                                    : I::of(0, 1);
     case Op::sqrt:
       return sqrt(a);
     case Op::inverse_sqrt:
@@ -202,7 +217,7 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     case Op::clamp:
       return smaller(larger(a, b), c);
     case Op::mix:
-      return added(multiplied(a, added(I(1), -c), false), multiplied(b, c, false));
+      return mixed(a, b, c);
     case Op::step:
       return a.poisoned() || b.poisoned() ? I::poison() : I::of(b.lo >= a.hi ? 1 : 0, b.hi < a.lo ? 0 : 1);
     case Op::smoothstep: {
@@ -215,6 +230,7 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     // Nothing is known of these operations yet.
     case Op::sinh:
     case Op::cosh:
+    case Op::to_half:
       return std::nullopt;
     // Operations on integers, and on both kinds: box_steps.cpp, whole.cpp.
     case Op::select:
@@ -233,6 +249,7 @@ std::optional<Interval<B>> number_op(Op op, const Interval<B>& a, const Interval
     case Op::from_signed:
     case Op::from_unsigned:
     case Op::from_bits:
+    case Op::texel:
     case Op::icopy:
     case Op::iadd:
     case Op::isub:

@@ -26,7 +26,12 @@ class ShaderOnBox {
  public:
   using I = Interval<B>;
   explicit ShaderOnBox(const shader::Function& f)
-      : function_(f), program_(f.program<B>()), symmetry_(f.turning<B>()), blank_(program_), way_(blank_) {}
+      : function_(f),
+        program_(f.program<B>()),
+        symmetry_(f.turning<B>()),
+        blank_(program_),
+        way_(blank_),
+        steps_(program_) {}
 
   // Returns whether this object belongs to this very function: another function at the same address has
   // another number.

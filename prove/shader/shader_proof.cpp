@@ -155,6 +155,10 @@ std::vector<Proof> prove(const shader::ShaderReflectance& model, const Material&
     const std::string unknown = unknown_operation(in_float ? f.as_written : f.as_meant);
     if (property == Property::reciprocity || property == Property::rounding)
       p.statement = "the prover has no method for this property of shaders";
+    else if (in_float && (f.in_half || !f.half_unknown.empty()))
+      p.statement =
+          "the shader has values that have or may have 16 bits, and the prover does not enclose half "
+          "precision";
     else if (!unknown.empty())
       p.statement = "the shader has " + unknown;
     else if (property == Property::energy)

@@ -68,6 +68,8 @@ std::string answer_of(const Translated& t) {
     if (!t.spirv.empty() && !f.is_declaration) left_out.insert(left_out.end(), {f.name, f.why, f.text});
   for (const std::vector<std::string>& list : {left_out, t.missing, t.asked, t.unmentioned}) put(out, list);
   put(out, t.whole);
+  put(out, t.narrow_word);
+  put(out, std::string(t.ignores_narrow ? "1" : ""));
   put(out, std::string(reinterpret_cast<const char*>(t.spirv.data()), t.spirv.size() * sizeof t.spirv[0]));
   return out;
 }
@@ -149,6 +151,8 @@ std::optional<Compiled> compiled_of(const std::string& answer) {
   out.asked = taken.list();
   out.unmentioned = taken.list();
   out.whole = taken.text();
+  out.narrow_word = taken.text();
+  out.ignores_narrow = !taken.text().empty();
   const std::string spirv = taken.text();
   if (!taken.whole()) return std::nullopt;
   if (!messages.empty()) throw InputError(messages);

@@ -33,9 +33,16 @@ class Parse {
         shader_(stage_) {
     shader_.setStringsWithLengthsAndNames(&strings_, &length_, &names_, 1);
     shader_.setPreamble(preamble_.c_str());
+    // Of desktop GLSL the compiler keeps mediump and lowp only by the rules of Vulkan.
+    const bool vulkan = attempt.narrow && !hlsl_;
     shader_.setEnvInput(hlsl_ ? glslang::EShSourceHlsl : glslang::EShSourceGlsl, stage_,
-                        glslang::EShClientOpenGL, 100);
-    shader_.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
+                        vulkan ? glslang::EShClientVulkan : glslang::EShClientOpenGL, 100);
+    if (vulkan) {
+      shader_.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+      shader_.setEnvInputVulkanRulesRelaxed();
+    } else {
+      shader_.setEnvClient(glslang::EShClientOpenGL, glslang::EShTargetOpenGL_450);
+    }
     shader_.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
     shader_.setAutoMapLocations(true);
     shader_.setAutoMapBindings(true);
@@ -123,6 +130,7 @@ Translated translate_with(Files& files, const Source& source, const Attempt& att
   if (!out.missing.empty())
     out.note += (out.note.empty() ? "" : "; ") + no_files(out.missing, source) + "; omitted";
   out.whole = preprocessed(files, source, attempt);
+  out.ignores_narrow = !attempt.narrow;
   return out;
 }
 
@@ -201,27 +209,33 @@ Translated translate(const Source& source, Places places) {
   const std::string whole =
       preprocessed(files, source, {versions_of(source).front(), common_preamble(source), ""});
   const std::vector<Attempt> all = attempts(files, source, whole);
+  // The error that is reported: of the first attempt with the rules that the text is written for.
+  const auto told = std::size_t(std::ranges::find(all, false, &Attempt::narrow) - all.begin());
+  const std::string narrow = narrow_word(whole, source.language);
   std::vector<Translated> failed;
   for (const Attempt& attempt : all) {
     failed.push_back(translate_with(files, source, attempt, places));
+    failed.back().narrow_word = narrow;
     const std::vector<std::string>& missing = failed.back().missing;
     const bool metal = std::ranges::find(missing, "'metal_stdlib'") != missing.end();
     if (!failed.back().spirv.empty() && !metal) return failed.back();
     failed.back().spirv.clear();
   }
   // Later errors follow from the first error.
-  if (const std::string foreign = of_another_language(files, failed[0].messages, false); !foreign.empty()) {
-    failed[0].messages = foreign;
-    return failed[0];
+  if (const std::string foreign = of_another_language(files, failed[told].messages, false);
+      !foreign.empty()) {
+    failed[told].messages = foreign;
+    return failed[told];
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (all[k].again) continue;
     Translated part = translate_in_part(files, source, all[k], places, failed[k], begin);
+    part.narrow_word = narrow;
     if (!part.spirv.empty()) return part;
   }
-  if (const std::string foreign = of_another_language(files, failed[0].messages, true); !foreign.empty())
-    failed[0].messages = foreign;
-  return failed[0];
+  if (const std::string foreign = of_another_language(files, failed[told].messages, true); !foreign.empty())
+    failed[told].messages = foreign;
+  return failed[told];
 }
 
 }  // namespace brdf::shader

@@ -25,7 +25,9 @@ struct Translated {
   std::vector<std::string> missing = {};      // names of includes without a file, in quotes
   std::vector<std::string> asked = {};        // macros that the text tests but nothing defines
   std::vector<std::string> unmentioned = {};  // macros of the command line that no file mentions
-  std::string whole = {};                     // the text with its includes, macros replaced, comments removed
+  std::string narrow_word = {};  // a type of 16 bits in the text: mediump, lowp, half, min16float
+  bool ignores_narrow = false;   // such types were compiled as types of 32 bits
+  std::string whole = {};        // the text with its includes, macros replaced, comments removed
 };
 
 // The information on source places that the module contains. More information uses more parts of the

@@ -13,6 +13,7 @@
 #include "brdf/direction_sampler.h"
 #include "brdf/parameter.h"
 #include "shader/front/languages.h"
+#include "shader/front/texture.h"
 
 namespace brdf::shader {
 
@@ -64,6 +65,8 @@ struct Source {
   std::optional<DensityOf> density_of = {};
   std::vector<std::string> defines = {};          // NAME=VALUE, from the command line
   std::vector<std::string> include_folders = {};  // from the command line, searched after the file's folder
+  std::vector<TextureChoice> textures = {};       // from the command line
+  bool shares_textures = false;                   // some of them may belong to other shaders
   bool explorer = false;                          // a .brdf file
   bool compute = false;                           // a compute shader
 };

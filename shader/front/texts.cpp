@@ -114,6 +114,22 @@ constexpr Known kOldWords[] = {
     {"textureCubeLod", " textureLod", Of::glsl},
     {"gl_FragColor", " brdf_fragment_colour\nvec4 brdf_fragment_colour;", Of::glsl}};
 
+// half, half3 or half3x3.
+bool is_half(std::string_view word) {
+  return word.starts_with("half") && word.find_first_not_of("1234x", 4) == word.npos;
+}
+
+// The compiler takes half for float. Returns definitions that make it a type that may have 16 bits.
+std::string narrow_types(const std::string& whole, Language language) {
+  std::set<std::string> names;
+  if (language == Language::hlsl)
+    for (const Token& token : tokens_of(whole))
+      if (is_half(token.text)) names.emplace(token.text);
+  std::string out;
+  for (const std::string& name : names) out += "#define " + name + " min16float" + name.substr(4) + "\n";
+  return out;
+}
+
 // The words of the text, and the words that it defines: constants, variables and functions. A defined word
 // follows a type or precedes an assigned value.
 struct Words {
@@ -166,6 +182,15 @@ Usual usual_of(const std::string& whole, Language language) {
 }
 
 }  // namespace
+
+std::string narrow_word(const std::string& whole, Language language) {
+  for (const Token& token : tokens_of(whole)) {
+    const bool is = language == Language::hlsl ? is_half(token.text) || token.text.starts_with("min16float")
+                                               : token.is("mediump") || token.is("lowp");
+    if (is) return std::string(token.text);
+  }
+  return "";
+}
 
 std::vector<Shadow> shadowed_builtins(const Files& files) {
   std::vector<Shadow> found;
@@ -226,6 +251,11 @@ std::vector<Attempt> attempts(const Files& files, const Source& source, const st
                                     : ", which the file does not define, is") +
             " given the usual definition";
   std::vector<Attempt> out;
+  const std::string narrow = narrow_word(whole, source.language);
+  if (!narrow.empty())
+    for (const int v : versions)
+      out.push_back(
+          {v, base + narrow_types(whole, source.language) + renames + known.preamble, note, false, true});
   for (const int v : versions) out.push_back({v, base + renames + known.preamble, note});
   if (!renames.empty())
     for (const int v : versions) out.push_back({v, base + known.preamble, note, true});

@@ -16,7 +16,13 @@ struct Attempt {
   std::string note;      // a sentence on its assumptions; may be empty
   // Without new names for functions that shadow built-in functions.
   bool again = false;
+  // Keeps the types that a device may compute in 16 bits. Some texts compile only without this.
+  bool narrow = false;
 };
+
+// Returns the first type of 16 bits in the text after the preprocessor: mediump or lowp, in HLSL half or
+// min16float; empty if the text has no such type.
+std::string narrow_word(const std::string& whole, Language language);
 
 // A function of the files with the name of a built-in function; `file` is empty for the shader's own file.
 struct Shadow {

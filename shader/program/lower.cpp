@@ -53,15 +53,16 @@ void Lowering::refuse(const std::string& what) const {
 
 Slot Lowering::emit(Op op, Slot a, Slot b, Slot c) {
   const bool pure = op != Op::copy && op != Op::icopy && op < Op::load_number;
-  const auto key = std::tuple(op, a, b, c);
+  const auto key = std::tuple(op, a, b, c, narrow_);
   if (pure)
     if (const auto found = computed_.find(key); found != computed_.end()) return found->second;
   const bool integer = (op >= Op::equal && op <= Op::bits_of) || (op >= Op::icopy && op <= Op::logical_not) ||
                        op == Op::load_integer;
   const Slot r = integer ? program_.integers++ : program_.numbers++;
   emit_to(op, r, a, b, c);
-  if (pure) computed_[key] = r;
-  return r;
+  const Slot result = narrow_ && needs_rounding(op) ? to_half(r) : r;
+  if (pure) computed_[key] = result;
+  return result;
 }
 
 void Lowering::emit_to(Op op, Slot r, Slot a, Slot b, Slot c) {
@@ -215,18 +216,17 @@ void Lowering::block(Frame& frame, const spirv::Block& block, bool last) {
   refuse("a block has no end");
 }
 
-std::optional<Slots> Lowering::kernel(
-    const spirv::Function& function, const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
+std::optional<Slots> Lowering::kernel(const spirv::Function& function,
+                                      const std::vector<Argument>& arguments) {
   const Kernel* known = options_.kernels_by_meaning ? kernel_of(module_, function) : nullptr;
   if (!known) return std::nullopt;
   Slots operands;
-  for (const auto& [pointer, slots] : arguments) operands.push_back((pointer ? load(*pointer) : slots).at(0));
+  for (const Argument& a : arguments) operands.push_back((a.pointer ? load(*a.pointer) : a.slots).at(0));
   return Slots{operands.size() > 1 ? emit(known->op, operands[0], operands[1])
                                    : emit(known->op, operands[0])};
 }
 
-Slots Lowering::call(const spirv::Function& function,
-                     const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments) {
+Slots Lowering::call(const spirv::Function& function, const std::vector<Argument>& arguments) {
   if (++depth_ > kDeepestCalls)
     refuse("calls are nested more than " + std::to_string(kDeepestCalls) + " deep");
   if (arguments.size() != function.parameters.size() || function.blocks.empty())
@@ -243,11 +243,13 @@ Slots Lowering::call(const spirv::Function& function,
   Frame frame;
   frame.function = &function;
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    const auto& [pointer, slots] = arguments[k];
-    if (pointer)
-      frame.pointers[function.parameters[k]] = *pointer;
+    const Argument& argument = arguments[k];
+    if (argument.texture)
+      frame.textures[function.parameters[k]] = *argument.texture;
+    else if (argument.pointer)
+      frame.pointers[function.parameters[k]] = *argument.pointer;
     else
-      frame.values[function.parameters[k]] = {function.parameter_types[k], slots};
+      frame.values[function.parameters[k]] = {function.parameter_types[k], argument.slots};
   }
   for (const spirv::Block& b : function.blocks) frame.blocks[b.label] = &b;
   for (std::size_t k = 0; k < function.blocks.size(); ++k) {
@@ -275,6 +277,17 @@ Slots Lowering::call(const spirv::Function& function,
   return frame.result;
 }
 
+// The scalars of the returned value, or of an argument that the function writes, and their type.
+std::pair<Slots, Id> Lowering::written_value(int argument, const spirv::Function& entry,
+                                             const Slots& returned, const std::map<int, Pointer>& written) {
+  const auto to = written.find(argument);
+  if (argument >= 0 && to == written.end()) refuse("an output argument is missing");
+  const Id id = argument < 0 ? entry.id : entry.parameters[std::size_t(argument)];
+  const Id type = argument < 0 ? entry.type : to->second.type;
+  Slots all = argument < 0 ? returned : load(to->second);
+  return {is_narrow_result(id, type) ? to_half(std::move(all), type) : std::move(all), type};
+}
+
 // The sum of the parts of the reflectance.
 Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
                           const std::map<int, Pointer>& written) {
@@ -284,11 +297,7 @@ Slots Lowering::result_of(const spirv::Function& entry, const Slots& returned,
   if (parts.empty()) refuse("the function returns nothing; a reflectance is a float or a vec3");
   Slots sum;
   for (const ResultPart& part : parts) {
-    const auto to = written.find(part.argument);
-    const bool is_returned = part.argument < 0;
-    if (!is_returned && to == written.end()) refuse("an output argument is missing");
-    const Id type = is_returned ? entry.type : to->second.type;
-    const Slots all = is_returned ? returned : load(to->second);
+    const auto [all, type] = written_value(part.argument, entry, returned, written);
     const std::vector<bool> integer = kinds(type);
     if ((part.count != 1 && part.count != 3) || part.first + part.count > all.size() || integer[part.first])
       refuse("the function returns " + module_.spelled(type) + "; a reflectance is a float or a vec3");
@@ -321,21 +330,23 @@ Program Lowering::run(const spirv::Function& entry) {
   for (const auto& [id, global] : module_.globals)
     if (global.variable && options_.parameters.contains(module_.name(id)))
       make_input(global_variable(id), module_.type(global.instruction.type).element, module_.name(id), -1);
-  std::vector<std::pair<std::optional<Pointer>, Slots>> arguments;
+  std::vector<Argument> arguments;
   std::map<int, Pointer> written;
   for (std::size_t k = 0; k < entry.parameters.size(); ++k) {
     const Id given = entry.parameter_types[k];
     const spirv::Type& type = module_.type(given);
     const std::string name = module_.name(entry.parameters[k]);
     line_ = entry.line;
-    if (type.kind == spirv::Kind::opaque) refuse("the argument " + name + " is not a number");
+    if (is_opaque(given)) {
+      arguments.push_back(
+          {.texture = texture_named(name, type.kind == spirv::Kind::pointer ? type.element : given)});
+      continue;
+    }
     if (type.kind == spirv::Kind::pointer) {
-      if (module_.type(type.element).kind == spirv::Kind::opaque)
-        refuse("the argument " + name + " is a texture; use a parameter for its value");
       Variable& variable = new_variable(type.element);
       arguments.push_back({Pointer{&variable, type.element}, {}});
       if (options_.written.contains(int(k))) {
-        written[int(k)] = *arguments.back().first;
+        written[int(k)] = *arguments.back().pointer;
         options_.accumulated.contains(int(k)) ? set_zero(variable) : clear(variable);
       } else {
         make_input(variable, type.element, name, int(k));
@@ -353,6 +364,8 @@ Program Lowering::run(const spirv::Function& entry) {
   // The results get slots of their own, so that they are set on every path.
   for (Slot& slot : program_.results) slot = emit(Op::copy, slot);
   end_stretch(End::stop);
+  std::vector<Step>& first = program_.stretches.front().steps;
+  first.insert(first.begin(), prelude_.begin(), prelude_.end());
   return std::move(program_);
 }
 

@@ -81,6 +81,7 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
     if (k >= i.words.size()) refuse("an instruction is incomplete");
     return i.words[k];
   };
+  if (passes_texture(frame, i)) return;
   switch (i.code) {
     case spv::OpNop:
     case spv::OpSelectionMerge:
@@ -120,18 +121,21 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
     case spv::OpFunctionCall: {
       const auto called = module_.functions.find(word(0));
       if (called == module_.functions.end()) refuse("calls a function that does not exist");
-      std::vector<std::pair<std::optional<Pointer>, Slots>> arguments;
+      std::vector<Argument> arguments;
       for (std::size_t k = 1; k < i.words.size(); ++k) {
         const Id id = i.words[k];
         const auto global = module_.globals.find(id);
-        if (frame.pointers.contains(id) || (global != module_.globals.end() && global->second.variable))
-          arguments.push_back({pointer(frame, id), {}});
+        if (k <= called->second.parameter_types.size() && is_opaque(called->second.parameter_types[k - 1]))
+          arguments.push_back({.texture = texture_of(frame, id)});
+        else if (frame.pointers.contains(id) || (global != module_.globals.end() && global->second.variable))
+          arguments.push_back({.pointer = pointer(frame, id)});
         else
-          arguments.push_back({std::nullopt, value(frame, id)});
+          arguments.push_back({.slots = value(frame, id)});
       }
       const std::uint32_t line = line_;
-      frame.values[i.result] = {i.type, call(called->second, arguments)};
+      Slots returned = call(called->second, arguments);
       line_ = line;
+      frame.values[i.result] = {i.type, is_narrow(i) ? to_half(std::move(returned), i.type) : returned};
       return;
     }
     default:
@@ -139,7 +143,10 @@ void Lowering::instruction(Frame& frame, const spirv::Instruction& i) {
   }
   if (i.result == 0)
     refuse("writes to an image, a buffer or another pixel; a reflectance may only return a value");
+  narrow_ = is_narrow(i);
   Slots out = operation(frame, i);
+  if (narrow_) out = to_half(std::move(out), i.type);
+  narrow_ = false;
   if (out.size() != module_.scalars(i.type)) refuse("a value has two types");
   frame.values[i.result] = {i.type, std::move(out)};
 }
@@ -207,8 +214,11 @@ Slots Lowering::operation(Frame& frame, const spirv::Instruction& i) {
     default:
       break;
   }
+  if (const auto texels = read_texture(frame, i)) return *texels;
   if (i.code >= spv::OpSampledImage && i.code <= spv::OpImageQuerySamples)
-    refuse("reads a texture; use a parameter for its value");
+    refuse(
+        "reads a texture in a way that is not supported: texture, textureLod, texelFetch, Sample, "
+        "SampleLevel and Load are");
   return matrix(frame, i);
 }
 

@@ -41,11 +41,8 @@ Slots Lowering::results_apart(const spirv::Function& entry, const Slots& returne
                               const std::map<int, Pointer>& written) {
   Slots out;
   for (const ResultPart& part : options_.results) {
-    const auto to = written.find(part.argument);
-    const bool is_returned = part.argument < 0;
-    if (!is_returned && to == written.end()) refuse("an output argument is missing");
-    const Slots all = is_returned ? returned : load(to->second);
-    const std::vector<bool> integer = kinds(is_returned ? entry.type : to->second.type);
+    const auto [all, type] = written_value(part.argument, entry, returned, written);
+    const std::vector<bool> integer = kinds(type);
     if (part.first + part.count > all.size()) refuse("a result has two types");
     for (std::size_t k = part.first; k < part.first + part.count; ++k)
       out.push_back(integer[k] ? emit(Op::from_unsigned, all[k]) : all[k]);

@@ -82,7 +82,7 @@ void Lowering::make_input(Variable& variable, Id type, const std::string& name, 
   for (std::size_t k = 0; k < count; ++k) {
     const Slot slot = variable.integer[offset + k] ? program_.integers++ : program_.numbers++;
     input.slots.push_back(slot);
-    remember(variable, offset + k, slot, false);
+    remember(variable, offset + k, is_narrow_result(0, type) ? half_input(slot) : slot, false);
   }
   program_.inputs.push_back(std::move(input));
 }
@@ -96,7 +96,7 @@ Lowering::Variable& Lowering::global_variable(Id id) {
   const std::string name = module_.name(id);
   if (pointer.kind != Kind::pointer) refuse("a pointer is not a variable");
   if (module_.type(pointer.element).kind == Kind::opaque)
-    refuse("reads the texture " + name + "; use a parameter for its value");
+    refuse("reads " + name + ", which is no single texture; use a parameter for its value");
   Variable& v = new_variable(pointer.element);
   globals_[id] = &v;
   if (pointer.storage == spv::StorageClassUniformConstant || pointer.storage == spv::StorageClassUniform ||
@@ -109,6 +109,11 @@ Lowering::Variable& Lowering::global_variable(Id id) {
   } else {
     options_.zero_globals ? set_zero(v) : clear(v);
   }
+  // The first access may be in a branch or a loop, so that the program's first steps set the variable.
+  for (const std::size_t k : v.unwritten)
+    prelude_.push_back(
+        {v.integer[k] ? Op::icopy : Op::copy, (v.integer[k] ? v.integers : v.numbers) + Slot(k), v.known[k]});
+  v.unwritten.clear();
   return v;
 }
 
@@ -144,7 +149,8 @@ Slots Lowering::constant(Id id) {
     case spv::OpConstant:
     case spv::OpSpecConstant:
       if (kinds(i.type).size() != 1) refuse("a constant is not a number");
-      return {kinds(i.type)[0] ? integer_constant(word(0)) : number_constant(as_written(word(0)))};
+      if (kinds(i.type)[0]) return {integer_constant(word(0))};
+      return {module_.is_half(i.type) ? half_constant(word(0)) : number_constant(as_written(word(0)))};
     case spv::OpConstantComposite:
     case spv::OpSpecConstantComposite:
       for (const Id part : i.words) {
@@ -169,10 +175,14 @@ Slots Lowering::constant(Id id) {
 }
 
 Slots Lowering::value(Frame& frame, Id id) {
-  if (const auto found = frame.values.find(id); found != frame.values.end()) return found->second.second;
+  const auto operand = [&](Slots slots) {
+    return narrow_ ? to_half(std::move(slots), type_of(frame, id)) : slots;
+  };
+  if (const auto found = frame.values.find(id); found != frame.values.end())
+    return operand(found->second.second);
   if (const auto found = module_.globals.find(id); found != module_.globals.end() && found->second.variable)
     refuse("uses a pointer or a texture as a value");
-  return constant(id);
+  return operand(constant(id));
 }
 
 Id Lowering::type_of(Frame& frame, Id id) {

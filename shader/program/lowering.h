@@ -37,11 +37,22 @@ class Lowering {
     std::size_t offset = 0;
     std::optional<Slot> index = {};  // an integer that is added to the offset
   };
+  // An argument of a call: a pointer, the scalars of a value, or a texture.
+  struct Argument {
+    std::optional<Pointer> pointer = {};
+    Slots slots = {};
+    std::optional<const Texture*> texture = {};
+  };
+  // Two neighbouring texels along one axis, and the share of the second in a bilinear sample.
+  struct Neighbours {
+    Slot first, second, share;
+  };
   // One inlined call.
   struct Frame {
     const spirv::Function* function = nullptr;
     std::map<Id, std::pair<Id, Slots>> values = {};  // type and slots
     std::map<Id, Pointer> pointers = {};
+    std::map<Id, const Texture*> textures = {};   // null: a sampler
     std::map<Id, std::uint32_t> stretch_of = {};  // stretch of each label
     std::map<Id, const spirv::Block*> blocks = {};
     struct Jump {
@@ -57,8 +68,9 @@ class Lowering {
   };
 
   // lower.cpp: control flow
-  Slots call(const spirv::Function& function,
-             const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+  Slots call(const spirv::Function& function, const std::vector<Argument>& arguments);
+  std::pair<Slots, Id> written_value(int argument, const spirv::Function& entry, const Slots& returned,
+                                     const std::map<int, Pointer>& written);
   Slots result_of(const spirv::Function& entry, const Slots& returned, const std::map<int, Pointer>& written);
   void block(Frame& frame, const spirv::Block& block, bool last);
   void end(Frame& frame, const spirv::Block& block, const spirv::Instruction& i, bool last);
@@ -70,8 +82,7 @@ class Lowering {
   void set_phis(Frame& frame, Id from, Id to);
   void begin_stretch();
   void end_stretch(End end);
-  std::optional<Slots> kernel(const spirv::Function& function,
-                              const std::vector<std::pair<std::optional<Pointer>, Slots>>& arguments);
+  std::optional<Slots> kernel(const spirv::Function& function, const std::vector<Argument>& arguments);
 
   // lower_random.cpp: numbered random numbers, and several results
   void begin_random();
@@ -120,6 +131,26 @@ class Lowering {
 
   Slot emit(Op op, Slot a = 0, Slot b = 0, Slot c = 0);
   void emit_to(Op op, Slot r, Slot a, Slot b = 0, Slot c = 0);
+  // lower_textures.cpp
+  bool is_opaque(Id type) const;
+  const Texture* texture_named(const std::string& name, Id type) const;
+  const Texture* texture_of(const Frame& frame, Id id) const;
+  bool passes_texture(Frame& frame, const spirv::Instruction& i);
+  std::optional<Slots> read_texture(Frame& frame, const spirv::Instruction& i);
+  Slot texel(const Texture& texture, std::size_t channel, Slot place);
+  Slot texel_place(const Texture& texture, Slot x, Slot y);
+  Slots fetched(const Texture& texture, const Slots& at);
+  Slot wrapped(TextureWrap wrap, Slot u);
+  Neighbours neighbours(const Texture& texture, std::uint32_t size, Slot u);
+  Slots sampled(const Texture& texture, const Slots& at);
+  // lower_half.cpp: half precision
+  bool is_narrow(const spirv::Instruction& i) const;
+  bool is_narrow_result(Id value, Id type) const;
+  static bool needs_rounding(Op op);
+  Slot to_half(Slot slot);
+  Slot half_input(Slot slot);
+  Slot half_constant(std::uint32_t bits);
+  Slots to_half(Slots slots, Id type);
   [[noreturn]] void refuse(const std::string& what) const;
 
   const spirv::Module& module_;
@@ -132,9 +163,13 @@ class Lowering {
   std::map<std::uint64_t, Slot> number_constants_;
   std::map<std::uint32_t, Slot> integer_constants_;
   // Results of the operations in this stretch.
-  std::map<std::tuple<Op, Slot, Slot, Slot>, Slot> computed_;
-  Slot random_ = 0;        // the first number of kRandomInput
-  Slot random_count_ = 0;  // integer slot: the numbers used so far
+  std::map<std::tuple<Op, Slot, Slot, Slot, bool>, Slot> computed_;
+  // The instruction that is lowered computes in half precision.
+  bool narrow_ = false;
+  std::set<Slot> halves_;      // slots that hold numbers of half precision
+  std::vector<Step> prelude_;  // precedes the first stretch
+  Slot random_ = 0;            // the first number of kRandomInput
+  Slot random_count_ = 0;      // integer slot: the numbers used so far
   std::uint32_t line_ = 0;
   std::size_t steps_ = 0;
   int depth_ = 0;

@@ -4,8 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "shader/front/texture.h"
 
 namespace brdf::shader {
 
@@ -57,6 +60,8 @@ enum class Op : std::uint8_t {
   log1p,
   erfcx,
   angle,
+  // Rounds to half precision in float; other scalars keep the value.
+  to_half,
   select,  // r = integer a ? number b : number c
   // numbers to an integer; _or: also true if an operand is NaN
   equal,
@@ -75,6 +80,7 @@ enum class Op : std::uint8_t {
   from_signed,
   from_unsigned,
   from_bits,
+  texel,  // r = number a of table c of the program; the last number if a is above it
   // integers to an integer
   icopy,
   iadd,
@@ -167,6 +173,7 @@ struct Program {
   };
   std::vector<Undefined> undefined = {};
   std::vector<Input> inputs = {};
+  std::vector<std::shared_ptr<const TexelTable>> tables = {};  // channels of textures
   std::uint32_t line = 0;                   // line of the source at which the function begins; 0: unknown
   std::vector<std::uint32_t> results = {};  // number slots: one or three
   // Operates on the bits of a float; other scalars use the bits of their value rounded to float.

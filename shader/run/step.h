@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "shader/program/half.h"
 #include "shader/program/program.h"
 #include "shader/run/functions.h"
 
@@ -40,12 +41,14 @@ class Bank {
  public:
   explicit Bank(const Program& p)
       : numbers_(std::size_t(std::max(p.numbers, 1u)) * W, Functions<T>::number(0)),
-        integers_(std::size_t(std::max(p.integers, 1u)) * W) {
+        integers_(std::size_t(std::max(p.integers, 1u)) * W),
+        tables_(p.tables) {
     for (const Program::Constant& c : p.constants) set(c.slot, Functions<T>::number(c.value));
     for (const Program::IntegerConstant& c : p.integer_constants) std::fill_n(integer(c.slot), W, c.value);
   }
   T* number(std::uint32_t slot) { return numbers_.data() + std::size_t(slot) * W; }
   std::uint32_t* integer(std::uint32_t slot) { return integers_.data() + std::size_t(slot) * W; }
+  const std::vector<float>& table(std::uint32_t which) const { return tables_[which]->values; }
   const T* number(std::uint32_t slot) const { return numbers_.data() + std::size_t(slot) * W; }
   // Sets the same value in all lanes.
   void set(std::uint32_t slot, const T& value) { std::fill_n(number(slot), W, value); }
@@ -54,6 +57,7 @@ class Bank {
  private:
   std::vector<T> numbers_;
   std::vector<std::uint32_t> integers_;
+  std::vector<std::shared_ptr<const TexelTable>> tables_;
 };
 
 namespace detail {
@@ -223,6 +227,11 @@ template <class T, int W, class Lanes>
       return unary([](const T& a) { return F::erfcx(a); });
     case Op::angle:
       return binary([](const T& a, const T& b) { return F::angle(a, b); });
+    case Op::to_half:
+      if constexpr (std::is_same_v<T, float>)
+        return unary([](float a) { return rounded_to_half(a); });
+      else
+        return unary([](const T& a) { return a; });
     // As GLSL defines them: if an operand is NaN, the result is the first operand.
     case Op::min:
       return binary([](const T& a, const T& b) { return pick(b < a, b, a); });
@@ -280,6 +289,11 @@ template <class T, int W, class Lanes>
       return made([](std::uint32_t a) { return F::number(double(a)); });
     case Op::from_bits:
       return made([](std::uint32_t a) { return F::from_bits(a); });
+    case Op::texel: {
+      const std::vector<float>& texels = bank.table(s.c);
+      const auto last = std::uint32_t(texels.size() - 1);
+      return made([&](std::uint32_t a) { return F::number(double(texels[std::min(a, last)])); });
+    }
     case Op::icopy:
       return integer([](std::uint32_t a, std::uint32_t) { return a; });
     case Op::iadd:

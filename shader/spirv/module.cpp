@@ -58,7 +58,7 @@ class Parser {
         module_.member_names[w[0]][w[1]] = text(w, 2);
         return;
       case spv::OpDecorate:
-        if (word(w, 1) == spv::DecorationRelaxedPrecision) ++module_.relaxed;
+        if (word(w, 1) == spv::DecorationRelaxedPrecision) module_.relaxed.insert(w[0]);
         if (w[1] == spv::DecorationLinkageAttributes) module_.exported[w[0]] = text(w, 2);
         if (w[1] == spv::DecorationLocation) module_.locations[w[0]] = word(w, 2);
         return;
@@ -130,7 +130,8 @@ class Parser {
         type.is_signed = word(w, 2) != 0;
         break;
       case spv::OpTypeFloat:
-        type.kind = word(w, 1) == 32 ? Kind::number : Kind::opaque;
+        type.is_half = word(w, 1) == 16;
+        type.kind = w[1] == 32 || type.is_half ? Kind::number : Kind::opaque;
         break;
       case spv::OpTypeVector:
       case spv::OpTypeMatrix:
@@ -153,6 +154,21 @@ class Parser {
         type.kind = Kind::pointer;
         type.storage = word(w, 1);
         type.element = known(2);
+        break;
+      case spv::OpTypeImage: {
+        const Type& of = module_.type(word(w, 1));
+        const bool plain = word(w, 3) != 1 && word(w, 4) == 0 && word(w, 5) == 0 && word(w, 6) != 2;
+        type.kind = Kind::opaque;
+        type.is_texture = plain && w[2] == spv::Dim2D && of.kind == Kind::number;
+        break;
+      }
+      case spv::OpTypeSampledImage:
+        type.kind = Kind::opaque;
+        type.is_texture = module_.type(word(w, 1)).is_texture;
+        break;
+      case spv::OpTypeSampler:
+        type.kind = Kind::opaque;
+        type.is_sampler = true;
         break;
       case spv::OpTypeFunction:
         type.kind = Kind::opaque;
@@ -249,6 +265,12 @@ const Type& Module::type(Id id) const {
   return found->second;
 }
 
+bool Module::is_half(Id id) const {
+  const Type& t = type(id);
+  const bool has_elements = t.kind == Kind::vector || t.kind == Kind::matrix || t.kind == Kind::array;
+  return has_elements ? is_half(t.element) : t.is_half;
+}
+
 std::size_t Module::scalars(Id id) const {
   const Type& t = type(id);
   std::size_t sum = 0;
@@ -266,7 +288,9 @@ std::size_t Module::scalars(Id id) const {
       for (const Id member : t.members) sum += scalars(member);
       break;
     default:
-      throw InputError("has a value that is not a number, vector, matrix, array or struct of 32-bit numbers");
+      throw InputError(
+          "has a value that is not a number, vector, matrix, array or struct of numbers with 32 bits, nor of "
+          "floating-point numbers with 16 bits");
   }
   if (sum > kMostScalars)
     throw InputError("has a value of more than " + std::to_string(kMostScalars) + " numbers");

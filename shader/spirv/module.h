@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ enum class Kind {
 struct Type {
   Kind kind = Kind::none;
   bool is_signed = false;
+  // Of an opaque type: a texture of two dimensions with numbers, alone or with its sampler; or a sampler.
+  bool is_texture = false, is_sampler = false;
+  bool is_half = false;     // of a number: of 16 bits, not of 32
   Id element = 0;           // of a vector, matrix, array or pointer
   std::uint32_t count = 0;  // number of elements of a vector, columns of a matrix, length of an array
   std::vector<Id> members = {};
@@ -69,12 +73,15 @@ struct Module {
   std::map<Id, std::string> exported;     // names by which a driver or a linker knows functions
   std::map<Id, std::uint32_t> locations;  // of the inputs and outputs of an entry point
   std::map<Id, std::map<std::uint32_t, std::string>> member_names;
-  Id entry = 0;             // id of the function that a driver would call
-  std::size_t relaxed = 0;  // values that a device may compute with less precision
-  Id extended = 0;          // id of the set of GLSL's built-in functions
+  Id entry = 0;          // id of the function that a driver would call
+  std::set<Id> relaxed;  // values that a device may compute with less precision
+  Id extended = 0;       // id of the set of GLSL's built-in functions
 
   // Returns the type with this id. Throws InputError if the type is not declared.
   const Type& type(Id id) const;
+  // Returns whether a value of this type is a number of 16 bits, or a vector, a matrix or an array of such
+  // numbers.
+  bool is_half(Id type) const;
   // Returns the number of scalars in a value of this type. Throws InputError for types without scalars and
   // for very large types.
   std::size_t scalars(Id type) const;

@@ -33,7 +33,7 @@ FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-ch
        "--robust": "huber:0.1", "--weights": "solid_angle", "--starts": "5", "--seed": "9", "--aperture": "2", "--bootstrap": "5",
        "--normals": "fit", "--no-pictures": None}
 SHADER = {"--shader": "none.glsl", "--param": "alpha=0.1:0.5", "--entry": "main", "--returns": "f", "--define": "X=1",
-          "--include-folder": "none", "--set": "ks=0.1"}
+          "--include-folder": "none", "--texture": "map=none.exr", "--set": "ks=0.1"}
 # The verb, its products with their command lines, and a value of each of its options; None marks a flag.
 VERBS = {
     "lobes": ({"plot": [A, "-o", "OUT.png"], "body": [A, "--body", "-o", "OUT.png"]},

@@ -463,20 +463,6 @@ TEST(Whole, IntegersAreAskedForTheirRangeAndStayWhole) {
   EXPECT_EQ(value_at(block, 0, 0, 0, 0), 0.125);
 }
 
-TEST(Half, IsSaidToBeComputedInMoreBits) {
-  Tree tree;
-  tree.with("half.hlsl",
-            "float brdf(float3 L, float3 V, float3 N, float kd) {\n  half d = saturate(L.z);\n"
-            "  return kd * d * 0.3;\n}\n")
-      .with("whole.hlsl", "float brdf(float3 L, float3 V, float3 N, float kd) { return kd * L.z * 0.3; }\n")
-      .with("mediump.glsl",
-            "float brdf(vec3 L, vec3 V, vec3 N, float kd) {\n"
-            "  mediump float d = L.z;\n  return kd * d * d;\n}\n");
-  EXPECT_THAT(notes_of(tree.load("half.hlsl")), HasSubstr("half is computed in 32 bits (line 2)"));
-  EXPECT_THAT(notes_of(tree.load("mediump.glsl")), HasSubstr("mediump is computed in 32 bits (line 2)"));
-  EXPECT_THAT(notes_of(tree.load("whole.hlsl")), Not(HasSubstr("32 bits")));
-}
-
 TEST(Linear, PlacesWithoutAValueAreLeftOut) {
   // The root of a negative number occurs at a part of the places.
   const auto shader = shader_of(

@@ -53,6 +53,28 @@ double parting(const Vec3<double>& l, const Vec3<double>& v) {
   return sum + (l.y > 0 && v.y > 0 ? 7 : 11);
 }
 
+// An input keeps its value, wherever the program reads it first.
+TEST(Interpreter, AnInputThatABranchReadsFirstIsKnownAfterIt) {
+  const std::string body = "{ float a = 0.0; if (L.z < 0.5) a = k; return 0.125 * a + k; }";
+  const auto own = shader_of("uniform float k;\nfloat brdf(vec3 L, vec3 V, vec3 N) " + body,
+                             {.file = "", .parameters = {}});
+  const auto block = shader_of("cbuffer B { float k; };\nfloat brdf(float3 L, float3 V, float3 N) " + body,
+                               {.file = "", .parameters = {"k=0:1:0.5"}}, "a.hlsl");
+  const auto narrow = shader_of("uniform mediump float k;\nfloat brdf(vec3 L, vec3 V, vec3 N) " + body);
+  for (const auto& model : {own, block, narrow}) {
+    EXPECT_EQ(value_at(model, 0, 0, 0, 0), 0.5);
+    EXPECT_EQ(value_at(model, 80, 0, 0, 0), 0.5625);
+  }
+  // A global variable has its initial value once, before the loop that changes it.
+  const auto counted = shader_of(
+      "const float tenths[2] = float[2](0.25, 0.5);\nfloat total = 0.125;\n"
+      "float brdf(vec3 L, vec3 V, vec3 N) {\n  for (int k = 0; k < 2; ++k) if (L.z > 0.5) total += "
+      "tenths[k];\n"
+      "  return total;\n}\n");
+  EXPECT_EQ(value_at(counted, 0, 0, 0, 0), 0.875);
+  EXPECT_EQ(value_at(counted, 80, 0, 0, 0), 0.125);
+}
+
 TEST(Interpreter, LanesThatPartMeetAgain) {
   const auto shader = shader_of(kParting);
   Random random(3);

@@ -50,7 +50,8 @@ TEST(Refused, WithTheSentenceThatHelps) {
               testing::AllOf(HasSubstr("main() has no directions"), HasSubstr("//: entry NAME")));
   EXPECT_THAT(
       refusal("uniform sampler2D lut;\nfloat brdf(vec3 L, vec3 V) {\n return texture(lut, L.xy).r; }"),
-      HasSubstr("test.glsl:3: reads the texture lut; use a parameter for its value"));
+      HasSubstr("test.glsl:3: reads the texture lut: give its texels with --texture lut=FILE.exr, or use a "
+                "parameter"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n if (L.x > 0.1) discard;\n return 1.0; }"),
               HasSubstr("test.glsl:2: discards the pixel"));
   EXPECT_THAT(refusal("float brdf(vec3 L, vec3 V) {\n return dott(L, V); }"),

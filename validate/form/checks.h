@@ -43,7 +43,8 @@ Finding check_normalisation(const Subject& subject, const CheckOptions& options)
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options);
 // Checks that f cos_i over the sampling density averages to the albedo.
 Finding check_sampling(const Subject& subject, const CheckOptions& options);
-// Checks that float agrees with double of the same code. Applies only to outside code.
+// Checks that float, and half precision if the code has values that may have 16 bits, agree with double of
+// the same code. Applies only to outside code.
 Finding check_float(const Subject& subject, const CheckOptions& options);
 // Checks that derivatives by dual numbers agree with finite differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
@@ -111,8 +112,10 @@ inline constexpr Check kChecks[] = {
      Check::Of::sampled},
     {"derivatives", "Whether exact derivatives agree with finite differences.", 1, Check::Of::all,
      check_derivatives},
-    {"float", "Whether a shader's values in single precision agree with its formula in double precision.", 1,
-     Check::Of::outside, check_float},
+    {"float",
+     "Whether a shader's values in single precision, and in half precision if it has types of 16 bits, agree "
+     "with its formula in double precision.",
+     1, Check::Of::outside, check_float},
 };
 
 // Runs a check within options.seconds. If its searches are cut short, the statement reports how far they

@@ -25,44 +25,86 @@ Material rounded(Material m) {
   return m;
 }
 
-// Relative difference of one channel; infinite if float has no finite value but double does.
-double difference_at(const Term& term, std::size_t channel, const Vec3<double>& wi, const Vec3<double>& wo) {
-  const Vec3<float> i{float(wi.x), float(wi.y), float(wi.z)}, o{float(wo.x), float(wo.y), float(wo.z)};
-  float single;
-  double wide;
-  eval_batch(term, channel, one_pair(i, o), &single);
-  eval_batch(term, channel, one_pair(wi, wo), &wide);
-  if (!std::isfinite(wide)) return 0;  // float is not the cause
-  if (!std::isfinite(single)) return HUGE_VAL;
-  return difference(double(single), wide, kFaintest);
+// Relative difference of one channel; infinite if the value has fewer bits and is not finite, but double is.
+double difference_of(double narrow, double wide) {
+  if (!std::isfinite(wide)) return 0;  // the number of bits is not the cause
+  if (!std::isfinite(narrow)) return HUGE_VAL;
+  return difference(narrow, wide, kFaintest);
 }
+
+// The largest relative difference of all channels between double and the values that `narrow` gives for a
+// material and a pair, all numbers rounded to float.
+template <class Narrow>
+PairMeasure measure_of(Narrow&& narrow) {
+  return [narrow](const Material& at, const Pair& p) {
+    const Material m = rounded(at);
+    const Vec3<double> wi = rounded(p.wi), wo = rounded(p.wo);
+    if (std::min(wi.z, wo.z) < 0) return 0.0;
+    const std::vector<double> values = narrow(m, wi, wo);
+    double worst = 0;
+    for (std::size_t c = 0; c < m.channels.size(); ++c) {
+      double wide;
+      eval_batch(m.terms.front(), c, one_pair(wi, wo), &wide);
+      worst = std::max(worst, difference_of(values[c], wide));
+    }
+    return worst;
+  };
+}
+
+std::vector<double> in_float(const Material& m, const Vec3<double>& wi, const Vec3<double>& wo) {
+  const Vec3<float> i{float(wi.x), float(wi.y), float(wi.z)}, o{float(wo.x), float(wo.y), float(wo.z)};
+  std::vector<double> out;
+  for (std::size_t c = 0; c < m.channels.size(); ++c) {
+    float single;
+    eval_batch(m.terms.front(), c, one_pair(i, o), &single);
+    out.push_back(double(single));
+  }
+  return out;
+}
+
+// The largest difference for one number of bits, and its place.
+struct ComparedBits {
+  std::string name;   // of the number of bits
+  std::string check;  // by which the code explains the difference
+  Best best;
+
+  bool fails() const { return best.value > kSeen; }
+  std::string sentence() const {
+    if (std::isinf(best.value)) return "not finite in " + name + " at directions at which double is finite";
+    return name + " and double of the same code " +
+           (fails() ? "differ by " + io::percent(best.value, 3) : "agree to " + io::percent(best.value, 2));
+  }
+};
 
 }  // namespace
 
 Finding check_float(const Subject& subject, const CheckOptions& options) {
-  const PairMeasure measure = [](const Material& at, const Pair& p) {
-    const Material m = rounded(at);
-    const Vec3<double> wi = rounded(p.wi), wo = rounded(p.wo);
-    double worst = 0;
-    for (std::size_t c = 0; c < m.channels.size(); ++c)
-      worst = std::max(worst, difference_at(m.terms.front(), c, wi, wo));
-    return worst;
-  };
-  const Best best = worst_pair(subject, measure, options);
+  const OutsideFacts* const facts = subject.outside_facts();
+  const bool rounds = facts && facts->has_half_types;
+  std::vector<ComparedBits> all{{rounds ? "float, with 16-bit types in half precision," : "float", "float",
+                                 worst_pair(subject, measure_of(in_float), options)}};
+  if (facts && facts->in_half)
+    all.push_back({"half precision", "half", worst_pair(subject, measure_of(facts->in_half), options)});
   Finding finding{subject.name(), "float"};
-  finding.value = best.value;
   finding.bound = kSeen;
-  finding.evaluations = 2 * best.calls;
-  const Material at = subject.at(best.point);
-  const Pair pair = pair_of(subject, best.point);
-  finding.witness = pair_witness(subject, at, pair);
-  finding.conclude(!(finding.value > kSeen),
-                   "float and double of the same code agree to " + io::percent(finding.value, 2),
-                   std::isinf(finding.value)
-                       ? "not finite in float at directions at which double is finite"
-                       : "float and double of the same code differ by " + io::percent(finding.value, 3));
-  if (finding.outcome == Outcome::fail)
-    finding.statement += subject.explained(finding.check, at, pair.wi, pair.wo);
+  finding.outcome = Outcome::pass;
+  for (const ComparedBits& c : all) {
+    const Material at = subject.at(c.best.point);
+    const Pair pair = pair_of(subject, c.best.point);
+    finding.evaluations += 2 * c.best.calls;
+    finding.statement += (finding.statement.empty() ? "" : "; ") + c.sentence();
+    if (c.fails()) {
+      finding.outcome = Outcome::fail;
+      finding.statement += subject.explained(c.check, at, pair.wi, pair.wo);
+    }
+    if (finding.witness && !(c.best.value > finding.value)) continue;
+    finding.value = c.best.value;
+    finding.witness = pair_witness(subject, at, pair);
+  }
+  if (finding.outcome == Outcome::pass && facts && !facts->half_unknown.empty()) {
+    finding.outcome = Outcome::undecided;
+    finding.statement += "; half precision is not evaluated: " + facts->half_unknown;
+  }
   return finding;
 }
 

@@ -581,6 +581,10 @@ class SamplerJudge {
                                     : "no sample above the horizon was drawn",
                  "float and double agree within 1 % at " + std::to_string(compared_[single]) + " samples; " +
                      std::to_string(branches_) + " next to a boundary took another branch");
+    if (!facts_.half_unknown.empty() && findings_[single].outcome == Outcome::pass) {
+      findings_[single].outcome = Outcome::undecided;
+      findings_[single].statement += "; " + facts_.half_unknown;
+    }
     if (worst_[mean].severity >= 0 && std::isfinite(worst_[mean].severity) && noise_ > 0)
       findings_[mean].statement += noise_text();
     if (too_many_)

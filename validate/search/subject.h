@@ -40,6 +40,13 @@ struct OutsideFacts {
   // represent.
   std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
       in_more_digits = {};
+  // Returns f of each channel in 1/sr, in float with every value that has or may have 16 bits rounded to half
+  // precision.
+  std::function<std::vector<double>(const Material& at, const Vec3<double>& wi, const Vec3<double>& wo)>
+      in_half = {};
+  // The reason why `in_half` is unknown although the code has values that may have 16 bits.
+  std::string half_unknown = {};
+  bool has_half_types = false;  // float itself rounds values to half precision
   // The sampler and the density that the code has for its reflectance; null if the code has neither.
   std::shared_ptr<const DirectionSampler> sampler = {};
 };

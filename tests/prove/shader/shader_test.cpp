@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "io/files/content.h"
+#include "io/files/temporary.h"
 #include "prove/shader/on_box.h"
 #include "prove/shader/shader_proof.h"
 #include "tests/prove/boxes.h"
 #include "tests/shader/texts.h"
+#include "texel/planes.h"
 
 namespace brdf::prove {
 namespace {
@@ -60,8 +62,8 @@ bool is_next_to_axis(const Vec3<T>& w) {
 }
 
 template <class T>
-Counted sample(const std::string& text, int boxes, int points) {
-  const auto model = shader_of(text);
+Counted sample(const std::string& text, int boxes, int points, const shader::ShaderChoice& choice = {}) {
+  const auto model = shader_of(text, choice);
   const shader::Function& f = model->function();
   Domain domain;
   for (const shader::Parameter& p : f.parameters)
@@ -126,6 +128,29 @@ TEST_P(ShaderBoxes, HoldEveryValueInBothPrecisions) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Texts, ShaderBoxes, testing::Values(kBranches, kWays, shader::kGgx));
+
+// A read of a texture lies in the range of its texels, with every filter and wrap.
+TEST(ShaderTextures, AreEnclosedByTheirTexels) {
+  io::TemporaryFolder folder;
+  const std::string file = (folder.path() / "a.exr").string();
+  texel::write_planes(file, {3, 2, {"R"}, {{0.25f, -0.5f, 1, 0.125f, 3, 0.1f}}});
+  const std::string text =
+      "uniform sampler2D map;\n//: param u -3 3 0\n//: param v -1e-3 1 0\n"
+      "float brdf(vec3 L, vec3 V, vec3 N, float u, float v) { return texture(map, vec2(u, v + L.x)).r; }";
+  for (const std::string rules : {"", ":nearest", ":clamp", ":mirror", ":nearest:mirror"}) {
+    const shader::ShaderChoice choice{.file = "", .textures = {shader::parse_texture("map=" + file + rules)}};
+    for (const Counted& c :
+         {sample<float>(text, kShaderBoxes, 20, choice), sample<double>(text, kShaderBoxes, 20, choice)}) {
+      EXPECT_EQ(c.beyond, 0) << rules << c.beyond << " of " << c.points << "\n" << c.first;
+      EXPECT_GT(c.finite_boxes, kShaderBoxes / 3) << rules;
+    }
+    const auto model = shader_of(text, choice);
+    const ShaderInputs all{{{-3, 3}, {-1e-3, 1}}, {0.001, 1}, {-2, 2}, {0.001, 1}, {-2, 2}};
+    const Bounds bounds = shader_on_box<double>(model->function(), all).value;
+    EXPECT_NEAR(bounds.lo, -0.5, 1e-12) << rules;
+    EXPECT_NEAR(bounds.hi, 3, 1e-12) << rules;
+  }
+}
 
 // One function for each cosine that a parameter can ask for: of two of light, viewer, half vector, normal,
 // tangent and bitangent.
