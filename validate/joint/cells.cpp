@@ -173,8 +173,8 @@ bool holds(const Cell& c, const Place& place) {
 }
 
 // Returns whether the density at a sampled direction is much larger than at the points of the piece's rule.
-// Then a narrow lobe, or the edge of one, may lie between the points without a trace in the difference between
-// a piece and its quarters.
+// Then a narrow lobe, or the edge of one, may lie between the points without a trace in the difference
+// between a piece and its quarters.
 bool is_missed(const Piece& piece, const Place& place) {
   constexpr double kMuchLarger = 2;
   return place.density > kMuchLarger * piece.peak;

@@ -55,10 +55,10 @@ struct Integrals {
 };
 
 // Integrates by Gauss-Legendre rules of 4 x 4 points on cells that are divided where the error is largest,
-// until the error is below `tolerance` or the number of evaluations reaches `most`. The cell around the mirror
-// direction is divided first, and all cells until the rules see the density at the given directions (samples
-// above the horizon), so that no narrow lobe is missed between the points of a rule. The share of directions
-// that were not used for this and are missed is part of mass_error.
+// until the error is below `tolerance` or the number of evaluations reaches `most`. The cell around the
+// mirror direction is divided first, and all cells until the rules see the density at the given directions
+// (samples above the horizon), so that no narrow lobe is missed between the points of a rule. The share of
+// directions that were not used for this and are missed is part of mass_error.
 Integrals integrals_of(const Trio& trio, const Cells& cells, std::span<const Vec3<double>> directions,
                        double tolerance, long most);
 
