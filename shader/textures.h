@@ -10,8 +10,8 @@
 namespace brdf::shader {
 
 // Reads the files of the source's textures, by the names of the module's variables and arguments. Throws
-// InputError if a file cannot be used, or if the module has no texture of a name, unless the source shares its
-// textures with other shaders.
+// InputError if a file cannot be used, or if the module has no texture of a name, unless the source shares
+// its textures with other shaders.
 std::map<std::string, Texture> textures_of(const spirv::Module& module, const Source& source);
 
 // Returns a note on the textures from which the function reads no texel; empty if it reads all of them.
