@@ -321,7 +321,7 @@ Program Lowering::run(const spirv::Function& entry) {
     if (!global.variable || global.instruction.words.size() > 1) continue;
     const spirv::Type& pointer = module_.type(global.instruction.type);
     if (pointer.kind == spirv::Kind::pointer && pointer.storage == spv::StorageClassPrivate &&
-        module_.type(pointer.element).kind != spirv::Kind::opaque)
+        !is_opaque(pointer.element))
       global_variable(id);
   }
   // Globals get their initial values at the beginning of the driver's entry.

@@ -51,6 +51,7 @@ Slot Lowering::to_half(Slot slot) {
 }
 
 Slots Lowering::to_half(Slots slots, Id type) {
+  if (slots.empty()) return slots;  // of a function without a value
   const std::vector<bool>& integer = kinds(type);
   for (std::size_t k = 0; k < std::min(slots.size(), integer.size()); ++k)
     if (!integer[k]) slots[k] = to_half(slots[k]);

@@ -14,8 +14,8 @@ constexpr std::size_t kCoordinates = 1, kOperands = 2;
 
 bool Lowering::is_opaque(Id type) const {
   const spirv::Type& t = module_.type(type);
-  return t.kind == spirv::Kind::opaque ||
-         (t.kind == spirv::Kind::pointer && module_.type(t.element).kind == spirv::Kind::opaque);
+  const bool holds = t.kind == spirv::Kind::pointer || t.kind == spirv::Kind::array;
+  return t.kind == spirv::Kind::opaque || (holds && is_opaque(t.element));
 }
 
 // The texture of a variable; null for a sampler, whose state the command line gives.

@@ -95,7 +95,7 @@ Lowering::Variable& Lowering::global_variable(Id id) {
   const spirv::Type& pointer = module_.type(i.type);
   const std::string name = module_.name(id);
   if (pointer.kind != Kind::pointer) refuse("a pointer is not a variable");
-  if (module_.type(pointer.element).kind == Kind::opaque)
+  if (is_opaque(pointer.element))
     refuse("reads " + name + ", which is no single texture; use a parameter for its value");
   Variable& v = new_variable(pointer.element);
   globals_[id] = &v;

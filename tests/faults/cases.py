@@ -2,6 +2,7 @@
 import dataclasses
 import os
 import shutil
+import struct
 import subprocess
 
 MATERIAL = """{
@@ -61,6 +62,8 @@ class Case:
         return self.words[0]
 
 
+TEXTURED = ("uniform sampler2D map;\n"
+            "float brdf(vec3 L, vec3 V, vec3 N) { return 0.3 * texture(map, L.xy).r; }\n")
 STACK = ["stack/lights.csv"] + [f"stack/image_{k:05d}.exr" for k in range(4)]
 PLAN = ["plan", "fit", "samples.csv", "more.csv", "--form", "lambert", "--no-pictures", "-o", "job"]
 CASES = [
@@ -156,6 +159,9 @@ CASES = [
          ["accepted.json"], ["shader.glsl"]),
     Case("eval a shader", ["eval", "--shader", "shader.glsl", "directions.csv", "-o", "values.csv"], ["values.csv"],
          ["shader.glsl", "directions.csv"]),
+    Case("eval a shader with a texture", ["eval", "--shader", "textured.glsl", "--texture", "map=grey.exr", "directions.csv",
+                                          "-o", "values.csv"], ["values.csv"],
+         ["textured.glsl", "grey.exr", "directions.csv"]),
     Case("view", ["view", "material.json", "--measured", "samples.csv", "--hard-light", "--width", "64", "--height", "64",
                   "--frames", "3"], [], ["material.json", "samples.csv"], optional=["state/brdf/recent"], draws=True,
          window=True, same=False),
@@ -188,6 +194,19 @@ CASES = [
 ]
 
 
+def exr_of_one_texel(value):
+    """Returns the bytes of an OpenEXR picture with one texel and the channel Y, not compressed."""
+    def attribute(name, kind, content):
+        return f"{name}\0{kind}\0".encode() + struct.pack("<I", len(content)) + content
+    box = struct.pack("<4i", 0, 0, 0, 0)
+    header = (struct.pack("<II", 20000630, 2) + attribute("channels", "chlist", b"Y\0" + struct.pack("<4I", 2, 0, 1, 1) + b"\0") +
+              attribute("compression", "compression", b"\0") + attribute("dataWindow", "box2i", box) +
+              attribute("displayWindow", "box2i", box) + attribute("lineOrder", "lineOrder", b"\0") +
+              attribute("pixelAspectRatio", "float", struct.pack("<f", 1)) + attribute("screenWindowCenter", "v2f", bytes(8)) +
+              attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0")
+    return header + struct.pack("<QiIf", len(header) + 8, 0, 4, value)
+
+
 def make_inputs(folder, brdf, source):
     """Writes every input once; each case copies the files that it reads."""
     def write(name, text):
@@ -199,6 +218,9 @@ def make_inputs(folder, brdf, source):
     with open(os.path.join(folder, "light.hdr"), "wb") as file:
         file.write(b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n" + 8 * bytes((128, 120, 110, 129)))
 
+    with open(os.path.join(folder, "grey.exr"), "wb") as file:
+        file.write(exr_of_one_texel(0.25))
+
     def run(*words):
         subprocess.run([brdf, *words], cwd=folder, check=True, capture_output=True)
     write("material.json", MATERIAL)
@@ -206,6 +228,7 @@ def make_inputs(folder, brdf, source):
     write("layout.json", LAYOUT)
     write("scene.json", SCENE)
     write("model.obj", MODEL)
+    write("textured.glsl", TEXTURED)
     synth = ["synth", "--form", "lambert", "--grid", "in_plane", "--theta-i", "0,30", "--step", "15", "-o"]
     run(*synth, "samples.csv")
     run(*synth, "more.csv")

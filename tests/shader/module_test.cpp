@@ -206,6 +206,21 @@ TEST(Module, OfAnEntryPointIsReadByLocations) {
               HasSubstr("no input at this location"));
 }
 
+TEST(Module, MayHaveValuesOfSixteenBits) {
+  const std::string text =
+      "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n"
+      "float brdf(vec3 L, vec3 V, vec3 N, float p) { return float(float16_t(p) * 0.1hf); }\n";
+  const auto module = shader_of(bytes_of(compiled(text)), {}, "own.spv"), from_text = shader_of(text);
+  EXPECT_TRUE(module->function().has_half_types);
+  for (const auto& model : {module, from_text}) {
+    const Material m = model->material(model);
+    float value = 0;
+    eval_batch(m.terms.front(), 0, one_pair(Vec3<float>{0, 0, 1}, Vec3<float>{0, 0, 1}), &value);
+    EXPECT_EQ(value, 0.04998779296875f);  // half of 0.1 in half precision
+    EXPECT_EQ(value_at(model, 0, 0, 0, 0), 0.05);
+  }
+}
+
 TEST(Module, SaysThatRelaxedPrecisionMayBeComputedInHalfPrecision) {
   const auto notes = [](const std::string& text) {
     return testing::PrintToString(

@@ -104,6 +104,7 @@ TEST_F(Textures, AreReadByEveryFunctionOfBothLanguages) {
   EXPECT_EQ(value("texelFetch(map, ivec2(3, 1), 0).r", 0, 0, ""), 13);
   EXPECT_NEAR(value("textureLod(map, vec2(u, v), 0.0).r", 0.25, 0.25, ""), 0.5, 1e-12);
   EXPECT_NEAR(value("textureLod(map, vec2(u, v), 3.0).r", 0.25, 0.25, ""), 0.5, 1e-12);
+  EXPECT_NEAR(value("textureGrad(map, vec2(u, v), vec2(0.1), vec2(0.2)).r", 0.25, 0.25, ""), 0.5, 1e-12);
   EXPECT_EQ(value("float(textureSize(map, 0).x * 10 + textureSize(map, 0).y)", 0, 0, ""), 42);
   const auto hlsl = [&](const std::string& expression) {
     const auto model = shader_of(
@@ -116,6 +117,9 @@ TEST_F(Textures, AreReadByEveryFunctionOfBothLanguages) {
   };
   EXPECT_NEAR(hlsl("map.Sample(linear_sampler, float2(u, 0.25)).r"), 0.5, 1e-12);
   EXPECT_NEAR(hlsl("map.SampleLevel(linear_sampler, float2(u, 0.25), 0).r"), 0.5, 1e-12);
+  EXPECT_NEAR(hlsl("map.SampleGrad(linear_sampler, float2(u, 0.25), float2(0.1, 0.0), float2(0.0, 0.1)).r"),
+              0.5, 1e-12);
+  EXPECT_NEAR(hlsl("map.SampleBias(linear_sampler, float2(u, 0.25), -1.0).r"), 0.5, 1e-12);
   EXPECT_EQ(hlsl("map.Load(int3(2, 1, 0)).r"), 12);
   EXPECT_NEAR(hlsl("look(map, linear_sampler, float2(u, 0.25))"), 0.5, 1e-12);
   // As arguments of functions, the reflectance included.
@@ -181,6 +185,8 @@ TEST_F(Textures, OfOtherKindsAreRefusedByName) {
   EXPECT_THAT(refused("sampler3D lut", "texture(lut, L).r"),
               HasSubstr("reads lut, which is no texture of two"));
   EXPECT_THAT(refused("usampler2D ids", "float(texture(ids, L.xy).r)"), HasSubstr("reads ids, which is no"));
+  EXPECT_THAT(refused("sampler2D maps[2]", "texture(maps[1], L.xy).r"),
+              HasSubstr("test.glsl:3: reads maps, which is no single texture"));
   const auto given = [&](const std::string& expression) {
     return refusal(
         "uniform sampler2D map;\nfloat brdf(vec3 L, vec3 V, vec3 N) { return " + expression + "; }\n",
