@@ -18,8 +18,8 @@ namespace brdf::validate {
 namespace {
 
 constexpr double kMassBound = 1e-4, kLostAlbedo = 1e-4;
-constexpr double kTolerance = 1e-6;  // of the integral of a density
-constexpr double kPower = 1.2816;    // standard deviations for a probability of 90 %
+constexpr double kTolerance = 1e-6, kEnough = kMassBound / 4;  // of the integral of a density
+constexpr double kPower = 1.2816;  // standard deviations for a probability of 90 %
 constexpr double kLeastExpected = 25;
 
 std::string degrees_text(const SampledCase& c) {
@@ -231,10 +231,10 @@ class SamplerJudge {
     if (too_many > 0) too_many_ = true;
     judge_points(trio, points);
     if (integrals &&
-        (integrals->mass_error > kTolerance || looks_different(*integrals, observed, lost, all))) {
+        (integrals->mass_error > kMassBound || looks_different(*integrals, observed, lost, all))) {
       // The samples show at which places the integral has to be accurate.
       seen.resize(std::min<std::size_t>(seen.size(), 1 << 17));
-      integrals = integrals_of(trio, cells, seen, kTolerance, 20 * most_evaluations());
+      integrals = integrals_of(trio, cells, seen, kEnough, 10 * most_evaluations());
       findings_[mass].evaluations += integrals->evaluations;
     }
     if (integrals) {
