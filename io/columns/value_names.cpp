@@ -28,7 +28,8 @@ std::string without_words(const std::string& name, UncertaintyWords& facts) {
     kept = tokens[last].end;
   };
   for (std::size_t k = 0; k < tokens.size(); ++k) {
-    const bool is_factor = k + 2 < tokens.size() && is_word(tokens[k], {"k"}) && tokens[k + 1].text == "=" &&
+    const bool is_factor = k + 2 < tokens.size() && tokens[k].text.size() == 1 &&
+                           tokens[k].text.front() == 'k' && tokens[k + 1].text == "=" &&
                            tokens[k + 2].type == Token::Type::number;
     if (is_factor) {
       has_factor = parse_number(tokens[k + 2].text, facts.coverage);

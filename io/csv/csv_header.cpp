@@ -304,6 +304,17 @@ bool CsvHeader::is_a_title() const {
          });
 }
 
+// Returns a clause about the first column whose quantity is no f_r, for a table without angles.
+std::string CsvHeader::refused_values() const {
+  for (const Column& c : columns_.columns) {
+    const NamedQuantity named = quantity_of_column(c.name);
+    if (c.kind == Column::Kind::value && named.says == NamedQuantity::Says::quantity &&
+        named.quantity.kind->use == QuantityKind::Use::refused)
+      return "; column " + shown(c.name) + " " + refusal_of(*named.quantity.kind);
+  }
+  return "";
+}
+
 void CsvHeader::check_columns() const {
   std::string found;
   for (const Column& c : columns_.columns) found += (found.empty() ? "" : ", ") + shown(c.name);
@@ -312,7 +323,8 @@ void CsvHeader::check_columns() const {
       fail("column '" + std::string(kAngleNames[angle]) +
            "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
            dialect_.separator_in_words() + ": " + found +
-           (is_a_title() ? "; lines above the header row begin with '#'"
+           (!refused_values().empty() ? refused_values()
+            : is_a_title()            ? "; lines above the header row begin with '#'"
             : columns_.has_angle(2 - angle)
                 ? std::string("; no column has the ") + (angle == 0 ? "angle of incidence" : "viewing angle")
                 : ""));

@@ -346,6 +346,14 @@ TEST(Quantities, ExpandedUncertaintiesAreDividedByTheirFactor) {
   }
 }
 
+TEST(Quantities, WithoutAnglesAreNamedIfTheyAreNotFr) {
+  EXPECT_THAT(message("theta_i,theta_t,BTDF\n30,20,.5\n"),
+              AllOf(HasSubstr("'theta_o' is missing"), HasSubstr("column 'BTDF' is of transmitted light")));
+  EXPECT_THAT(message("theta_i,DHR,fr\n30,20,.5\n"),
+              HasSubstr("column 'DHR' is a reflectance of a whole hemisphere"));
+  EXPECT_THAT(message("theta_i,fr\n30,.5\n"), HasSubstr("no column has the viewing angle"));
+}
+
 TEST(Quantities, ColourCoordinatesAreRefusedWithoutAsterisks) {
   const std::string angles = "theta_i,phi_i,theta_o,phi_o,", row = "\n30,180,40,0,52,3,7\n";
   EXPECT_THAT(message(angles + "L,a,b" + row),
