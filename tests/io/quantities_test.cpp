@@ -346,6 +346,17 @@ TEST(Quantities, ExpandedUncertaintiesAreDividedByTheirFactor) {
   }
 }
 
+TEST(Quantities, AFactorOfPiMakesAReflectanceFactor) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,", row = "\n30,180,40,0,.6\n";
+  for (const char* name : {"pi*BRDF", "BRDF * pi", "pi BRDF", "π·BRDF", "pi f_r"}) {
+    const SampleTable t = read(angles + name + row);
+    EXPECT_NEAR(t.values[0][0], .6 / 3.14159265358979, 1e-12) << name;
+    EXPECT_THAT(all_notes(t), HasSubstr("is a reflectance factor: divided by pi"));
+  }
+  EXPECT_THAT(message(angles + "BRDF/pi" + row), HasSubstr("has a factor of pi"));
+  EXPECT_DOUBLE_EQ(read(angles + "BRDF" + row).values[0][0], .6);
+}
+
 TEST(Quantities, WithoutAnglesAreNamedIfTheyAreNotFr) {
   EXPECT_THAT(message("theta_i,theta_t,BTDF\n30,20,.5\n"),
               AllOf(HasSubstr("'theta_o' is missing"), HasSubstr("column 'BTDF' is of transmitted light")));
