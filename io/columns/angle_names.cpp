@@ -54,6 +54,14 @@ AngleNames all_names() {
   for (const char* word : {"theta", "polar", "zenith", "th"}) add_word(word, AngleKind::polar, all);
   for (const char* word : {"elevation", "altitude"}) add_word(word, AngleKind::elevation, all);
   for (const char* word : {"phi", "azimuth", "azim", "az"}) add_word(word, AngleKind::azimuth, all);
+  // "ref" alone may be a reference, but not next to the word of an angle.
+  for (const char* name : {"thetaref", "polarref", "zenithref", "refzenith"})
+    all[name] = {AngleKind::polar, AngleSide::viewer};
+  for (const char* name : {"phiref", "azimuthref", "refazimuth", "azimutausfall", "ausfallsazimut",
+                           "ausfallazimut", "azimutbeobachtung", "beobachtungsazimut"})
+    all[name] = {AngleKind::azimuth, AngleSide::viewer};
+  for (const char* name : {"azimuteinfall", "einfallsazimut", "einfallazimut"})
+    all[name] = {AngleKind::azimuth, AngleSide::light};
   add_sides(all);
   for (const char* name : {"incidence", "incident", "aoi", "sza", "iza", "srcz", "sourcez", "illuminationz",
                            "einfallswinkel", "einfallwinkel"})
@@ -65,9 +73,34 @@ AngleNames all_names() {
     all[name] = {AngleKind::azimuth, AngleSide::light};
   for (const char* name : {"vaa", "oaa", "viewa", "deta", "detectora"})
     all[name] = {AngleKind::azimuth, AngleSide::viewer};
-  for (const char* name : {"azimuth", "azimuthangle", "dphi", "deltaphi", "relativephi", "relativeazimuth",
-                           "relativeazimuthangle", "azimuthdifference", "deltaazimuth", "raa", "phiophii",
-                           "phirphii", "phivphii", "phisphii", "relphi", "relaz", "relazimuth", "phirel"})
+  for (const char* name : {"azimuth",
+                           "azimuthangle",
+                           "dphi",
+                           "deltaphi",
+                           "relativephi",
+                           "relativeazimuth",
+                           "relativeazimuthangle",
+                           "azimuthdifference",
+                           "deltaazimuth",
+                           "raa",
+                           "phiophii",
+                           "phirphii",
+                           "phivphii",
+                           "phisphii",
+                           "relphi",
+                           "relaz",
+                           "relazimuth",
+                           "phirel",
+                           "phidiff",
+                           "diffphi",
+                           "azimuthdiff",
+                           "diffazimuth",
+                           "dazimuth",
+                           "deltaaz",
+                           "relativaz",
+                           "relativazimut",
+                           "relativerazimut",
+                           "azimutdifferenz"})
     all[name] = {AngleKind::azimuth, AngleSide::none};
   all["phi"] = {AngleKind::azimuth, AngleSide::none, false, true};
   all["i"] = {AngleKind::polar, AngleSide::light, true};
@@ -92,6 +125,13 @@ std::optional<AngleName> angle_named(std::string_view name) {
   const auto found = names.find(plain_spelling(name));
   if (found == names.end()) return std::nullopt;
   return found->second;
+}
+
+bool is_like_azimuth(std::string_view name) {
+  const std::string key = plain_spelling(name);
+  // phi_h and phi_d belong to the half vector.
+  const bool is_phi = key.starts_with("phi") && key != "phih" && key != "phid" && key != "phihalf";
+  return is_phi || holds_any(key, {"azimut", "dphi", "deltaphi"});
 }
 
 bool is_phase_name(std::string_view name) {

@@ -31,6 +31,10 @@ std::string plain_spelling(std::string_view name);
 // The list of names is in docs/formats.md.
 std::optional<AngleName> angle_named(std::string_view name);
 
+// Returns whether the name has the word of an azimuth, whichever direction the azimuth belongs to: Phi_diff,
+// "Azimut Ausfall", "detector azimuth (deg)".
+bool is_like_azimuth(std::string_view name);
+
 // Returns whether the name is that of the phase angle, between the directions of the light and the viewer.
 bool is_phase_name(std::string_view name);
 // Returns whether the name is that of the tangent of the angle of incidence (tan gamma), or of the azimuth

@@ -120,6 +120,10 @@ class HeaderReading {
     if (angle.side == AngleSide::none) alone_ = k;
     if (angle.side != AngleSide::scatter_or_source)
       return angle.side == AngleSide::light ? AngleSide::light : AngleSide::viewer;
+    // The only azimuth belongs to the side that the polar angles leave to the same letter.
+    if (!light && !viewer && is_azimuth(angle) &&
+        states(false, AngleSide::light) != states(false, AngleSide::viewer))
+      return states(false, AngleSide::light) ? AngleSide::viewer : AngleSide::light;
     if (light == viewer)
       refuse(k, ColumnDoubt::Of::meaning,
              "column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +
@@ -204,6 +208,7 @@ class HeaderReading {
   // Refuses an angle that is not read if the angle that it replaces is missing.
   void refuse_other_angles() const {
     const bool lacks_polar = !out_.has_angle(0) || !out_.has_angle(2);
+    if (!lacks_polar) refuse_unknown_azimuths();
     for (std::size_t k = 0; k < out_.columns.size(); ++k)
       for (const auto& [bare, unit] : ways_to_part(out_.columns[k].name)) {
         const auto refused = refused_angle(bare);
@@ -211,6 +216,21 @@ class HeaderReading {
           refuse(k, ColumnDoubt::Of::meaning,
                  "column " + shown(out_.columns[k].name) + " " + refused->reason);
       }
+  }
+
+  // Refuses an azimuth whose direction its name does not give if the table lacks an azimuth: without this
+  // column, directions outside the plane of incidence would be read as directions within the plane.
+  void refuse_unknown_azimuths() const {
+    if ((out_.has_angle(1) && out_.has_angle(3)) || out_.has(Column::Kind::phase)) return;
+    for (std::size_t k = 0; k < out_.columns.size(); ++k) {
+      const Column& column = out_.columns[k];
+      if (column.kind == Column::Kind::value && is_like_azimuth(column.name))
+        refuse(
+            k, ColumnDoubt::Of::meaning,
+            "column " + shown(column.name) +
+                " seems to be an azimuth, but its name does not give the direction: name the column phi_i, "
+                "phi_o or relative azimuth");
+    }
   }
 
   void announce_angle(const Column& column, const std::string& ours) {

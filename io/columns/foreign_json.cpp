@@ -52,6 +52,11 @@ bool has_string(std::string_view json, std::string_view begin) {
 
 bool may_be_material(const Content& content) {
   if (!is_json(content)) return false;
+  // Texts that begin with a brace although they are not JSON: RTF, and functions behind a comment in braces.
+  const std::size_t end = content.bytes.find('}');
+  if (content.bytes.starts_with("{\\rtf") || (end != std::string::npos && content.bytes.find('"') > end &&
+                                              content.bytes.find('=', end) != std::string::npos))
+    return false;
   // Materials of this project have the key "format" and may hold any keys in their statistics.
   return has_string(content.bytes, "brdf-") || json_table(content) == JsonTable::absent;
 }

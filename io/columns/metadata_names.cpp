@@ -55,15 +55,18 @@ namespace {
 // Returns whether the name is an angle's, whichever angle it is: theta_h, phi_d, tilt angle.
 bool is_an_angle(std::string_view name) {
   const std::string key = plain_spelling(name);
-  for (const char* word : {"theta", "phi", "azimuth", "zenith", "angle"})
+  for (const char* word : {"theta", "phi", "zenith", "angle"})
     if (key.starts_with(word)) return true;
-  return key.ends_with("angle") || key.ends_with("azimuth");
+  return key.ends_with("angle") || is_like_azimuth(name);
 }
 
 }  // namespace
 
 NoValues holds_no_values(std::string_view name) {
   if (is_an_angle(name)) return NoValues::yes;
+  // Degrees and angles of polarisation.
+  constexpr std::string_view kPolarisation[] = {"dop", "dolp", "docp", "dlp", "aop", "aolp"};
+  if (is_in(plain_spelling(name), kPolarisation)) return NoValues::yes;
   const std::vector<std::string> words = name_words(name);
   if (std::ranges::any_of(words, [](const auto& word) { return is_in(word, kYes); })) return NoValues::yes;
   const bool is_plain = std::ranges::all_of(words, [](const auto& word) { return is_in(word, kPerhaps); });

@@ -48,6 +48,7 @@ class WordReading {
     take_scales();
     take_phrases();
     take_cosines();
+    take_pi();
     out.rest = rest();
   }
 
@@ -280,6 +281,20 @@ class WordReading {
     }
     if (*out_->kind != Kind::f_r) return contradict("is multiplied by a cosine");
     out_->kind = light && viewer ? Kind::f_r_cos_i_cos_o : light ? Kind::f_r_cos_i : Kind::f_r_cos_o;
+  }
+
+  // Takes a factor of pi, by which f_r becomes a reflectance factor: pi*BRDF, BRDF * pi, pi f_r.
+  void take_pi() {
+    for (std::size_t k = 0; k < tokens_.size(); ++k) {
+      if (!is(k, "pi") || tokens_[k].is_used || !out_->kind) continue;
+      const bool is_before = is(k + 1, "*") || (k == 0 && k + 1 < tokens_.size() && tokens_[k + 1].is_used);
+      const bool is_after = k > 0 && is(k - 1, "*"), is_divisor = k > 0 && is(k - 1, "/");
+      if (!is_before && !is_after && !is_divisor) continue;
+      if (is_divisor || *out_->kind != Kind::f_r) return contradict("has a factor of pi");
+      out_->kind = Kind::reflectance_factor;
+      out_->is_default = false;
+      use(is_after ? k - 1 : k, is(k + 1, "*") ? k + 2 : k + 1);
+    }
   }
 
   void use(std::size_t begin, std::size_t end) {

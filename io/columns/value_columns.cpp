@@ -11,6 +11,7 @@
 #include "io/columns/value_names.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::io {
@@ -126,7 +127,9 @@ class Values {
           (c.column->name.ends_with("(s)") || c.column->name.ends_with("[s]")))
         c.rank = Rank::aside;
     if (!facts_.is_format) rank_tristimulus();
+    if (!facts_.is_format) rank_cielab();
     rank_mueller();
+    rank_stokes();
   }
 
   void rank_tristimulus() {
@@ -140,12 +143,30 @@ class Values {
     }
   }
 
+  // Refuses L, a, b and L, C, h, which instruments for colours write without asterisks.
+  void rank_cielab() {
+    for (const auto& names : {std::array{"L", "a", "b"}, std::array{"L", "C", "h"}}) {
+      std::array<Candidate*, 3> lab{named(names[0]), named(names[1]), named(names[2])};
+      if (std::ranges::any_of(lab, [](const Candidate* c) { return !c || c->rank != Rank::neutral; }))
+        continue;
+      for (Candidate* c : lab) {
+        c->rank = Rank::asked;
+        c->refusal = "is, with " + std::string(names[0]) + ", " + names[1] + " and " + names[2] +
+                     ", a colour coordinate (CIELAB): if the three are channels of f_r, give --quantity f_r; "
+                     "colour coordinates lack the geometry and the spectrum: export reflectance factors for "
+                     "each wavelength";
+      }
+    }
+  }
+
   // Recognises f_r11, f_r12/f_r11, ...; m11, m12, ...: the first element is f_r of unpolarised light.
   void rank_mueller() {
     std::vector<Candidate*> elements;
     Candidate* first = nullptr;
+    counts_from_zero_ = std::ranges::any_of(
+        candidates_, [](const Candidate& c) { return mueller_place(c.column->name) == "00"; });
     for (Candidate& c : candidates_) {
-      const std::string element = mueller_element(c.column->name);
+      const std::string element = element_of(c.column->name);
       if (element == "11") first = &c;
       if (!element.empty()) elements.push_back(&c);
     }
@@ -160,15 +181,37 @@ class Values {
                    shown(first->column->name) + ", f_r of unpolarised light, is read");
   }
 
+  // Returns the element, "11" to "44", that the name of a column denotes, or an empty string. Some tables
+  // count rows and columns of the matrix from 0.
+  std::string element_of(const std::string& name) const {
+    std::string place = mueller_place(name);
+    for (char& c : place) {
+      c = static_cast<char>(c + counts_from_zero_);
+      if (c < '1' || c > '4') return "";
+    }
+    return place;
+  }
+
+  // Recognises the Stokes vector of the scattered light. Only its first element is a value of f_r.
+  void rank_stokes() {
+    for (const auto& names : {std::array{"S0", "S1", "S2", "S3"}, std::array{"I", "Q", "U", "V"}}) {
+      if (!named(names[0]) || !named(names[1]) || !named(names[2])) continue;
+      for (const char* name : {names[1], names[2], names[3]})
+        if (Candidate* const c = named(name)) c->rank = Rank::aside;
+      note("the columns are a Stokes vector: " + shown(names[0]) + ", the intensity, is read");
+    }
+  }
+
   // Elements are divided by the first one if their names say so ("f_r12/f_r11"), or if their names differ
   // from the first one in more than the place (fr11, m12).
   void note_mueller(const Candidate& first) {
     MuellerColumns found;
     std::size_t count = 0;
-    const std::string of_first = first.column->name.substr(0, first.column->name.find("11"));
+    const char* const of_numbers = counts_from_zero_ ? "00" : "11";
+    const std::string of_first = first.column->name.substr(0, first.column->name.find(of_numbers));
     for (std::size_t k = 0; k < header_.columns.size(); ++k) {
       const std::string& name = header_.columns[k].name;
-      const std::string element = mueller_element(name);
+      const std::string element = element_of(name);
       std::size_t* const place = element == "12"   ? &found.m12
                                  : element == "21" ? &found.m21
                                  : element == "22" ? &found.m22
@@ -176,8 +219,8 @@ class Values {
       if (!place) continue;
       *place = k;
       ++count;
-      found.is_divided =
-          found.is_divided || name.find('/') != name.npos || name.substr(0, name.find(element)) != of_first;
+      found.is_divided = found.is_divided || name.find('/') != name.npos ||
+                         name.substr(0, name.find(mueller_place(name))) != of_first;
     }
     if (count == 3) header_.mueller = found;
   }
@@ -340,6 +383,18 @@ class Values {
       refuse(deviation, ColumnDoubt::Of::meaning,
              "column " + shown(column.name) + " has no column of values");
     if (!value || (is_relative && value->named.quantity.factor != 0.01)) return set_aside(deviation);
+    const UncertaintyWords words = facts_.keeps_names ? UncertaintyWords{} : uncertainty_words(column.name);
+    if (words.is_relative || !(words.coverage > 0)) {
+      column.kind = Column::Kind::aside;
+      return note(
+          "column " + shown(column.name) + " is ignored: " +
+          (words.is_relative ? "a relative uncertainty" : "an expanded uncertainty without its factor k") +
+          " is read with a layout (sigma, relative, coverage)");
+    }
+    if (words.coverage != 1)
+      note("column " + shown(column.name) + " is an expanded uncertainty: divided by " +
+           to_text(words.coverage));
+    column.coverage = words.coverage;
     column.kind = Column::Kind::sigma;
     column.index = value->column->index;
     for (const Column& other : header_.columns)
@@ -401,6 +456,7 @@ class Values {
   std::vector<Candidate> candidates_, deviations_;
   std::map<std::string, std::size_t> by_name_;  // indices of candidates
   std::vector<Candidate*> kept_;                // candidates that become channels
+  bool counts_from_zero_ = false;               // the elements of a Mueller matrix
   std::vector<std::string> unnamed_, by_unit_, outranked_, aside_;
 };
 

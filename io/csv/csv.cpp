@@ -32,6 +32,8 @@ class CsvReader {
       if (line.empty()) continue;
       if (line.starts_with(header_.comment_sign()))
         header_.read_comment(line);
+      else if (header_.is_read() && header_.is_other_comment(line))
+        header_.keep_other_comment(line);
       else if (header_.is_read())
         read_line(has_empty_cells() ? whole : line);  // a tab at the end is an empty cell
       else if (!dialect_.is_separator_line(line))
@@ -194,6 +196,8 @@ class CsvReader {
 
   void read_row(std::string_view line) {
     const std::vector<Column>& all = columns();
+    // Programs end each row with a separator, although the header row has none.
+    if (fields_.size() == all.size() + 1 && fields_.back().empty() && !header_.layout()) fields_.pop_back();
     check_width(line, all.size());
     if (holds_fill()) {
       ++fill_rows_;

@@ -39,6 +39,17 @@ bool is_header(Dialect dialect, std::string_view line) {
          (names.size() > kWidestTable || names_angles(names) || matrix_header(names, dialect));
 }
 
+// The characters with which programs open comments, apart from '#'.
+constexpr std::string_view kOtherSigns = "%!/";
+
+// Returns a header row behind such characters ("% theta_i, phi_i, ...") without them, and any other line
+// unchanged.
+std::string_view behind_sign(const Dialect& dialect, std::string_view line) {
+  const std::string_view bare =
+      trimmed(line.substr(std::min(line.size(), line.find_first_not_of(kOtherSigns))));
+  return bare.size() < line.size() && is_header(dialect, bare) ? bare : line;
+}
+
 // Names and units may be in two separate rows. Adds the units to the names, as in "theta_i (deg)". Returns
 // false if the fields are not units.
 bool add_units(Dialect& dialect, const Fields& fields, std::vector<std::string>& names) {
@@ -90,6 +101,15 @@ bool CsvHeader::is_header_in_comment(std::string_view line) const {
          (names.size() == fields.size() && names.size() <= kWidestTable && names_angles(names));
 }
 
+bool CsvHeader::is_other_comment(std::string_view line) const {
+  return !layout_ && (line.starts_with('%') || line.starts_with('!') || line.starts_with("//"));
+}
+
+void CsvHeader::keep_other_comment(std::string_view line) {
+  const std::size_t text = std::min(line.size(), line.find_first_not_of(kOtherSigns));
+  keep_comment(table_, parse_comment(": " + std::string(trimmed(line.substr(text)))));
+}
+
 bool CsvHeader::read(std::string_view line) {
   if (layout_) return read_by_layout(line);
   if (!is_header_in_comment(line)) {
@@ -105,6 +125,7 @@ bool CsvHeader::read(std::string_view line) {
 // Skips lines without '#' above the header row, as instruments write them, and returns the header row. The
 // lines become comments and may name the quantity.
 std::string_view CsvHeader::behind_titles(std::string_view line) {
+  line = behind_sign(dialect_, line);
   if (is_header(dialect_, line)) return line;
   LineReader ahead = reader_;
   std::size_t titles = 1;
@@ -113,7 +134,7 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
     next = trimmed(next);
     if (next.empty() || next.front() == '#') continue;
     if (all_numbers(dialect_, next)) return line;
-    found = is_header(dialect_, next);
+    found = is_header(dialect_, behind_sign(dialect_, next));
     titles += !found;
   }
   if (!found) return line;
@@ -124,7 +145,7 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
     if (reader_.line() == ahead.line()) {
       table_.warnings.push_back(std::to_string(titles) + (titles == 1 ? " line" : " lines") +
                                 " above the header row interpreted as titles");
-      return next;
+      return behind_sign(dialect_, next);
     }
     next.front() == '#' ? read_comment(next) : add_title(next);
   }
@@ -169,12 +190,23 @@ void CsvHeader::check_width(std::size_t columns) const {
     fail(std::to_string(columns) + " columns exceed the limit of " + std::to_string(kWidestTable));
 }
 
+bool CsvHeader::has_numbers_only(const Fields& fields, std::size_t first) const {
+  Dialect probe = dialect_;
+  return first < fields.size() &&
+         std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end(),
+                     [&](std::string_view f) { return is_number(probe, f); });
+}
+
 void CsvHeader::check_names(const Fields& fields) const {
   const bool has_names =
       std::ranges::any_of(fields, [&](std::string_view name) { return !is_number(dialect_, name); });
   std::unordered_set<std::string_view> seen;
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const std::string at = "column " + std::to_string(k + 1);
+    if (fields[k].empty() && fields.size() > 2 && has_numbers_only(fields, k + 1))
+      fail(at +
+           " has no name; in a matrix of two angles the first cell names both angles (theta_o \\ theta_i), "
+           "or 'tan gamma \\ beta' in an r-table of road lighting");
     if (fields[k].empty()) fail(at + " has no name; remove a column of row numbers");
     const bool is_band = has_names && with_band_unit(fields[k]) != fields[k];
     if (!is_band && is_number(dialect_, fields[k])) refuse_numbers(fields, k);
@@ -272,6 +304,17 @@ bool CsvHeader::is_a_title() const {
          });
 }
 
+// Returns a clause about the first column whose quantity is no f_r, for a table without angles.
+std::string CsvHeader::refused_values() const {
+  for (const Column& c : columns_.columns) {
+    const NamedQuantity named = quantity_of_column(c.name);
+    if (c.kind == Column::Kind::value && named.says == NamedQuantity::Says::quantity &&
+        named.quantity.kind->use == QuantityKind::Use::refused)
+      return "; column " + shown(c.name) + " " + refusal_of(*named.quantity.kind);
+  }
+  return "";
+}
+
 void CsvHeader::check_columns() const {
   std::string found;
   for (const Column& c : columns_.columns) found += (found.empty() ? "" : ", ") + shown(c.name);
@@ -280,7 +323,8 @@ void CsvHeader::check_columns() const {
       fail("column '" + std::string(kAngleNames[angle]) +
            "' is missing (theta_i,phi_i,theta_o,phi_o,<channel>...); found, separated by " +
            dialect_.separator_in_words() + ": " + found +
-           (is_a_title() ? "; lines above the header row begin with '#'"
+           (!refused_values().empty() ? refused_values()
+            : is_a_title()            ? "; lines above the header row begin with '#'"
             : columns_.has_angle(2 - angle)
                 ? std::string("; no column has the ") + (angle == 0 ? "angle of incidence" : "viewing angle")
                 : ""));

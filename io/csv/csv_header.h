@@ -39,6 +39,10 @@ class CsvHeader {
   bool is_read() const { return !columns_.columns.empty(); }
   // Returns the characters that open a comment line.
   std::string_view comment_sign() const { return layout_ ? layout_->comment : comment_; }
+  // Returns whether a line below the header row is a comment of other programs: it begins with '%', '!' or
+  // "//", with which no number begins. A layout states its own sign.
+  bool is_other_comment(std::string_view line) const;
+  void keep_other_comment(std::string_view line);
   void set_comment_sign(std::string_view sign) { comment_ = sign; }
   // Returns the layout that interprets the columns; empty if the header row is interpreted.
   const std::optional<Layout>& layout() const { return layout_; }
@@ -78,6 +82,8 @@ class CsvHeader {
   void add_title(std::string_view title);
   void read_names(std::string_view line);
   void check_width(std::size_t columns) const;
+  std::string refused_values() const;
+  bool has_numbers_only(const std::vector<std::string_view>& fields, std::size_t first) const;
   void check_names(const std::vector<std::string_view>& fields) const;
   [[noreturn]] void refuse_numbers(const std::vector<std::string_view>& fields, std::size_t k) const;
   void describe_road_table();

@@ -226,7 +226,7 @@ class Proposer {
   // Returns the reason for doubt about a quantity that the reader accepts, or an empty string.
   std::string doubt_of_quantity(const Column& column) const {
     if (header_.stated()) return "";
-    if (!mueller_element(column.name).empty()) return "";
+    if (!mueller_place(column.name).empty()) return "";
     const NamedQuantity named = quantity_of_column(column.name);
     if (named.is_default)
       return "the name " + shown(column.name) + " is common for any quantity; f_r in 1/sr is assumed";
@@ -406,7 +406,7 @@ class Proposer {
       return;
     }
     e["is"] = "ignored";
-    if (!mueller_element(columns()[k].name).empty()) return;
+    if (!mueller_place(columns()[k].name).empty()) return;
     be_unsure(path + ".is",
               "column " + shown(columns()[k].name) + " is taken for metadata; it " + facts_[k].in_words());
   }

@@ -241,5 +241,47 @@ TEST(AngleNames, PhiBesideTheOtherAzimuthIsTheMissingOne) {
   EXPECT_THAT(viewer.phi_o, ElementsAre(40));
 }
 
+TEST(AngleNames, TheOnlyAzimuthOfTheScatteredDirectionIsRead) {
+  const SampleTable t = read("theta_i,theta_s,phi_s,BRDF\n10,20,40,1\n");
+  EXPECT_THAT(t.theta_o, ElementsAre(20));
+  EXPECT_THAT(t.phi_i, ElementsAre(0));
+  EXPECT_THAT(t.phi_o, ElementsAre(40));
+  EXPECT_THAT(t.warnings, Contains(HasSubstr("only one azimuth, 'phi_s'")));
+  const SampleTable source = read("theta_s,phi_s,theta_v,BRDF\n10,40,20,1\n");
+  EXPECT_THAT(source.phi_i, ElementsAre(40));
+  EXPECT_THAT(message("theta_s,phi_s,BRDF\n10,40,1\n"), HasSubstr("may belong to the incident or"));
+}
+
+// Without the column, directions outside the plane of incidence would be read as directions in the plane.
+TEST(AngleNames, AnAzimuthThatIsNotUnderstoodIsNotIgnored) {
+  for (const char* name : {"Phi_x", "detector-arm azimuth", "Azimut Messkopf", "phi 2 (deg)"}) {
+    const std::string both = "theta_i,theta_o," + std::string(name) + ",BRDF\n10,20,40,1\n";
+    EXPECT_THAT(message(both),
+                AllOf(HasSubstr(name), HasSubstr("seems to be an azimuth, but its name does not")))
+        << name;
+    EXPECT_THAT(message("theta_i,phi_i,theta_o," + std::string(name) + ",BRDF\n10,0,20,40,1\n"),
+                HasSubstr("seems to be an azimuth"))
+        << name;
+    EXPECT_EQ(
+        read("theta_i,phi_i,theta_r,phi_r," + std::string(name) + ",BRDF\n10,0,20,40,5,1\n").channels.size(),
+        1u)
+        << "both azimuths are given";
+  }
+  EXPECT_EQ(read("theta_i,theta_o,sample azimuth,BRDF\n10,20,0,1\n").rows(), 1u);
+}
+
+TEST(AngleNames, OfReflectionAndInGermanAreRead) {
+  for (const char* names : {"theta_inc,phi_inc,theta_ref,phi_ref",
+                            "Einfallswinkel,Azimut Einfall,Ausfallswinkel,Azimut "
+                            "Ausfall"}) {
+    const SampleTable t = read(std::string(names) + ",BRDF\n10,20,30,40,1\n");
+    EXPECT_THAT(t.theta_i, ElementsAre(10)) << names;
+    EXPECT_THAT(t.phi_i, ElementsAre(20));
+    EXPECT_THAT(t.theta_o, ElementsAre(30));
+    EXPECT_THAT(t.phi_o, ElementsAre(40));
+  }
+  EXPECT_THAT(read("Theta_in,Theta_out,Phi_diff,BRDF\n10,20,40,1\n").phi_o, ElementsAre(40));
+}
+
 }  // namespace
 }  // namespace brdf::io

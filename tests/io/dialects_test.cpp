@@ -258,6 +258,8 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {"30,0,40,180,1\n", "write one above the numbers: theta_i,phi_i,theta_o,phi_o"},
       {",theta_i,phi_i,theta_o,phi_o,fr\n0,1,2,3,4,5\n",
        "column 1 has no name; remove a column of row numbers"},
+      {",0,30,60\n0,100,100,100\n",
+       "column 1 has no name; in a matrix of two angles the first cell names both"},
       {"theta_i,phi_i,theta_o,phi_o,fr,fr\n1,2,3,4,5,6\n", "write repeat measurements as separate rows"},
       {"theta_i,phi_i,theta_o,phi_o,\"fr\n(1/sr)\"\n", "line 1: a quotation mark is not closed in its line"},
       {std::string("\xff\xfe\0\0t\0\0\0", 8), "is UTF-32 text: save it as UTF-8"},
@@ -271,6 +273,26 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
   EXPECT_THAT(message("theta_i (mm),phi_i,theta_o,phi_o,fr\n1,2,3,4,5\n"),
               testing::Not(HasSubstr("lines above")));
+}
+
+TEST(Dialects, CommentsMayBeginWithOtherSigns) {
+  const std::string rows = "30,180,40,0,.5\n30,180,50,0,.25\n", names = "theta_i,phi_i,theta_r,phi_r,BRDF\n";
+  for (const char* sign : {"% ", "%", "// ", "! "}) {
+    const std::string comment = sign + std::string("a goniometer\n");
+    const SampleTable t = read(comment + sign + names + "30,180,40,0,.5\n" + comment + "30,180,50,0,.25\n");
+    EXPECT_THAT(t.values[0], ElementsAre(.5, .25)) << sign;
+    EXPECT_THAT(t.channels, ElementsAre("BRDF"));
+    EXPECT_THAT(read(comment + names + rows).values[0], ElementsAre(.5, .25)) << sign;
+  }
+  EXPECT_THAT(message(names + "/30,180,40,0,.5\n"), HasSubstr("'/30' is not a number"))
+      << "one slash is no sign";
+}
+
+TEST(Dialects, RowsMayEndInASeparator) {
+  const std::string names = "theta_i;phi_i;theta_r;phi_r;BRDF\n";
+  EXPECT_THAT(read(names + "30;180;40;0;.5;\n30;180;50;0;.25;\n").values[0], ElementsAre(.5, .25));
+  EXPECT_THAT(message(names + "30;180;40;0;;\n"), HasSubstr("'' is not a number"));
+  EXPECT_THAT(message(names + "30;180;40;0;.5;;\n"), HasSubstr("7 columns, but the header has 5"));
 }
 
 // A table that we write must be read back unchanged, whatever other formats call their channels.

@@ -43,6 +43,27 @@ TEST(Mueller, GivesPolarisedChannelsOnRequest) {
       << "unpolarised light by default";
 }
 
+TEST(Mueller, MayCountItsElementsFromZero) {
+  const std::string table =
+      "theta_i,phi_i,theta_o,phi_o,m00,m01,m10,m11,m12,m21,m22\n30,180,40,0,.4,.04,.02,.2,.11,.12,.13\n";
+  const SampleTable plain = read(table);
+  ASSERT_EQ(plain.channels.size(), 1u);
+  EXPECT_DOUBLE_EQ(plain.values[0][0], .4) << "m00 is f_r of unpolarised light, not m11";
+  EXPECT_NEAR(chosen(table, Polarisation::s).values[0][0], .44, 1e-15);
+  EXPECT_NEAR(chosen(table, Polarisation::pp).values[0][0], .27, 1e-15);
+}
+
+TEST(Mueller, TheFirstElementOfAStokesVectorIsRead) {
+  for (const char* names : {"S0,S1,S2,S3", "I,Q,U,V"}) {
+    const SampleTable table =
+        read("theta_i,phi_i,theta_r,phi_r," + std::string(names) + "\n30,180,40,0,.4,.1,.02,.01\n");
+    ASSERT_EQ(table.channels.size(), 1u) << names;
+    EXPECT_DOUBLE_EQ(table.values[0][0], .4);
+  }
+  const SampleTable degree = read("theta_i,phi_i,theta_r,phi_r,BRDF,DoLP,AoLP\n30,180,40,0,.4,.1,20\n");
+  EXPECT_THAT(degree.channels, ElementsAre("BRDF"));
+}
+
 TEST(Mueller, RefusesImpossibleElements) {
   EXPECT_THAT(message_of([] { chosen(replaced(kUndividedMueller, ".04", ".5"), Polarisation::s); }),
               HasSubstr("line 2: an element of the Mueller matrix exceeds the first one, 0.4"));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/columns/foreign_json.h"
 #include "io/files/content.h"
 #include "io/material/material_file.h"
 #include "tests/io/reading.h"
@@ -10,6 +11,7 @@ namespace brdf::io {
 namespace {
 
 using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 
 TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
@@ -43,9 +45,52 @@ TEST(OtherFormats, AreNamedWithWhatToWriteInstead) {
       {"<?xml version=\"1.0\"?>\n<o:document xmlns:o=\"opendocument\"/>",
        "is a spreadsheet in XML ('document')"},
       {"\x93NUMPY\1\0"s, "is an array of NumPy"},
+      {"PK\x03\x04....Index/Tables.iwa", "is a document of Apple Numbers or Pages: export the sheet as CSV"},
+      {"PK\x03\x04....theta_i.npy", "is an archive of NumPy arrays (.npz)"},
+      {"PK\x03\x04....zarr.json", "is a Zarr store: write the table as CSV"},
+      {"PAR1\x15", "is a Parquet file: write the table as CSV"},
+      {"ARROW1\0\0"s, "is an Arrow or Feather file"},
+      {"CDF\1\0\0"s, "is a NetCDF file"},
+      {"SQLite format 3\0"s, "is a database (SQLite)"},
+      {"\x80\x04\x95\0"s, "is a pickle of Python"},
+      {"BZh91AY", "is compressed: use `bzcat"},
+      {"\xfd"
+       "7zXZ\0"s,
+       "is compressed: use `xzcat"},
+      {"\x28\xb5\x2f\xfd", "is compressed: use `zstdcat"},
+      {"7z\xbc\xaf\x27", "is an archive (7-Zip): unpack"},
+      {"Rar!\x1a\7\0"s, "is an archive (RAR): unpack"},
+      {"II*\0....."s, "is a picture (TIFF)"},
+      {"GIF89a", "is a picture (GIF)"},
+      {"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n", "is a picture of Radiance (.hdr, .pic)"},
+      {"{\\rtf1 x}", "is a document (RTF)"},
+      {"\0\0\0\x5a\0\0\0\x5a\0\0\0\xb4"s, "is a MERL file in big-endian byte order"},
+      {"IESNA:LM-63-2002\n[TEST] 7\nTILT=NONE\n",
+       "is a photometric file of IES (LM-63), which describes the light"},
+      {"A firm\nA lamp\nTILT=NONE\n1 800 1 2 1\n", "is a photometric file of IES (LM-63)"},
+      {"A firm\n1\n1\n1\n0\n3\n45\na\nb\nc\nd\ne\n300\n300\n90\n0\n0\n0\n0\n0\n0\n100\n80\n1\n0\n1\n1\nLED\n",
+       "is a photometric file in EULUMDAT (.ldt), which describes the light of a luminaire"},
+      {"2\n0 90 2\n0 180 3\n.1 .2 .3\n.4 .5 .6\n", "is a data file of Radiance (.dat), which is not read"},
+      {"# gloss\n1\n0 90 3\n.1 .2 .3\n", "is a data file of Radiance (.dat)"},
+      {"{ a gloss }\nf(x) = .3 * x;\n", "is a function file of Radiance (.cal)"},
+      {"TracePro Surface Property Data\nName\tx\n", "is a surface property of TracePro, which is not read"},
+      {"Symmetry Asymmetrical\nScatterAzimuth 1\n0\nScatterRadial 1\n0\nDataBegin\nAOI 10\nPOI 0\nSide "
+       "Front\n",
+       "is a BSDF of LightTools, which is not read"},
+      {"<?xml version=\"1.0\"?>\n<c:CxF xmlns:c=\"x\"/>",
+       "is CxF (XML of colour instruments), which is not read: export reflectance factors"},
       {R"([{"theta_i": 10, "theta_o": 20, "f": 1}])",
        "is JSON, but not a material: the content looks like a table of samples"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+}
+
+// Texts that resemble those formats are not refused by their names.
+TEST(OtherFormats, AreNotSeenInTables) {
+  for (const char* text :
+       {"1\n500\n.5 0 .5 3.14 .2\n", "1\n0 90 3\n.1 .2\n", "A firm\n1\n1\n1\n0\n3\n45\na\n"})
+    EXPECT_THAT(message(text), testing::Not(AnyOf(HasSubstr("Radiance"), HasSubstr("EULUMDAT")))) << text;
+  EXPECT_FALSE(may_be_material(Content{"f.cal", "{ a gloss }\nf(x) = .3 * x;\n"}));
+  EXPECT_TRUE(may_be_material(Content{"m.json", R"({"form": "ward", "a": {}})"}));
 }
 
 // Some verbs read JSON as a material and others as a table. Both messages recognise the file as a table.

@@ -309,8 +309,6 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
   EXPECT_THAT(all_notes(read("Incidence,View angle,r,g,std dev\n60,45,1,2,3\n")),
               HasSubstr("'std dev' is ignored"));
   EXPECT_TRUE(read("Incidence,View angle,fr,uncertainty (k=1)\n60,45,1,2\n").has_sigma(0));
-  EXPECT_THAT(all_notes(read("Incidence,View angle,fr,uncertainty (k=2)\n60,45,1,2\n")),
-              HasSubstr("'uncertainty (k=2)' is ignored"));
   EXPECT_THAT(message("Incidence,View angle,fr,sigma,std\n60,45,1,2,3\n"),
               HasSubstr("'sigma' and 'std' are both standard deviations of 'fr'"));
   EXPECT_THAT(
@@ -321,6 +319,72 @@ TEST(Quantities, StandardDeviationsTakeTheSameFactor) {
   const SampleTable relative = read("Incidence,View angle,BRDF (1/sr),uncertainty (%)\n60,45,1,2\n");
   EXPECT_FALSE(relative.has_sigma(0));
   EXPECT_THAT(all_notes(relative), HasSubstr("'uncertainty (%)' is ignored"));
+}
+
+TEST(Quantities, ExpandedUncertaintiesAreDividedByTheirFactor) {
+  const std::string angles = "Incidence,View angle,BRDF (1/sr),", row = "\n60,45,1,.4\n";
+  for (const char* name :
+       {"Expanded uncertainty (k=2)", "uncertainty (k = 2)", "U (k=2)", "BRDF unc. k=2.0"}) {
+    const SampleTable t = read(angles + name + row);
+    ASSERT_TRUE(t.has_sigma(0)) << name;
+    EXPECT_DOUBLE_EQ(t.sigma[0][0], .2) << name;
+    EXPECT_THAT(all_notes(t), HasSubstr("is an expanded uncertainty: divided by 2"));
+  }
+  const SampleTable one = read(angles + "uncertainty (k=1)" + row);
+  EXPECT_DOUBLE_EQ(one.sigma[0][0], .4);
+  EXPECT_THAT(all_notes(one), Not(HasSubstr("expanded")));
+  // These do not give a standard deviation in 1/sr, and are never channels.
+  const std::pair<const char*, const char*> ignored[] = {
+      {"relative uncertainty", "is ignored: a relative uncertainty is read with a layout"},
+      {"rel. unc", "is ignored: a relative uncertainty"},
+      {"expanded uncertainty", "is ignored: an expanded uncertainty without its factor k"}};
+  for (const auto& [name, note] : ignored) {
+    const SampleTable t = read(angles + name + row);
+    EXPECT_EQ(t.channels.size(), 1u) << name;
+    EXPECT_FALSE(t.has_sigma(0)) << name;
+    EXPECT_THAT(all_notes(t), HasSubstr(note));
+  }
+}
+
+TEST(Quantities, AFactorOfPiMakesAReflectanceFactor) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,", row = "\n30,180,40,0,.6\n";
+  for (const char* name : {"pi*BRDF", "BRDF * pi", "pi BRDF", "π·BRDF", "pi f_r"}) {
+    const SampleTable t = read(angles + name + row);
+    EXPECT_NEAR(t.values[0][0], .6 / 3.14159265358979, 1e-12) << name;
+    EXPECT_THAT(all_notes(t), HasSubstr("is a reflectance factor: divided by pi"));
+  }
+  EXPECT_THAT(message(angles + "BRDF/pi" + row), HasSubstr("has a factor of pi"));
+  EXPECT_DOUBLE_EQ(read(angles + "BRDF" + row).values[0][0], .6);
+}
+
+TEST(Quantities, WithoutAnglesAreNamedIfTheyAreNotFr) {
+  EXPECT_THAT(message("theta_i,theta_t,BTDF\n30,20,.5\n"),
+              AllOf(HasSubstr("'theta_o' is missing"), HasSubstr("column 'BTDF' is of transmitted light")));
+  EXPECT_THAT(message("theta_i,DHR,fr\n30,20,.5\n"),
+              HasSubstr("column 'DHR' is a reflectance of a whole hemisphere"));
+  EXPECT_THAT(message("theta_i,fr\n30,.5\n"), HasSubstr("no column has the viewing angle"));
+}
+
+TEST(Quantities, ColourCoordinatesAreRefusedWithoutAsterisks) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,", row = "\n30,180,40,0,52,3,7\n";
+  EXPECT_THAT(message(angles + "L,a,b" + row),
+              HasSubstr("'L' is, with L, a and b, a colour coordinate (CIELAB)"));
+  EXPECT_THAT(message(angles + "L,C,h" + row), HasSubstr("'L' is, with L, C and h, a colour coordinate"));
+  EXPECT_EQ(read("# quantity: f_r\n" + angles + "L,a,b" + row).channels.size(), 3u);
+  EXPECT_EQ(read(angles + "a,b,c" + row).channels.size(), 3u);
+}
+
+TEST(Quantities, NumbersForMissingMeasurementsAreRefused) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,";
+  for (const char* fill : {"-999", "-9999.0", "-99999", "-32768", "9.96921e36", "-3.40282347e38"})
+    EXPECT_THAT(
+        message(angles + "fr\n30,180,40,0,.5\n30,180,50,0," + fill + "\n"),
+        AllOf(HasSubstr("file, line 3: "), HasSubstr("(fr) usually means 'not measured': omit such rows")))
+        << fill;
+  // The number counts as the file states it, not after its conversion.
+  EXPECT_THAT(message(angles + "BRF\n30,180,40,0,-999\n"), HasSubstr("line 2: -999 (fr)"));
+  EXPECT_THAT(message("VARS theta_i,phi_i,theta_s,phi_s,Y\n30,180,40,0,-999\n"), HasSubstr("'not measured'"));
+  EXPECT_EQ(read(angles + "fr\n30,180,40,0,-998\n30,180,50,0,-0.1\n").rows(), 2u) << "noise may be negative";
 }
 
 TEST(StatedQuantity, CountsInAnySpelling) {
