@@ -28,14 +28,26 @@ std::string plain_name(const std::string& name) {
   return out;
 }
 
+// Erases a word that is a single f, as in f_diffuse, fDiffuse and Sample_f.
+std::string without_f(const std::string& name) {
+  std::string out;
+  const bool joined = name.size() > 1 && name[0] == 'f' && name[1] >= 'A' && name[1] <= 'Z';
+  for (std::size_t from = joined ? 1 : 0; from <= name.size();) {
+    const std::size_t to = std::min(name.find('_', from), name.size());
+    if (const std::string word = name.substr(from, to - from); word != "f" && word != "F") out += word + "_";
+    from = to + 1;
+  }
+  return out;
+}
+
 // The rest of a name without the words for its task, which is equal for functions that belong together.
 std::string stem_of(const std::string& name) {
-  std::string out = plain_name(name);
+  std::string out = plain_name(without_f(name.substr(name.rfind(':') + 1)));
   for (const std::string_view word :
        {"importance", "evaluate", "eval", "sampling", "sample", "generate", "brdf", "bsdf", "bxdf", "pdf",
         "density", "probability", "get", "direction", "dir", "value"})
     for (std::size_t at; (at = out.find(word)) != out.npos;) out.erase(at, word.size());
-  return out == "f" ? "" : out;
+  return out;
 }
 
 std::string last_word_of(const std::string& name) {
@@ -46,6 +58,13 @@ bool is_pdf(const Leaf& leaf) {
   constexpr std::array<std::string_view, 2> kWords{"pdf", "density"};
   const std::string word = last_word_of(leaf.name);
   return leaf.part.count == 1 && !leaf.truth && holds_any(word, kWords) && word.find("over") == word.npos;
+}
+
+// The density among the results: the one with the name pdf, before those of single lobes such as specularPdf.
+std::vector<Leaf>::const_iterator pdf_of(const std::vector<Leaf>& leaves) {
+  const auto whole =
+      std::ranges::find_if(leaves, [](const Leaf& l) { return is_pdf(l) && last_word_of(l.name) == "pdf"; });
+  return whole != leaves.end() ? whole : std::ranges::find_if(leaves, is_pdf);
 }
 
 bool is_direction(const Leaf& leaf) {
@@ -100,12 +119,14 @@ bool sort_results(const Module& m, const spirv::Function& f, const Source& sourc
     out.pdf_name = "the fourth component";
   }
   leaves.erase(direction);
+  if (const auto pdf = pdf_of(leaves); pdf != leaves.end() && !out.pdf) {
+    out.pdf = pdf->part;
+    out.pdf_name = pdf->name;
+  }
   for (const Leaf& leaf : leaves) {
-    if (is_pdf(leaf) && !out.pdf) {
-      out.pdf = leaf.part;
-      out.pdf_name = leaf.name;
-    } else if (leaf.truth && !out.valid &&
-               (returned(leaf) || last_word_of(leaf.name).find("valid") != std::string::npos)) {
+    if (is_pdf(leaf)) continue;
+    if (leaf.truth && !out.valid &&
+        (returned(leaf) || last_word_of(leaf.name).find("valid") != std::string::npos)) {
       out.valid = leaf.part;
     } else if ((returned(leaf) && !leaf.truth) || is_sampled_value(leaf)) {
       out.values.push_back({leaf.name, leaf.part, kind_of(leaf.name)});
@@ -231,6 +252,42 @@ int fit_of(const spirv::Function& f, const spirv::Function& reflectance, const s
   return says_brdf(f.name) && !called.contains(f.id) ? 2 : 0;
 }
 
+bool is_called_sampler(const std::string& function) {
+  const std::string name = plain_name(function);
+  return (name.find("sample") != name.npos || name.find("generate") != name.npos) &&
+         name.find("pdf") == name.npos && name.find("eval") == name.npos;
+}
+
+bool is_called_density(const Module& m, const spirv::Function& f) {
+  constexpr std::array<std::string_view, 2> kWords{"pdf", "density"};
+  const std::string name = plain_name(f.name);
+  return holds_any(name, kWords) && name.find("sample") == name.npos && m.type(f.type).kind == Kind::number;
+}
+
+struct Pair {
+  const spirv::Function *sampler = nullptr, *density = nullptr;
+};
+
+// The only sampler and density of directions that share a stem, such as sampleGGX and pdfGGX, if the name of
+// the reflectance has no stem of its own, as brdf: one distribution of samples serves any reflectance.
+Pair only_pair(const Module& m, const Source& source, const spirv::Function& reflectance,
+               const std::set<spirv::Id>& generators) {
+  if (!stem_of(reflectance.name).empty()) return {};
+  const std::set<spirv::Id> called = called_by_others(m);
+  std::vector<Pair> pairs;
+  for (const spirv::Function* f : own_functions(m)) {
+    FoundSampler trial;
+    if (!is_called_sampler(f->name) || generators.contains(f->id) || called.contains(f->id) ||
+        !takes_axis(m, *f, Axis::view) || !sort_results(m, *f, source, trial))
+      continue;
+    for (const spirv::Function* g : own_functions(m))
+      if (is_called_density(m, *g) && stem_of(g->name) == stem_of(f->name) &&
+          takes_axis(m, *g, Axis::light) && takes_axis(m, *g, Axis::view))
+        pairs.push_back({f, g});
+  }
+  return pairs.size() == 1 ? pairs[0] : Pair{};
+}
+
 }  // namespace
 
 std::set<spirv::Id> generators_of(const Module& m) {
@@ -274,10 +331,7 @@ FoundSampler find_sampler(const Module& m, const Source& source, const spirv::Fu
   const std::set<spirv::Id> called = called_by_others(m);
   std::vector<Candidate> candidates;
   for (const spirv::Function* f : own_functions(m)) {
-    const std::string name = plain_name(f->name);
-    if (name.find("sample") == name.npos && name.find("generate") == name.npos) continue;
-    if (name.find("pdf") != name.npos || name.find("eval") != name.npos || generators.contains(f->id))
-      continue;
+    if (!is_called_sampler(f->name) || generators.contains(f->id)) continue;
     FoundSampler trial;
     const int fit = fit_of(*f, reflectance, called);
     if (fit == 0 || !sort_results(m, *f, source, trial)) continue;
@@ -285,6 +339,8 @@ FoundSampler find_sampler(const Module& m, const Source& source, const spirv::Fu
   }
   const std::vector<const spirv::Function*> best = best_of(candidates);
   if (best.size() == 1) take(best[0]);
+  if (best.empty() && !source.pdf)
+    if (const Pair pair = only_pair(m, source, reflectance, generators); pair.sampler) take(pair.sampler);
   if (best.size() > 1)
     out.missing = "several functions may be the sampler (" + listed_names(m, best) +
                   "): select one with --sample NAME or a line `//: sample NAME`";
@@ -316,10 +372,7 @@ FoundDensity find_density(const Module& m, const Source& source, const spirv::Fu
   const std::set<spirv::Id> called = called_by_others(m);
   std::vector<Candidate> candidates;
   for (const spirv::Function* f : own_functions(m)) {
-    const std::string name = plain_name(f->name);
-    constexpr std::array<std::string_view, 2> kWords{"pdf", "density"};
-    if (!holds_any(name, kWords) || name.find("sample") != name.npos || m.type(f->type).kind != Kind::number)
-      continue;
+    if (!is_called_density(m, *f)) continue;
     const int fit = fit_of(*f, reflectance, called);
     if (fit == 0) continue;
     candidates.push_back({f, fit + 8 * takes_axis(m, *f, Axis::light) + 8 * takes_axis(m, *f, Axis::view)});
@@ -329,7 +382,9 @@ FoundDensity find_density(const Module& m, const Source& source, const spirv::Fu
   if (best.size() > 1)
     out.missing = "several functions may be the density (" + listed_names(m, best) +
                   "): select one with --pdf NAME or a line `//: pdf NAME`";
-  if (best.empty()) take(&reflectance, true);
+  if (best.empty() && !take(&reflectance, true) && !source.sample)
+    if (const Pair pair = only_pair(m, source, reflectance, generators_of(m)); pair.density)
+      take(pair.density, false);
   return out;
 }
 

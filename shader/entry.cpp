@@ -145,6 +145,13 @@ void require_whole(std::span<const LeftOut> left_out, const std::string& chosen)
   }
 }
 
+// Functions that sample a direction or compute a density take both directions, but do not return a
+// reflectance.
+bool is_of_sampling(const std::string& function) {
+  const std::string name = io::lower_case(function);
+  return name.find("sample") != name.npos || name.find("pdf") != name.npos;
+}
+
 // Lists the undefined macros that the text tests, because one of them may enable the missing function.
 std::string asked_for(const Compiled& compiled) {
   if (compiled.asked.empty()) return "";
@@ -173,10 +180,10 @@ std::vector<const spirv::Function*> own_functions(const Module& module) {
   return out;
 }
 
-std::set<spirv::Id> called_by_others(const Module& module) {
+std::set<spirv::Id> called_by_others(const Module& module, bool by_samplers) {
   std::set<spirv::Id> called;
   for (const auto& [id, f] : module.functions) {
-    if (is_main(f.name)) continue;
+    if (is_main(f.name) || (!by_samplers && is_of_sampling(f.name))) continue;
     for (const spirv::Block& b : f.blocks)
       for (const spirv::Instruction& i : b.code)
         if (i.code == spv::OpFunctionCall && !i.words.empty() && i.words[0] != id) called.insert(i.words[0]);
@@ -273,12 +280,8 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
             name.starts_with("v_") || name.starts_with("d_") || f->name.starts_with("F_") ||
             name.starts_with("vis_"));
   };
-  // Functions that sample a direction or compute a density take both directions, but do not return a
-  // reflectance.
   const auto draws = [](const spirv::Function* f) {
-    const std::string name = io::lower_case(f->name);
-    return name.find("sample") != name.npos || name.find("pdf") != name.npos ||
-           name.find("albedo") != name.npos;
+    return is_of_sampling(f->name) || io::lower_case(f->name).find("albedo") != std::string::npos;
   };
   const auto could_be = [&](const spirv::Function* f) {
     return gives(f) && !draws(f) && takes_directions(module, *f, free);
@@ -287,6 +290,11 @@ Chosen choose_entry(const Module& module, const Source& source, const Compiled& 
       [&](const spirv::Function* f) { return could_be(f) && !called.contains(f->id) && !is_factor(f); });
   if (likely.empty())  // another function of the file may call it
     likely = named([&](const spirv::Function* f) { return could_be(f) && is_called_brdf(f->name); });
+  if (likely.empty()) {  // its sampler calls it, to return the value with the direction
+    const std::set<spirv::Id> parts = called_by_others(module, false);
+    likely = named(
+        [&](const spirv::Function* f) { return could_be(f) && !parts.contains(f->id) && !is_factor(f); });
+  }
   if (likely.empty())  // a shading function of the file calls it
     likely = named([&](const spirv::Function* f) { return could_be(f) && !is_factor(f); });
   if (likely.size() > 1) {

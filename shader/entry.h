@@ -32,8 +32,9 @@ std::vector<std::string> free_directions(const spirv::Module& module, const Sour
 // Returns the functions that the file defines, without main functions and without the functions that the
 // program adds.
 std::vector<const spirv::Function*> own_functions(const spirv::Module& module);
-// Returns the functions that functions other than main functions call.
-std::set<spirv::Id> called_by_others(const spirv::Module& module);
+// Returns the functions that functions other than main functions call. `by_samplers` false: calls by samplers
+// and densities do not count.
+std::set<spirv::Id> called_by_others(const spirv::Module& module, bool by_samplers = true);
 // Returns the type to which a pointer type points; other types unchanged.
 spirv::Id pointee(const spirv::Module& module, spirv::Id type);
 

@@ -154,6 +154,7 @@ bool is_random(std::string_view name, std::size_t components) {
       "urnd",       "zeta",         "rnds", "ulobe", "uselect", "usample", "uniform", "randval",
       "randsample", "randomnumber", "uc",   "rng",   "ux",      "uy",      "uniforms"};
   if (std::ranges::find(kWords, word) != std::end(kWords)) return true;
+  if (word == "sample" && numbered) return true;  // sample1 and sample2 of Mitsuba
   return (word == "r" || word == "e" || word == "s" || word == "q") && (components > 1 || numbered);
 }
 

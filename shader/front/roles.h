@@ -26,7 +26,7 @@ struct Meaning {
 std::optional<Meaning> meaning_of(std::string_view name, bool vector);
 
 // Returns whether an argument of a sampler with this name and number of components (1 to 4) is random
-// numbers: u, xi, rnd, urand, u1, xi_2 and similar names.
+// numbers: u, xi, rnd, urand, u1, xi_2, sample1 and similar names.
 bool is_random(std::string_view name, std::size_t components);
 
 }  // namespace brdf::shader

@@ -234,6 +234,69 @@ TEST(Joint, AnUnknownArgumentIsReported) {
   EXPECT_TRUE(g.joint->has_sampler());
 }
 
+std::string with_names(const std::string& eval, const std::string& sample, const std::string& pdf) {
+  std::string text = kPlain;
+  for (const auto& [from, to] : {std::pair{std::string("float brdf("), "float " + eval + "("},
+                                 {"float brdfSample(", "float " + sample + "("},
+                                 {"float brdfPdf(", "float " + pdf + "("}})
+    text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+TEST(Joint, NamesOfOtherStyles) {
+  expect_consistent(function_in(with_names("f_diffuse", "Sample_diffuse", "Pdf_diffuse")), 0, false);
+  expect_consistent(function_in(with_names("fDiffuse", "generateDiffuse", "pdfDiffuse")), 0, false);
+  std::string text = kPlain;
+  for (const auto& [from, to] : {std::pair{std::string("vec2 u,"), "vec2 sample2,"},
+                                 {"sqrt(u.x)", "sqrt(sample2.x)"},
+                                 {"* u.y", "* sample2.y"},
+                                 {"- u.x", "- sample2.x"}})
+    text.replace(text.find(from), from.size(), to);
+  expect_consistent(function_in(text), 0, false);
+}
+
+TEST(Joint, OnePairOfALobeServesAReflectanceWithoutAStem) {
+  const std::string text = with_names("brdf", "sampleCosine", "pdfCosine");
+  expect_consistent(function_in(text), 0, false);
+  // Two pairs, and a pair of another lobe than that of the reflectance, are not taken.
+  const std::string second = text.substr(text.find("float pdfCosine"));
+  std::string other = second;
+  for (std::size_t at; (at = other.find("Cosine")) != other.npos;) other.replace(at, 6, "Second");
+  const Function two = function_in(text + other);
+  EXPECT_FALSE(two.joint && two.joint->has_sampler());
+  const Function apart = function_in(with_names("evalSpecular", "sampleCosine", "pdfCosine"));
+  EXPECT_FALSE(apart.joint && apart.joint->has_sampler());
+}
+
+TEST(Joint, TheSamplerMayCallTheReflectance) {
+  const Function f = function_in(R"(
+//: param albedo 0 1 0.7
+float lobeEval(vec3 L, vec3 V, float albedo, out float pdf) { pdf = max(L.z, 0.0); return albedo * 0.3; }
+float DisneyEval(vec3 L, vec3 V, float albedo, out float pdf) { return lobeEval(L, V, albedo, pdf); }
+float DisneySample(vec2 u, vec3 V, float albedo, out vec3 L, out float pdf) {
+  L = normalize(vec3(u, 1.0));
+  return DisneyEval(L, V, albedo, pdf);
+}
+)");
+  EXPECT_THAT(f.entry, HasSubstr("DisneyEval"));
+  ASSERT_TRUE(f.joint);
+  EXPECT_TRUE(f.joint->has_sampler());
+}
+
+TEST(Joint, TheDensityOfTheWholeComesBeforeThoseOfLobes) {
+  const Function f = function_in(R"(
+//: param albedo 0 1 0.7
+struct Record { float specularPdf; float pdf; vec3 direction; };
+float brdf(vec3 L, vec3 V, float albedo) { return albedo * 0.3; }
+float brdfPdf(vec3 L, vec3 V, float albedo) { return 0.25; }
+Record brdfSample(vec2 u, vec3 V, float albedo) {
+  return Record(0.0, 0.25, normalize(vec3(u, 1.0)));
+}
+)");
+  ASSERT_TRUE(f.joint);
+  EXPECT_EQ(f.joint->pdf_name(), "pdf");
+}
+
 TEST(Joint, HelpersAreNotTakenForTheSampler) {
   EXPECT_FALSE(function_in(R"(
 vec3 sampleDisk(vec2 u) { return vec3(u, 0.0); }

@@ -157,6 +157,35 @@ TEST(Sampler, AWeightIsRecognised) {
   EXPECT_THAT(found.at("sample_value").statement, HasSubstr("f*cos_i/pdf"));
 }
 
+TEST(Sampler, AWeightWithoutTheCosine) {
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0][0] /= d.pdf; };
+  const std::string cause = "is f/pdf: the factor cos_i is missing, or eval returns f*cos_i";
+  const auto found = judged(sampler);
+  EXPECT_THAT(failed(found), testing::ElementsAre("sample_mean", "sample_value"));
+  EXPECT_THAT(found.at("sample_value").statement, HasSubstr(cause));
+  EXPECT_THAT(found.at("sample_mean").statement, HasSubstr(cause));
+  // Another wrong weight does not get this sentence.
+  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0][0] /= d.pdf * d.wi.z; };
+  EXPECT_THAT(judged(sampler).at("sample_value").statement, testing::Not(HasSubstr("f/pdf:")));
+}
+
+TEST(Sampler, AChoiceByTwoNumbersTogetherIsNotJudgedExactly) {
+  HalfCosine sampler;
+  sampler.change().randoms = 4;
+  sampler.at_last = [](Draw& d, std::span<const double> u) { d.valid = u[2] + u[3] < 1.5; };
+  const auto whole = sampler.density_of;
+  sampler.density_of = [whole](const Vec3<double>& w) { return 0.875 * whole(w); };
+  const auto found = judged(sampler);
+  EXPECT_THAT(failed(found), testing::IsEmpty());
+  EXPECT_EQ(found.at("jacobian").outcome, Outcome::undecided);
+  EXPECT_THAT(found.at("jacobian").statement, HasSubstr("several random numbers together"));
+  // Two choices that are independent have the product of their probabilities.
+  sampler.at_last = [](Draw& d, std::span<const double> u) { d.valid = u[2] < 0.5 && u[3] < 0.25; };
+  sampler.density_of = [whole](const Vec3<double>& w) { return 0.125 * whole(w); };
+  EXPECT_EQ(judged(sampler).at("jacobian").outcome, Outcome::pass);
+}
+
 TEST(Sampler, ANumberThatIsNotStretched) {
   HalfCosine sampler;
   sampler.stretch = 0.6;

@@ -64,8 +64,17 @@ class Inverse {
     const double area = area_of(by[moving[0]], by[moving[1]]);
     if (!(area > 1e-12)) return std::nullopt;
     double probability = 1;
-    for (std::size_t j = 0; j < used_; ++j)
-      if (j != moving[0] && j != moving[1]) probability *= share_with_same_direction(u, j);
+    std::vector<Choice> choices;
+    for (std::size_t j = 0; j < used_; ++j) {
+      if (j == moving[0] || j == moving[1]) continue;
+      Choice choice = choice_of(u, j);
+      probability *= choice.share;
+      choices.push_back(std::move(choice));
+    }
+    if (choices.size() > 1 && !are_independent(u, choices)) {
+      why = "a choice depends on several random numbers together";
+      return std::nullopt;
+    }
     return probability / area;
   }
 
@@ -133,15 +142,27 @@ class Inverse {
     return out;
   }
 
-  // The share of the values of one number for which the direction stays the same, which is the probability
-  // of a choice.
-  double share_with_same_direction(const Numbers& u, std::size_t j) const {
+  // The values of one random number for which the direction stays the same. `share` of them is the probability
+  // of the choice.
+  struct Choice {
+    std::size_t number;
+    double share = 0;
+    std::vector<std::pair<double, double>> parts = {};
+
+    bool holds(double x) const {
+      return std::ranges::any_of(parts, [&](const auto& p) { return p.first <= x && x <= p.second; });
+    }
+  };
+
+  // Returns whether the draw has the direction of `here`, and counts if that one counts.
+  bool same_sample(const Draw& draw, const Draw& here) const {
+    return length_of(difference_of(draw.wi, here.wi)) < kHit &&
+           counts(trio_.facts(), draw) == counts(trio_.facts(), here);
+  }
+
+  Choice choice_of(const Numbers& u, std::size_t j) const {
     constexpr int kGrid = 64;
     const Draw here = trio_.draw_one(u);
-    const auto same = [&](const Draw& d) {
-      return length_of(difference_of(d.wi, here.wi)) < kHit &&
-             counts(trio_.facts(), d) == counts(trio_.facts(), here);
-    };
     Numbers rows;
     for (int k = 0; k < kGrid; ++k) {
       Numbers moved = u;
@@ -149,23 +170,51 @@ class Inverse {
       rows.insert(rows.end(), moved.begin(), moved.end());
     }
     const std::vector<Draw> draws = trio_.draw(rows);
-    double share = 0;
-    bool before = same(draws[0]);
+    Choice out{j};
+    const auto add = [&](double from, double to) {
+      out.parts.emplace_back(from, to);
+      out.share += to - from;
+    };
+    bool before = same_sample(draws[0], here);
     double from = 0;
     for (int k = 1; k < kGrid; ++k) {
-      const bool now = same(draws[std::size_t(k)]);
+      const bool now = same_sample(draws[std::size_t(k)], here);
       if (now == before) continue;
       double low = (k - 0.5) / kGrid, high = (k + 0.5) / kGrid;
       for (int step = 0; step < 44; ++step) {
         Numbers moved = u;
         moved[j] = (low + high) / 2;
-        (same(trio_.draw_one(moved)) == before ? low : high) = moved[j];
+        (same_sample(trio_.draw_one(moved), here) == before ? low : high) = moved[j];
       }
-      if (before) share += low - from;
+      if (before) add(from, low);
       from = low;
       before = now;
     }
-    return before ? share + 1 - from : share;
+    if (before) add(from, 1);
+    return out;
+  }
+
+  // Returns whether the choices by several numbers are independent, so that their probabilities multiply. The
+  // choices of a loop that rejects points are not: each depends on two numbers together.
+  bool are_independent(const Numbers& u, const std::vector<Choice>& choices) const {
+    constexpr int kGrid = 8;
+    const Draw here = trio_.draw_one(u);
+    for (std::size_t a = 0; a < choices.size(); ++a)
+      for (std::size_t b = a + 1; b < choices.size(); ++b) {
+        Numbers rows;
+        std::vector<bool> expected;
+        for (int k = 0; k < kGrid * kGrid; ++k) {
+          Numbers moved = u;
+          const double x = (k % kGrid + 0.5) / kGrid, y = (k / kGrid + 0.5) / kGrid;
+          moved[choices[a].number] = x, moved[choices[b].number] = y;
+          rows.insert(rows.end(), moved.begin(), moved.end());
+          expected.push_back(choices[a].holds(x) && choices[b].holds(y));
+        }
+        const std::vector<Draw> draws = trio_.draw(rows);
+        for (std::size_t k = 0; k < draws.size(); ++k)
+          if (same_sample(draws[k], here) != expected[k]) return false;
+      }
+    return true;
   }
 
   std::optional<Numbers> newton(const Numbers& u, const Draw* own, const Vector& miss) const {

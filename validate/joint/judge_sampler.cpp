@@ -277,6 +277,8 @@ class SamplerJudge {
     }
     if (p.value.share() > kFewDraws)
       worse(value, p.value.share(), value_text(p), trio, &p.value.wi, p.value.u);
+    if (p.value.share() > kFewDraws && cause_.empty() && lacks_cosine(p))
+      cause_of_value_ = value_name() + no_cosine_text();
     if (p.not_finite.share() > 0)
       worse(range, 3 + p.not_finite.share(),
             "the direction, the density or the value is not finite at " + io::percent(p.not_finite.share()) +
@@ -294,13 +296,28 @@ class SamplerJudge {
             trio, &p.below.wi, p.below.u);
   }
 
+  // Returns whether the first value is the quotient f / pdf in the place of the weight.
+  bool lacks_cosine(const Pointwise& p) const {
+    return quantities_.of[0] == SampleValue::weight &&
+           double(p.without_cosine) > 0.99 * double(p.value.compared);
+  }
+
+  std::string no_cosine_text() const {
+    return " is f/pdf: the factor cos_i is missing, or " + facts_.eval_name +
+           " returns f*cos_i, which is not declared";
+  }
+
+  std::string value_name() const {
+    return facts_.values[0].name.empty() ? "the value that " + facts_.sampler_name + " returns"
+                                         : facts_.values[0].name;
+  }
+
   std::string value_text(const Pointwise& p) const {
-    const std::string name = facts_.values[0].name.empty()
-                                 ? "the value that " + facts_.sampler_name + " returns"
-                                 : facts_.values[0].name;
+    const std::string name = value_name();
     std::string text = name + " is not " + std::string(name_of(quantities_.of[0])) + " at " +
                        io::percent(p.value.share()) + " of the samples, with differences up to " +
                        io::percent(p.value.worst);
+    if (lacks_cosine(p)) return text + "; " + name + no_cosine_text();
     for (const auto& [kind, count] : p.fits)
       if (kind != quantities_.of[0] && double(count) > 0.99 * double(p.value.compared))
         text += "; it is " + std::string(name_of(kind)) +
@@ -464,7 +481,9 @@ class SamplerJudge {
               "the mean of the weights is " + io::short_number(m.mean(), 5) + " +- " +
                   io::short_number(error, 2) + ", but the albedo is " + io::short_number(truth, 5) + " (" +
                   degrees_text(at) + "): " + io::short_number(z, 3) + " standard errors" +
-                  (cause_.empty() ? "" : "; " + cause_),
+                  (!cause_.empty()            ? "; " + cause_
+                   : !cause_of_value_.empty() ? "; " + cause_of_value_
+                                              : ""),
               trio);
     }
   }
@@ -638,7 +657,7 @@ class SamplerJudge {
   int combinations_ = 0;
   CatalogueNoise best_;
   double largest_mass_error_ = 0, largest_ratio_error_ = 0, noise_ = 0, largest_weight_ = 0;
-  std::string cause_, jacobian_why_, mass_unknown_, distribution_why_, mean_why_;
+  std::string cause_, cause_of_value_, jacobian_why_, mass_unknown_, distribution_why_, mean_why_;
 };
 
 }  // namespace

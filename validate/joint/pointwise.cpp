@@ -79,7 +79,9 @@ Quantities quantities_of(const Trio& trio, std::uint64_t seed) {
         for (std::size_t k = 0; k < facts.values.size(); ++k) {
           const double value = draw.values[k][0];
           as_eval[k] += relative(value, quantity(facts.eval_returns, f, draw.wi.z, pdf)) <= kSameValue;
-          as_weight[k] += relative(value, quantity(SampleValue::weight, f, draw.wi.z, pdf)) <= kSameValue;
+          const double weight = quantity(SampleValue::weight, f, draw.wi.z, pdf);
+          as_weight[k] += relative(value, weight) <= kSameValue;
+          as_weight[k] += relative(value, weight / draw.wi.z) <= kSameValue;  // judged as a weight, too
         }
       }
     });
@@ -135,6 +137,8 @@ void compare_draws(const Trio& trio, const Quantities& quantities, std::span<con
       if (std::isnan(pdf) && quantities.of[j] == SampleValue::weight) continue;
       out.value.add(worst, kSameValue, draw.wi, numbers);
       if (j > 0) continue;
+      const double expected = quantity(quantities.of[0], f[k], draw.wi.z, pdf);
+      out.without_cosine += relative(draw.values[0][0], expected / draw.wi.z) <= kSameValue;
       for (const SampleValue kind : {SampleValue::f, SampleValue::f_cos_i, SampleValue::weight})
         out.fits[kind] += relative(draw.values[0][0], quantity(kind, f[k], draw.wi.z, pdf)) <= kSameValue;
     }

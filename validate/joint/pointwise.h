@@ -36,7 +36,7 @@ struct Pointwise {
   std::vector<DensityRow> returned;  // of differing ones: density() as claimed, the returned one as truth
   ComparedDraws value;
   std::map<SampleValue, long> fits;  // draws at which the first value has this quantity
-  double value_over_expected = 0;    // sum of ratios of differing values
+  long without_cosine = 0;           // draws at which the first value is its quantity divided by cos_i
   ComparedDraws not_finite, length, below;
 };
 // Compares draws of a block and adds them to `out`.
