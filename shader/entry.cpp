@@ -149,7 +149,7 @@ void require_whole(std::span<const LeftOut> left_out, const std::string& chosen)
 // reflectance.
 bool is_of_sampling(const std::string& function) {
   const std::string name = io::lower_case(function);
-  return name.find("sample") != name.npos || name.find("pdf") != name.npos;
+  return name.find("sample") != name.npos || name.find("pdf") != name.npos || name.starts_with("generate");
 }
 
 // Lists the undefined macros that the text tests, because one of them may enable the missing function.

@@ -159,7 +159,7 @@ TEST(Sampler, AWeightIsRecognised) {
 
 TEST(Sampler, AWeightWithoutTheCosine) {
   HalfCosine sampler;
-  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0][0] /= d.pdf; };
+  sampler.at_last = [](Draw& d, std::span<const double>) { d.values[0][0] *= d.pdf > 0 ? 1 / d.pdf : 0; };
   const std::string cause = "is f/pdf: the factor cos_i is missing, or eval returns f*cos_i";
   const auto found = judged(sampler);
   EXPECT_THAT(failed(found), testing::ElementsAre("sample_mean", "sample_value"));

@@ -142,8 +142,8 @@ class Inverse {
     return out;
   }
 
-  // The values of one random number for which the direction stays the same. `share` of them is the probability
-  // of the choice.
+  // The values of one random number for which the direction stays the same. `share` of them is the
+  // probability of the choice.
   struct Choice {
     std::size_t number;
     double share = 0;

@@ -93,6 +93,7 @@ class SamplerJudge {
 
   void one_case(std::size_t k) {
     const Trio trio(sampler_, cases_[k]);
+    cause_ = cause_of_value_ = "";
     if (k == 0 && facts_.draws) quantities_ = quantities_of(trio, seed(k));
     std::vector<Vec3<double>> pilot;
     long tried = 0;
@@ -657,7 +658,8 @@ class SamplerJudge {
   int combinations_ = 0;
   CatalogueNoise best_;
   double largest_mass_error_ = 0, largest_ratio_error_ = 0, noise_ = 0, largest_weight_ = 0;
-  std::string cause_, cause_of_value_, jacobian_why_, mass_unknown_, distribution_why_, mean_why_;
+  std::string cause_, cause_of_value_;  // of the running case: a constant differs from case to case
+  std::string jacobian_why_, mass_unknown_, distribution_why_, mean_why_;
 };
 
 }  // namespace
