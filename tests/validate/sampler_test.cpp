@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "brdf/targets.h"
 #include "tests/thorough.h"
@@ -145,6 +146,20 @@ TEST(Sampler, AValueWithAFactorTooMany) {
   // The same value is right if the file says so.
   sampler.change().values = {{"value", SampleValue::f_cos_i}};
   EXPECT_THAT(failed(judged(sampler)), testing::IsEmpty());
+}
+
+// A density that is infinite at sampled directions alone is found there, and costs no endless division.
+TEST(Sampler, ADensityThatIsInfiniteAtItsSamplesIsNamed) {
+  HalfCosine sampler;
+  const auto right = sampler.density_of;
+  std::set<double> heights;
+  sampler.at_last = [&heights](Draw& d, std::span<const double>) { heights.insert(d.wi.z); };
+  sampler.density_of = [&](const Vec3<double>& w) { return heights.contains(w.z) ? HUGE_VAL : right(w); };
+  sampler.returned = right;
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("density_mass").outcome, Outcome::fail);
+  EXPECT_THAT(found.at("density_mass").statement, HasSubstr("not finite"));
+  EXPECT_LT(found.at("density_mass").evaluations, 4'000'000);
 }
 
 TEST(Sampler, AWeightIsRecognised) {

@@ -101,6 +101,8 @@ class Integrator {
  public:
   Integrator(const Trio& trio, Integrals& out) : trio_(trio), out_(out) {}
 
+  long evaluations() const { return out_.evaluations; }
+
   // Integrates pieces together, because many directions at a time cost less.
   void integrate(std::span<Piece> pieces) {
     const quadrature::GaussRule& rule = quadrature::gauss_legendre(kOrder);
@@ -180,18 +182,18 @@ bool is_missed(const Piece& piece, const Place& place) {
   return place.density > kMuchLarger * piece.peak;
 }
 
-// Divides a piece until its rule misses no sampled direction.
-void add_resolved(Integrator& integrator, const Piece& whole, std::vector<Place> places, int times,
+// Divides a piece until its rule misses no sampled direction, at most `times`, and within `most` evaluations.
+void add_resolved(Integrator& integrator, const Piece& whole, std::vector<Place> places, int times, long most,
                   std::vector<Piece>& out) {
   const bool is_seen = std::ranges::none_of(places, [&](const Place& p) { return is_missed(whole, p); });
-  if (times == 0 || is_seen) return void(out.push_back(whole));
+  if (times == 0 || is_seen || integrator.evaluations() >= most) return void(out.push_back(whole));
   std::array<Piece, 4> quarters = quarters_of(whole);
   integrator.integrate(quarters);
   for (const Piece& quarter : quarters) {
     std::vector<Place> own;
     for (const Place& place : places)
       if (holds(quarter.cell, place)) own.push_back(place);
-    add_resolved(integrator, quarter, std::move(own), times - 1, out);
+    add_resolved(integrator, quarter, std::move(own), times - 1, most, out);
   }
 }
 
@@ -231,16 +233,21 @@ Integrals integrals_of(const Trio& trio, const Cells& cells, std::span<const Vec
   out.evaluations += long(directions.size());
   // The first half of the directions divides the cells, the other half tells how much is still missed.
   std::vector<std::vector<Place>> places(cells.all().size()), others(cells.all().size());
-  for (std::size_t k = 0; k < directions.size(); ++k)
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    if (!std::isfinite(densities[k]) || densities[k] < 0) {
+      if (out.all_finite) out.all_finite = false, out.not_finite = directions[k];
+      continue;
+    }
     (k < directions.size() / 2 ? places : others)[cells.find(directions[k])].push_back(
         {height_of(directions[k]), azimuth_of(directions[k]), densities[k]});
+  }
   std::vector<Piece> first;
   for (const Piece& whole : undivided) {
     std::vector<Place> own;
     for (const Place& place : places[whole.of])
       if (holds(whole.cell, place)) own.push_back(place);
     constexpr int kMostTimes = 24;
-    add_resolved(integrator, whole, std::move(own), kMostTimes, first);
+    add_resolved(integrator, whole, std::move(own), kMostTimes, most, first);
   }
   double scale = 1e-300;
   for (const Piece& p : first) scale += p.f[0] + p.f[1] + p.f[2];
