@@ -32,11 +32,25 @@ std::string message_of(const InputError& e, const std::string& file) {
   return what.starts_with("line ") ? file + ":" + what.substr(5) : what;
 }
 
-// A name that means the viewer if it is the name of an argument.
-bool means_viewer(const std::string& name) {
+// A name that means this direction if it is the name of an argument.
+bool means(Axis axis, const std::string& name) {
   if (name.empty()) return false;
   const auto meaning = meaning_of(name, true);
-  return meaning && meaning->kind == Meaning::Kind::vector && meaning->a == Axis::view;
+  return meaning && meaning->kind == Meaning::Kind::vector && meaning->a == axis;
+}
+
+// Returns the name of the only direction that a sampler takes if it returns a direction without a name and
+// its argument is called wi, incoming or similar: in a path tracer the ray that comes in is the viewer's.
+// Names with an l, such as L and lightDir, mean the light alone. Empty otherwise.
+std::string incoming_viewer(const spirv::Module& module, const FoundSampler& sampler) {
+  if (!sampler.direction_name.empty()) return "";
+  std::string incoming;
+  for (const spirv::Id p : sampler.function->parameters) {
+    const std::string name = module.name(p);
+    if (means(Axis::view, name)) return "";
+    if (means(Axis::light, name)) incoming = name;
+  }
+  return incoming.find_first_of("lL") == incoming.npos ? incoming : "";
 }
 
 template <class T>
@@ -105,7 +119,9 @@ std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Func
     try {
       Function f = companion(module, *sampler.function, source, source.sample, options, kernels);
       f.draws = true;
-      f.exchanged = means_viewer(sampler.direction_name);
+      if (!(source.sample && source.sample->arguments))
+        joint->viewer_name_ = incoming_viewer(module, sampler);
+      f.exchanged = means(Axis::view, sampler.direction_name) || !joint->viewer_name_.empty();
       bind_companion(f);
       if (f.randoms == 0)
         throw InputError(source.name + ": " + f.entry +
@@ -150,9 +166,11 @@ std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Func
 }
 
 bool exchanges(const Joint* joint, const spirv::Module& module, const spirv::Function& function) {
-  return joint != nullptr && joint->has_sampler() && means_viewer(joint->direction_name()) &&
-         std::ranges::any_of(function.parameters,
-                             [&](spirv::Id p) { return module.name(p) == joint->direction_name(); });
+  if (joint == nullptr || !joint->has_sampler()) return false;
+  const std::string name =
+      means(Axis::view, joint->direction_name()) ? joint->direction_name() : joint->viewer_name();
+  return !name.empty() &&
+         std::ranges::any_of(function.parameters, [&](spirv::Id p) { return module.name(p) == name; });
 }
 
 void bind_joint(Joint& joint, const Function& reflectance) {
@@ -182,9 +200,11 @@ void bind_joint(Joint& joint, const Function& reflectance) {
   }
   if (joint.sampler_) {
     const std::string written = joint.direction_name_.empty() ? "the returned vector" : joint.direction_name_;
-    joint.notes_.push_back("the sampler is " + joint.sampler_->function.entry +
-                           "; the sampled direction is " + written +
-                           (joint.sampler_->function.exchanged ? ", which is therefore the light" : ""));
+    joint.notes_.push_back(
+        "the sampler is " + joint.sampler_->function.entry + "; the sampled direction is " + written +
+        (!joint.viewer_name_.empty() ? "; " + joint.viewer_name_ + " is therefore the direction to the viewer"
+         : joint.sampler_->function.exchanged ? ", which is therefore the light"
+                                              : ""));
   }
   if (joint.density_) joint.notes_.push_back("the density is " + joint.density_->function.entry);
   if ((joint.density_ || joint.pdf_at_ >= 0) && !joint.measure_is_declared_)

@@ -36,6 +36,8 @@ class Joint {
   const std::string& density_name() const { return density_name_; }
   const std::string& pdf_name() const { return pdf_name_; }
   const std::string& direction_name() const { return direction_name_; }
+  // The sampler's only direction, if its name usually means the light and the returned direction has no name.
+  const std::string& viewer_name() const { return viewer_name_; }
   DensityOf measure() const { return measure_; }
   bool measure_is_declared() const { return measure_is_declared_; }
   // The reason why float does not show all that a device may compute; empty: it does.
@@ -79,7 +81,7 @@ class Joint {
   bool generated_ = false;
   DensityOf measure_ = DensityOf::solid_angle;
   bool measure_is_declared_ = false;
-  std::string sampler_name_, density_name_, pdf_name_, direction_name_;
+  std::string sampler_name_, density_name_, pdf_name_, direction_name_, viewer_name_;
   std::vector<std::string> missing_, notes_;
 };
 
@@ -89,8 +91,8 @@ std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Func
                                   const Source& source, const LowerOptions& options, bool kernels);
 // Connects the parameters of both functions to the parameters of the reflectance.
 void bind_joint(Joint& joint, const Function& reflectance);
-// Returns whether the sampler writes a direction of a name that usually means the viewer, and the function
-// takes an argument of this name: then the name means the light.
+// Returns whether the function takes an argument that the sampler uses in another sense than usual: the
+// sampler writes a direction whose name usually means the viewer, or takes viewer_name().
 bool exchanges(const Joint* joint, const spirv::Module& module, const spirv::Function& function);
 
 }  // namespace brdf::shader

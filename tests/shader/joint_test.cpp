@@ -155,6 +155,32 @@ bool sampleBsdf(float3 wi, out float3 wo, out float pdf, out float3 weight, out 
   EXPECT_EQ(f.joint->values().size(), 1u);
 }
 
+constexpr const char* kNamelessDirection = R"(
+vec3 bsdf(vec3 wi, vec3 wo, float albedo) { return vec3(albedo / 3.14159265 * (0.5 + 0.5 * wi.z)); }
+float bsdfPdf(vec3 wi, vec3 wo) { return max(wo.z, 0.0) / 3.14159265; }
+vec3 sampleBsdf(vec3 wi, vec2 u) {
+  float r = sqrt(u.x), phi = 6.2831853 * u.y;
+  return vec3(r * cos(phi), r * sin(phi), sqrt(1.0 - u.x));
+}
+)";
+
+// The ray that comes in is the viewer's, and the direction that is returned has no name.
+TEST(Joint, ASamplerThatTakesTheIncomingRayAloneTakesTheViewer) {
+  const Function f = function_in(kNamelessDirection, "incoming.glsl");
+  EXPECT_TRUE(f.exchanged);
+  EXPECT_EQ(f.joint->viewer_name(), "wi");
+  expect_consistent(f);
+}
+
+TEST(Joint, ASamplerThatTakesTheLightAloneKeepsItsNames) {
+  std::string text = kNamelessDirection;
+  for (std::size_t at; (at = text.find("wi")) != text.npos;) text.replace(at, 2, "L");
+  EXPECT_FALSE(function_in(text, "from_light.glsl").exchanged);
+  const Function declared =
+      function_in("//: sample sampleBsdf(V, u)\n" + std::string(kNamelessDirection), "declared.glsl");
+  EXPECT_FALSE(declared.exchanged);
+}
+
 // The shape of kajiya: a struct is returned, the density is per projected solid angle.
 TEST(Joint, AStructMayHoldTheDirection) {
   const Function f = function_in(R"(
