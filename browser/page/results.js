@@ -1,0 +1,116 @@
+// Finished results: one shown, or two next to each other.
+
+// Runs within the frame of a report, which has no files and no address of its own: links to files ask this page for a download.
+const followLinks = () => addEventListener("click", (event) => {
+  const link = event.target.closest("a[href]"), address = link?.getAttribute("href");
+  if (!link || link.download || /^[a-z]+:/.test(address)) return;
+  event.preventDefault();
+  if (address.startsWith("#")) document.getElementById(address.slice(1))?.scrollIntoView();
+  else parent.postMessage({ download: decodeURIComponent(address) }, "*");
+});
+
+const reportOf = ({ files }) => files.find(({ name }) => name === "index.html");
+
+class Results {
+  finished = [];
+
+  // `inCatalogue(material)` shows a fitted material in the catalogue, `linkOf(material)` returns its permanent link.
+  constructor(inCatalogue, linkOf) {
+    Object.assign(this, { inCatalogue, linkOf });
+    for (const select of [byId("left"), byId("right")]) select.addEventListener("change", () => this.show());
+    addEventListener("message", ({ source, data }) => {
+      const pane = [...document.querySelectorAll(".pane")].find((p) => p.querySelector("iframe")?.contentWindow === source);
+      if (typeof data?.download === "string") pane?.querySelector(`.downloads a[download="${CSS.escape(data.download)}"]`)?.click();
+    });
+  }
+
+  add(entry) {
+    this.finished.push(entry);
+    this.list(entry);
+  }
+
+  removed(entry) {
+    forget(entry.files);
+    this.finished.splice(this.finished.indexOf(entry), 1);
+    const left = this.finished[byId("left").value] === entry ? this.finished[0] : this.left;
+    this.list(left === entry ? this.finished[0] : left);
+  }
+
+  // Shows why a table has no result, and no older result.
+  refuse(entry, sentence) {
+    this.list(undefined);
+    const { name } = entry;
+    byId("refusal").textContent = sentence.includes(name) ? sentence : `${name}: ${sentence}`;
+    byId("refusal").className = "verdict bad";
+    byId("no_result").hidden = true;
+  }
+
+  // Writes the lists of results, and selects one result for the left side.
+  list(left) {
+    const right = left && this.right !== left && this.finished.includes(this.right) ? this.right : undefined;
+    const options = () => this.finished.map((entry, k) => make("option", { value: String(k) }, `${k + 1}. ${entry.name}`));
+    byId("left").replaceChildren(make("option", { value: "" }, "no result"), ...options());
+    byId("right").replaceChildren(make("option", { value: "" }, "no other result"), ...options());
+    byId("left").value = left ? String(this.finished.indexOf(left)) : "";
+    byId("right").value = right ? String(this.finished.indexOf(right)) : "";
+    byId("choice").hidden = this.finished.length === 0;
+    byId("choice").querySelector("label + label").hidden = this.finished.length < 2;
+    this.show();
+  }
+
+  show() {
+    const entryOf = (select) => select.value === "" ? undefined : this.finished[Number(select.value)];
+    const before = [this.left, this.right];
+    this.left = entryOf(byId("left"));
+    this.right = entryOf(byId("right"));
+    byId("refusal").textContent = byId("refusal").className = "";
+    byId("no_result").hidden = Boolean(this.left || this.right);
+    document.body.classList.toggle("two", Boolean(this.left && this.right));
+    const kept = new Map(before.map((entry, k) => [entry, byId("panes").children[k]]));
+    const wanted = [this.left, this.right].filter(Boolean);
+    if (wanted.length === byId("panes").children.length && before[0] === this.left && before[1] === this.right) return;
+    // A pane that stays is not moved, because a frame that is moved is loaded again.
+    for (const [entry, pane] of kept) if (pane && !wanted.includes(entry)) pane.remove();
+    for (const entry of wanted) {
+      const pane = [...byId("panes").children].find((p) => p.entry === entry);
+      if (!pane) byId("panes").append(this.pane(entry));
+    }
+    for (const pane of byId("panes").children) pane.style.order = String(wanted.indexOf(pane.entry));
+  }
+
+  pane(entry) {
+    const { name, row, command, files } = entry;
+    const facts = [["form", row.form], ["measurements", row.rows.toLocaleString("en")], ["median error", percent(row.median_relative_error)],
+      ["left-out error", percent(row.cross_validated_error)]];
+    const number = this.finished.indexOf(entry) + 1;
+    const frame = make("iframe", { title: `Report on ${name}`, sandbox: "allow-scripts allow-popups allow-modals allow-downloads" });
+    const pane = make("article", { className: "pane", "aria-label": `Result ${number}: ${name}` },
+      make("h3", {}, name),
+      make("p", { className: "verdict " + row.mark }, make("span", { className: row.mark }, row.statement)),
+      make("ul", { className: "facts" }, ...facts.map(([label, value]) => make("li", {}, label + " ", make("b", {}, value)))),
+      ...(row.warnings.length ? [make("ul", { className: "remarks" }, ...row.warnings.map((text) => make("li", { className: "warn" }, text)))] : []),
+      ...(row.next ? [make("p", { className: "next" }, "Next: ", row.next)] : []),
+      make("p", { className: "note" }, "The same result from the installed program:"),
+      make("div", { className: "command" }, make("pre", {}, command), copyButton("command", () => command)),
+      downloads(files.map((file) => file.name === "index.html" ? { ...file, label: "report as one HTML file" } : file)));
+    pane.entry = entry;
+    this.addMaterial(pane, entry);
+    pane.append(frame);
+    this.load(frame, reportOf(entry));
+    return pane;
+  }
+
+  async load(frame, report) {
+    if (!report) return frame.remove();
+    frame.srcdoc = await report.blob.text() + "<script>(" + followLinks + ")()<\/script>";
+  }
+
+  async addMaterial(pane, { files }) {
+    const file = files.find(({ name }) => name === "material.json");
+    if (!file) return;
+    const material = JSON.parse(await file.blob.text());
+    const button = make("button", { type: "button" }, "Show the material in the catalogue");
+    button.addEventListener("click", () => this.inCatalogue(material));
+    pane.querySelector("iframe").before(make("p", { className: "fields" }, button, copyButton("permanent link of the material", () => this.linkOf(material))));
+  }
+}
