@@ -43,8 +43,8 @@ def script():
 
 def examples():
     """Returns a button for each table; the page enables it when the table is loaded."""
-    return " ".join(f'<button type="button" disabled data-example="{name}">{name}</button> <span class="note">{html.escape(about)}</span>'
-                    for name, about in EXAMPLES.items())
+    return "\n".join(f'<li><button type="button" disabled data-example="{name}">{name}</button> example: {html.escape(about)}</li>'
+                     for name, about in EXAMPLES.items())
 
 
 def page(**parts):

@@ -37,9 +37,11 @@ const albedoPlot = ({ theta, albedo }, channels) => {
     shapes, keysOf(albedo.length > 1 ? drawn.map((k) => channels[k] ?? "channel " + (k + 1)) : [], colours), note);
 };
 
+const kAnchors = ["end", "middle", "start"];  // of labels on the left, in the middle, on the right
+
 // The lobe f cos in the plane of incidence, for some angles of incidence: light from the left, theta_o negative on the side of the light.
 const lobePlot = ({ lobes }) => {
-  const cx = kWidth / 2, cy = kHeight - 34, reach = Math.min(cx - 16, cy - 12);
+  const cx = kWidth / 2, cy = kHeight - 34, reach = Math.min(cx - 28, cy - 24);
   const most = Math.max(...lobes.flatMap((lobe) => lobe.f_cos).filter(Number.isFinite), Number.MIN_VALUE);
   const at = (degrees, radius) => [cx + reach * radius * Math.sin(degrees * Math.PI / 180), cy - reach * radius * Math.cos(degrees * Math.PI / 180)];
   const ring = (radius) => inSvg("path", { class: "grid", d: pathOf([...Array(61).keys()].map((k) => at(3 * k - 90, radius))) });
@@ -51,7 +53,7 @@ const lobePlot = ({ lobes }) => {
   };
   const shapes = [ring(0.5), ring(1), inSvg("line", { class: "grid", x1: cx - reach, x2: cx + reach, y1: cy, y2: cy }),
     inSvg("line", { class: "grid", x1: cx, x2: cx, y1: cy, y2: cy - reach }),
-    ...[-90, -45, 0, 45, 90].map((t) => label(...at(t, t === 0 ? 1.02 : 1.06).map((v, k) => k ? v + (Math.abs(t) === 90 ? 17 : 0) : v), "middle", Math.abs(t) + "\u00b0")),
+    ...[-90, -45, 0, 45, 90].map((t) => label(...at(t, 1.05), kAnchors[Math.sign(t) + 1], Math.abs(t) + "\u00b0")),
     ...lobes.map((lobe, k) => ray(lobe.theta_i, k)), ...lobes.map((lobe, k) => inSvg("path", { class: "curve", stroke: colours[k], d: pathOf(curve(lobe)) }))];
   const peaks = lobes.map((lobe) => `${shown(Math.max(...lobe.f_cos), 3)} at ${lobe.theta_i} degrees`).join(", ");
   return figureOf("Lobe in the plane of incidence", `Largest value of f cos: ${peaks} of incidence.`, shapes,

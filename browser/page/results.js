@@ -9,6 +9,12 @@ const followLinks = () => addEventListener("click", (event) => {
   else parent.postMessage({ download: decodeURIComponent(address) }, "*");
 });
 
+const inOrder = (files) => {
+  const first = ["index.html", "material.json", "material.glsl", "fit.json"], place = ({ name }) => first.includes(name) ? first.indexOf(name) : first.length;
+  return [...files].sort((a, b) => place(a) - place(b))
+    .map((file) => file.name === "index.html" ? { ...file, label: "report (index.html)" } : file);
+};
+
 const reportOf = ({ files }) => files.find(({ name }) => name === "index.html");
 
 class Results {
@@ -60,22 +66,18 @@ class Results {
 
   show() {
     const entryOf = (select) => select.value === "" ? undefined : this.finished[Number(select.value)];
-    const before = [this.left, this.right];
+    if (byId("right").value === byId("left").value) byId("right").value = "";
     this.left = entryOf(byId("left"));
     this.right = entryOf(byId("right"));
     byId("refusal").textContent = byId("refusal").className = "";
     byId("no_result").hidden = Boolean(this.left || this.right);
     document.body.classList.toggle("two", Boolean(this.left && this.right));
-    const kept = new Map(before.map((entry, k) => [entry, byId("panes").children[k]]));
-    const wanted = [this.left, this.right].filter(Boolean);
-    if (wanted.length === byId("panes").children.length && before[0] === this.left && before[1] === this.right) return;
     // A pane that stays is not moved, because a frame that is moved is loaded again.
-    for (const [entry, pane] of kept) if (pane && !wanted.includes(entry)) pane.remove();
-    for (const entry of wanted) {
-      const pane = [...byId("panes").children].find((p) => p.entry === entry);
-      if (!pane) byId("panes").append(this.pane(entry));
-    }
-    for (const pane of byId("panes").children) pane.style.order = String(wanted.indexOf(pane.entry));
+    const panes = byId("panes"), wanted = [this.left, this.right].filter(Boolean);
+    for (const pane of [...panes.children]) if (!wanted.includes(pane.entry)) pane.remove();
+    wanted.forEach((entry, k) => {
+      if (panes.children[k]?.entry !== entry) panes.insertBefore(this.pane(entry), panes.children[k] ?? null);
+    });
   }
 
   pane(entry) {
@@ -86,13 +88,13 @@ class Results {
     const frame = make("iframe", { title: `Report on ${name}`, sandbox: "allow-scripts allow-popups allow-modals allow-downloads" });
     const pane = make("article", { className: "pane", "aria-label": `Result ${number}: ${name}` },
       make("h3", {}, name),
-      make("p", { className: "verdict " + row.mark }, make("span", { className: row.mark }, row.statement)),
+      make("p", { className: "verdict " + row.mark }, row.statement),
       make("ul", { className: "facts" }, ...facts.map(([label, value]) => make("li", {}, label + " ", make("b", {}, value)))),
       ...(row.warnings.length ? [make("ul", { className: "remarks" }, ...row.warnings.map((text) => make("li", { className: "warn" }, text)))] : []),
       ...(row.next ? [make("p", { className: "next" }, "Next: ", row.next)] : []),
       make("p", { className: "note" }, "The same result from the installed program:"),
       make("div", { className: "command" }, make("pre", {}, command), copyButton("command", () => command)),
-      downloads(files.map((file) => file.name === "index.html" ? { ...file, label: "report as one HTML file" } : file)));
+      downloads(inOrder(files)));
     pane.entry = entry;
     this.addMaterial(pane, entry);
     pane.append(frame);

@@ -88,8 +88,8 @@ class Browser:
             self.events.append(answer)
 
     def open(self, path, width=1280, height=900, dark=False):
-        """Opens a page by its file, or by its address at `server`."""
-        address = path if str(path).startswith("http:") else pathlib.Path(path).resolve().as_uri()
+        """Opens a page by its file, or by its address (of a file, or at `server`)."""
+        address = path if str(path).startswith(("http:", "file:", "about:")) else pathlib.Path(path).resolve().as_uri()
         return Page(self, address, width, height, dark)
 
 
@@ -97,7 +97,7 @@ class Page:
     """A loaded page in a separate tab."""
 
     def __init__(self, browser, address, width, height, dark):
-        self.browser, self.console, self.width, self.height = browser, [], width, height
+        self.browser, self.console, self.requests, self.width, self.height = browser, [], [], width, height
         self.target = browser.ask("Target.createTarget", url="about:blank")["targetId"]
         self.session = browser.ask("Target.attachToTarget", targetId=self.target, flatten=True)["sessionId"]
         for domain in ("Runtime", "Log", "Page"):
@@ -134,6 +134,8 @@ class Page:
             if event["method"] == "Runtime.exceptionThrown":
                 details = parameters["exceptionDetails"]
                 self.console.append(details.get("exception", {}).get("description", details["text"]))
+            if event["method"] == "Network.requestWillBeSent":  # if the domain Network is enabled
+                self.requests.append(parameters["request"]["url"])
             if event["method"] == "Log.entryAdded":
                 entry = parameters["entry"]
                 self.console.append(f"{entry['text']} {entry.get('url', '')}".strip())
@@ -158,7 +160,7 @@ class Page:
 
     def key(self, name, text=""):
         """Presses and releases a key, by its name in KeyboardEvent.key."""
-        code = {"Tab": 9, "Enter": 13, "Escape": 27}.get(name, ord(text[0].upper()) if text else 0)
+        code = {"Tab": 9, "Enter": 13, "Escape": 27, " ": 32, "ArrowRight": 39, "ArrowDown": 40}.get(name, ord(text[0].upper()) if text else 0)
         text = text or ("\r" if name == "Enter" else "")
         for kind in ("keyDown", "keyUp"):
             self.ask("Input.dispatchKeyEvent", type=kind, key=name, code=name, windowsVirtualKeyCode=code,

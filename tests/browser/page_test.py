@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+# ctest: browser.page label=browser timeout=1800 serial chromium @source@/build/wasm/browser @source@/data/synthetic @npm@ @here@/page
+"""page_test.py CHROMIUM PAGE TABLES NPM FOLDER: uses the page of the room browser as a person does, from a disk (PAGE/brdf.html) and
+from a web server (PAGE/site). Tables are dropped, chosen, queued, cancelled and refused; results are shown next to each other,
+downloaded and linked; everything is done by keyboard; the browser refuses every connection; the page answers while a table of 100,000
+rows is fitted. The console must be empty. Screenshots are written to FOLDER. Exit code 77: the page has not been built."""
+import json
+import pathlib
+import shutil
+import sys
+import time
+
+from page_driver import (SOFTWARE, Browser, Server, choose, drop, frame_value, large_table, opened, states, tab_to, text_of,
+                         wait_for_states)
+from page_look import check_look
+
+MOST_BLOCKED = 100  # milliseconds
+
+
+def is_new(name):
+    return f"document.querySelector('.pane h3')?.textContent === {json.dumps(name)}"
+
+
+def check_tables(browser, address, tables, folder):
+    """Drops and chooses tables: the second waits in the queue, the results have a verdict, a command, files and a report."""
+    with opened(browser, address) as page:
+        drop(page, *((name, (tables / name).read_text()) for name in ("phong_sparse.csv", "lambert.csv")))
+        assert len(states(page)) == 2 and states(page)[1] == "waits", states(page)
+        page.wait("!document.getElementById('cancel').hidden")
+        choose(page, tables / "ward.csv")
+        page.wait("document.querySelectorAll('#queue li').length === 3")
+        wait_for_states(page, "fitted", "fitted", "fitted")
+        page.wait(is_new("ward.csv"))
+        assert "ward" in text_of(page, ".pane .verdict") and page.evaluate("document.querySelector('.pane .verdict.good') !== null")
+        assert text_of(page, ".pane pre") == "brdf study ward.csv --form all", text_of(page, ".pane pre")
+        assert frame_value(browser, page, "document.querySelectorAll('canvas[id]').length > 3 && charts.length") >= 4
+        check_downloads(browser, page, folder)
+        page.evaluate("(right => { right.value = '0'; right.dispatchEvent(new Event('change')); })(document.getElementById('right'))")
+        assert page.evaluate("[...document.querySelectorAll('.pane h3')].map(h => h.textContent)") == ["ward.csv", "phong_sparse.csv"]
+        check_link_of_fit(browser, page, address)
+        check_refusals(page)
+        assert not page.console, page.console
+
+
+def check_downloads(browser, page, folder):
+    """Saves two files as a person does, the second through a link within the report."""
+    saved = folder / "saved"
+    shutil.rmtree(saved, ignore_errors=True)
+    saved.mkdir(parents=True)
+    browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(saved))
+    page.evaluate("document.querySelector('.pane .downloads a[download=\"material.json\"]').click()")
+    frame_value(browser, page, "(link => { link.click(); return true; })(document.querySelector('a[href=\"material.glsl\"]'))")
+    deadline = time.monotonic() + 20
+    while not all((saved / name).exists() for name in ("material.json", "material.glsl")):
+        assert time.monotonic() < deadline, list(saved.iterdir())
+        time.sleep(0.1)
+    assert json.loads((saved / "material.json").read_text())["form"] == "ward"
+
+
+def check_link_of_fit(browser, page, address):
+    """Shows a fitted material in the catalogue, and opens its permanent link in another tab."""
+    page.evaluate("[...document.querySelectorAll('.pane button')].find(b => b.textContent.includes('catalogue')).click()")
+    page.wait("document.querySelectorAll('#plots svg').length === 2 && location.hash !== ''")
+    link = page.evaluate("location.hash")
+    page.wait(f"document.getElementById('permanent_link').value.endsWith({json.dumps(link)})")
+    with opened(browser, address + link) as other:
+        other.wait("document.querySelectorAll('#plots svg').length === 2")
+        assert other.evaluate("document.getElementById('permanent_link').value") == page.evaluate("document.getElementById('permanent_link').value")
+        assert not text_of(other, "#link_fault") and not other.console, (text_of(other, "#link_fault"), other.console)
+
+
+def check_refusals(page):
+    """Files that are no tables give a sentence with their name, and no older result stays."""
+    for name, content in (("empty.csv", ""), ("broken.csv", "theta_i,theta_o\nnot,numbers\n"), ("readme.txt", "no table\n")):
+        assert text_of(page, "#refusal") or page.evaluate("document.querySelectorAll('.pane').length") == 2
+        drop(page, (name, content))
+        page.wait(f"document.getElementById('refusal').textContent.includes({json.dumps(name)})")
+        assert page.evaluate("document.querySelectorAll('.pane').length") == 0, "an older result stays"
+        assert states(page)[-1] == "refused" and len(text_of(page, "#refusal")) > len(name) + 10, text_of(page, "#refusal")
+    page.evaluate("(left => { left.value = '1'; left.dispatchEvent(new Event('change')); })(document.getElementById('left'))")
+    page.wait(is_new("lambert.csv"))
+    assert not text_of(page, "#refusal")
+
+
+def check_catalogue(browser, address):
+    """Moves a slider; the link holds the value. Broken links give a sentence."""
+    with opened(browser, address + "#form=ward&kd=0.2&ks=0.1&alpha_x=0.3&alpha_y=0.1") as page:
+        page.wait("document.querySelectorAll('#plots svg').length === 2")
+        assert page.evaluate("document.getElementById('kd_0').value") == "0.2"
+        before = page.evaluate("document.querySelector('#plots .curve').getAttribute('d')")
+        page.evaluate("(n => { n.value = '0.4'; n.dispatchEvent(new Event('input')); })(document.getElementById('kd_0'))")
+        page.wait(f"document.querySelector('#plots .curve').getAttribute('d') !== {json.dumps(before)}")
+        assert page.evaluate("location.hash") == "#form=ward&kd=0.4&ks=0.1&alpha_x=0.3&alpha_y=0.1", page.evaluate("location.hash")
+        page.evaluate("document.getElementById('channels').click()")
+        page.wait("document.querySelectorAll('#plots figure:first-child .curve').length === 3")
+        assert "kd=0.4,0.4,0.4" in page.evaluate("decodeURIComponent(location.hash)")
+        for link, words in (("#form=wardd", 'no form "wardd"'), ("#form=ward&kd=x", "kd=x is not a number"), ("#form=ward&kd=-1", "kd is -1"),
+                            ("#form=ward&colour=1", 'no parameter "colour"'), ("#material=e30x!", "cut off")):
+            page.evaluate(f"location.hash = {json.dumps(link)}")
+            page.wait(f"document.getElementById('link_fault').textContent.includes({json.dumps(words)})")
+        page.evaluate("location.hash = '#form=ward&kd=0.1'")
+        page.wait("document.getElementById('link_fault').textContent === ''")
+        assert not page.console, page.console
+
+
+def check_keyboard(browser, address):
+    """Fits an example, shows its material and moves a slider with keys alone."""
+    with opened(browser, address) as page:
+        tab_to(page, "#files")
+        tab_to(page, "[data-example='phong_sparse.csv']")
+        page.key("Enter")
+        wait_for_states(page, "fitted")
+        tab_to(page, ".pane .command button")
+        tab_to(page, ".pane .downloads a")
+        tab_to(page, ".pane > .fields button")
+        page.key("Enter")
+        page.wait("document.querySelectorAll('#plots svg').length === 2")
+        link = page.evaluate("location.hash")
+        tab_to(page, "#sliders input[type='range']")
+        page.key("ArrowRight")
+        page.wait(f"location.hash !== {json.dumps(link)}")
+        assert not page.console, page.console
+
+
+def check_cancel(browser, address, large):
+    """Cancels a fit: the next table is fitted by a new worker, and the catalogue waits and then answers."""
+    with opened(browser, address) as page:
+        drop(page, ("large.csv", large), ("small.csv", pathlib.Path(sys.argv[3], "phong_sparse.csv").read_text()))
+        page.wait("!document.getElementById('cancel').hidden")
+        page.evaluate("document.getElementById('channels').click()")
+        page.wait("document.getElementById('material_state').textContent.includes('wait')")
+        page.evaluate("document.getElementById('cancel').click()")
+        wait_for_states(page, "cancelled", "fitted")
+        page.wait("document.querySelectorAll('#plots figure:first-child .curve').length === 3")
+        assert text_of(page, "#material_state") == "" and not page.console, page.console
+
+
+def check_answers(browser, address, large):
+    """Requires that no task blocks the page for longer than MOST_BLOCKED while a large table is read, fitted and shown."""
+    with opened(browser, address) as page:
+        page.evaluate(f"""window.large = new File([{json.dumps(large)}], "large.csv"); window.tasks = [];
+          new PerformanceObserver(list => tasks.push(...list.getEntries().map(e => e.duration))).observe({{type: "longtask"}});
+          setTimeout(() => {{ const end = performance.now() + 150; while (performance.now() < end); }}, 50); 0""")
+        page.wait("tasks.length > 0 && tasks[0] > 140")  # the observer sees a task that blocks
+        page.evaluate("""tasks.length = 0; (() => { const data = new DataTransfer(); data.items.add(large);
+          document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true})); })()""")
+        begin = time.monotonic()
+        wait_for_states(page, "fitted")
+        seconds = time.monotonic() - begin
+        time.sleep(3)  # the report is drawn
+        longest = page.evaluate("Math.max(0, ...tasks)")
+        assert longest <= MOST_BLOCKED, f"the page was blocked for {longest} ms"
+        print(f"{large.count(chr(10)) - 1} rows in {seconds:.1f} s; the page was blocked for at most {longest:.0f} ms")
+
+
+def check_silence(browser, address, server, tables):
+    """Requires that fits send no request, and that the browser refuses a request of the page and of a worker."""
+    with browser.open("about:blank") as page:
+        page.ask("Network.enable")
+        page.ask("Page.navigate", url=address)
+        page.wait("document.getElementById('version')?.textContent.startsWith('brdf ') ?? false")
+        known, asked = len(page.requests), len(server.asked) if server else 0
+        assert known >= (9 if server else 1), page.requests
+        drop(page, ("small.csv", (tables / "phong_sparse.csv").read_text()))
+        page.wait("!document.getElementById('cancel').hidden")
+        page.evaluate("document.getElementById('cancel').click()")
+        drop(page, ("again.csv", (tables / "phong_sparse.csv").read_text()))
+        wait_for_states(page, "cancelled", "fitted")
+        page.wait("document.querySelectorAll('#plots svg').length === 2")
+        sent = [url for url in page.requests[known:] if not url.startswith(("blob:", "data:", "about:"))]
+        assert not sent and not page.console, (sent, page.console)
+        to = (server.address if server else address) + "?sent"
+        attempt = f"fetch({json.dumps(to)}).then(() => 'sent', () => 'refused')"
+        assert page.evaluate(attempt) == "refused"
+        worker = f"{attempt}.then(answer => postMessage(answer))"
+        assert page.evaluate(f"""new Promise(done => {{ const worker = new Worker(URL.createObjectURL(new Blob([{json.dumps(worker)}])));
+          worker.onmessage = event => done(event.data); }})""") == "refused"
+        assert any("Content Security Policy" in text for text in page.console), page.console
+        assert server is None or len(server.asked) == asked, server.asked[asked:]
+
+
+def main():
+    chromium, built, tables, npm, folder = sys.argv[1], *map(pathlib.Path, sys.argv[2:6])
+    if not ((built / "brdf.html").exists() and (built / "site/index.html").exists()):
+        print(f"skipped: {built} has no page; `cmake --preset wasm && cmake --build --preset wasm` builds it")
+        sys.exit(77)
+    if not (npm / "axe-core").exists():
+        sys.exit(f"no {npm}/axe-core: tools/setup interop installs it")
+    folder.mkdir(parents=True, exist_ok=True)
+    large, server = large_table(), Server(built / "site")
+    with Browser(chromium, *SOFTWARE, server="127.0.0.1") as browser:
+        for kind, address in (("disk", (built / "brdf.html").resolve().as_uri()), ("server", server.address + "index.html")):
+            check_tables(browser, address, tables, folder)
+            check_catalogue(browser, address)
+            check_keyboard(browser, address)
+            check_cancel(browser, address, large)
+            check_silence(browser, address, server if kind == "server" else None, tables)
+            print(f"from the {kind}: tables, catalogue, keyboard, cancel and silence")
+        single = (built / "brdf.html").resolve().as_uri()
+        check_answers(browser, single, large)
+        check_look(browser, single, npm, folder)
+    server.close()
+
+
+if __name__ == "__main__":
+    main()
