@@ -22,9 +22,8 @@ function(brdf_component target name)
                         VERSION ${PROJECT_VERSION} SOVERSION ${BRDF_SOVERSION})
   target_compile_features(${target} PUBLIC cxx_std_20)
   if(BUILD_SHARED_LIBS)
-    # Symbols outside namespace brdf are local. Users need only the packages of the public headers.
     set(map ${PROJECT_BINARY_DIR}/brdf.map)
-    configure_file(${PROJECT_SOURCE_DIR}/cmake/brdf.map.in ${map} @ONLY)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/brdf.map.in ${map} @ONLY)  # others' symbols are local
     target_link_options(${target} PRIVATE -Wl,--version-script=${map} -Wl,--no-undefined)
     list(FILTER C_PACKAGES INCLUDE REGEX "^(Threads|nlohmann_json)$")
     list(FILTER C_PC INCLUDE REGEX "^nlohmann_json$")
@@ -40,7 +39,6 @@ set(brdf_needed_by_${name} core ${C_REQUIRES} ${name})\n")
             LIBRARY COMPONENT libraries NAMELINK_COMPONENT development)
     install(EXPORT brdf_${name} NAMESPACE brdf:: DESTINATION ${BRDF_CMAKE_DIR} FILE brdf-${name}.cmake
             COMPONENT development)
-    # The prefix is relative to the .pc file, which contains no absolute path.
     string(REGEX REPLACE "[^/]+" ".." PC_UP ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
     string(REPLACE "_" "-" PC_NAME ${PC_FILE})
     list(TRANSFORM C_REQUIRES PREPEND "brdf-")

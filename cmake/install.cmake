@@ -14,8 +14,7 @@ install(DIRECTORY ${from}/libbrdf/brdf ${made}/libbrdf/generated/brdf ${made}/pu
 if(NOT BRDF_PROGRAM)
   return()
 endif()
-# The program with its data. Chart.js, for machines without it, is a part of its own, because a package
-# depends on the Chart.js of its distribution. The program writes its man pages and completions.
+# The program with its data. Chart.js is a part of its own, since packages depend on their distribution's.
 install(TARGETS brdf brdf_check RUNTIME COMPONENT program)
 install(DIRECTORY ${from}/data/ ${from}/share/brdf/ DESTINATION ${share}/brdf COMPONENT program)
 file(GLOB schemas CONFIGURE_DEPENDS ${from}/docs/*.schema.json)

@@ -1,5 +1,4 @@
-# Debian packages by `cpack`: brdf, libbrdf-dev (static libraries: no interface is promised before 1.0) and,
-# if the module is built, python3-brdf. packaging/*.control has the common and the separate fields.
+# Debian packages by `cpack`: brdf, libbrdf-dev and python3-brdf. Their fields are in packaging/*.control.
 set(BRDF_MAINTAINER "brdf contributors <contributors@brdf.invalid>" CACHE STRING "Of the Debian packages")
 set(CPACK_COMPONENTS_ALL program development)
 if(TARGET brdf_python)

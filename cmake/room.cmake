@@ -1,8 +1,10 @@
 # The rooms of this build, in the order of cmake/rooms.txt.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS cmake/rooms.txt)
 file(STRINGS cmake/rooms.txt BRDF_ROOMS REGEX "^[0-9]")
-if(NOT BRDF_PROGRAM)
-  list(FILTER BRDF_ROOMS EXCLUDE REGEX "^[^:]* program:")
+if(EMSCRIPTEN)
+  list(FILTER BRDF_ROOMS INCLUDE REGEX "^[^:]* (installed|page|browser):")
+elseif(NOT BRDF_PROGRAM)
+  list(FILTER BRDF_ROOMS EXCLUDE REGEX "^[^:]* (program|page|browser):")
 endif()
 list(TRANSFORM BRDF_ROOMS REPLACE "^[0-9]+ ([a-z]+).*" "\\1")
 # brdf_with(TARGET ACCESS rooms...): links the rooms that this build has, and defines a macro for each.
@@ -24,6 +26,9 @@ endfunction()
 # brdf_flags(TARGET LEVEL): sets the optimisation level; targets at the low level share precompiled headers.
 function(brdf_flags target level)
   target_compile_options(${target} PRIVATE $<${release}:-O${level}>)
+  if(EMSCRIPTEN AND NOT target MATCHES "fit|measured|sheet|interop|hot")
+    target_compile_options(${target} PRIVATE -Os)  # but one level for all users of Eigen's templates
+  endif()
   if(level GREATER 1 OR BUILD_SHARED_LIBS)
     return()
   elseif(NOT TARGET brdf_headers)
@@ -33,10 +38,9 @@ function(brdf_flags target level)
   endif()
   target_precompile_headers(${target} REUSE_FROM brdf_headers)
 endfunction()
-# brdf_room(NAME [LEVEL of optimisation] [OF patterns] [WITHOUT patterns] [HOT patterns] [SOURCES generated]
-# [PUBLIC libraries] [PRIVATE libraries] [FOLDERS to include from] [DEFINE macros] [OPTIONS of the compiler]
-# [REQUIRES ... of brdf_component]): the sources of this folder, or OF it, as the library brdf_NAME. The HOT
-# sources make batches of their own, with the flags that vectorise loops over samples and change no value.
+# brdf_room(NAME [LEVEL of optimisation] [OF, WITHOUT, HOT patterns] [SOURCES generated] [FOLDERS to include
+# from] ...): the sources of this folder, or OF it, as the library brdf_NAME. The HOT sources make batches of
+# their own, with the flags that vectorise loops over samples and change no value.
 function(brdf_room name)
   set(lists OF WITHOUT HOT SOURCES PUBLIC PRIVATE FOLDERS DEFINE OPTIONS REQUIRES)
   cmake_parse_arguments(R "" "LEVEL" "${lists}" LEVEL 1 ${ARGN})

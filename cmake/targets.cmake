@@ -1,18 +1,15 @@
-# Linked into every target: warnings, and the include root. clang's -Wshadow counts fields that a static
-# function cannot access, -Wpass-failed reports loops that sanitizers do not vectorise, -Wmissing-braces
-# braces that plain aggregates may omit. GCC 12 reports "text" + std::string&& as overlapping, and impossible
-# copies in a precompiled <string> and, under AddressSanitizer, of a std::function in <regex>.
+# Linked into every target: warnings, and the include root. The warnings that are off report sound code: clang
+# unvectorised loops and omitted braces, GCC 12 impossible overlaps and copies in <string> and <regex>.
 add_library(brdf_options INTERFACE)
 target_include_directories(brdf_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(brdf_options INTERFACE BRDF_VERSION="${PROJECT_VERSION}"
                            $<$<NOT:${all_clones}>:BRDF_FEW_CLONES>)
 set(gnu $<CXX_COMPILER_ID:GNU>)
-set(release $<CONFIG:Release>)
+set(release $<AND:$<CONFIG:Release>,$<NOT:$<BOOL:${EMSCRIPTEN}>>>)  # a page has one level (browser/)
 set(sanitized $<BOOL:${BRDF_SANITIZED}>)
 target_compile_options(
   brdf_options INTERFACE -Wall -Wextra -Wno-missing-field-initializers -fno-semantic-interposition
-  $<${gnu}:-Wshadow;-Wno-restrict;-Wno-stringop-overflow>
-  $<$<AND:${gnu},${sanitized}>:-Wno-maybe-uninitialized>
+  $<${gnu}:-Wshadow;-Wno-restrict;-Wno-stringop-overflow;$<${sanitized}:-Wno-maybe-uninitialized>>
   $<$<CXX_COMPILER_ID:Clang>:-Wno-pass-failed;-Wno-missing-braces> $<$<BOOL:${BRDF_WERROR}>:-Werror>)
 # brdf_require(PART RESULT needs...): sets RESULT to OFF, with a message, if a need is missing.
 function(brdf_require part result)

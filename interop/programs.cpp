@@ -201,7 +201,7 @@ std::string in_words(const Exported& made) {
 }
 
 std::span<const Program> programs() {
-  constexpr CopyRules kGrey{.grey_lobe = true};
+  const CopyRules kGrey{.grey_lobe = true};
   static const std::vector<Program> all{
       {.name = "blender",
        .title = "Blender 4.3 and later, Cycles",

@@ -1,4 +1,5 @@
 #include "interop/reading.h"
+#include "io/files/numbers.h"
 
 namespace brdf::interop {
 namespace {

@@ -155,7 +155,7 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   fit::Samples samples = fit::arranged(std::move(found.table), options.fit);
   const std::vector<std::string> assumptions = samples.table.assumptions;
   step();
-  found.fit = fit::fit(samples, options.models, options.fit);
+  found.fit = fit::fit(samples, options.models, options.fit, options.progress);
   found.table = std::move(samples.table);
   found.sheet = std::move(samples.sheet);
   step();

@@ -25,6 +25,7 @@ struct SampleOptions {
   bool pictures = true;
   bool alone = true;                // the page is not part of an overview
   std::optional<double> tolerance;  // of the median error (fitted), a fraction
+  fit::Progress progress;           // called with each model before it is fitted
 };
 
 // The content of the page and of the JSON files.

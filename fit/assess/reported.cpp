@@ -126,7 +126,7 @@ Reported product_of(const std::vector<Reported>& all, std::size_t a, std::size_t
   out.estimate.value = all[a].estimate.value * other.estimate.value;
   for (auto& [slot, slope] : out.gradient) slope *= other.estimate.value;
   for (const auto& [slot, slope] : other.gradient) {
-    const auto has = [&](const auto& g) { return g.first == slot; };
+    const auto has = [&, at = slot](const auto& g) { return g.first == at; };
     const auto found = std::ranges::find_if(out.gradient, has);
     if (found == out.gradient.end())
       out.gradient.emplace_back(slot, slope * all[a].estimate.value);

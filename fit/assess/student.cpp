@@ -9,9 +9,13 @@
 
 namespace brdf::fit {
 
+// In double on every machine: long double has another width, and is slow in software, on some of them.
+using Students = boost::math::students_t_distribution<
+    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+
 double t_quantile(double freedom) {
   if (freedom < 1) return std::numeric_limits<double>::infinity();
-  return boost::math::quantile(boost::math::students_t(freedom), 0.975);
+  return boost::math::quantile(Students(freedom), 0.975);
 }
 
 namespace {
@@ -50,7 +54,7 @@ double t_quantile(const NoiseShares& shares) {
 }
 
 double t_tail(double freedom, double t) {
-  return boost::math::cdf(boost::math::complement(boost::math::students_t(freedom), t));
+  return boost::math::cdf(boost::math::complement(Students(freedom), t));
 }
 
 double widening(double freedom) {

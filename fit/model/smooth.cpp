@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "brdf/scalar.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/error.h"
 #include "io/files/text.h"

@@ -29,7 +29,8 @@ std::vector<Spectrum> spectra_of(const FormFit& fit) {
     const std::optional<double> nm = io::wavelength_of(e.channel);
     if (parameter.repeats || !nm || e.status == Status::unidentified) continue;
     const auto found = std::ranges::find(spectra, parameter.symbol, &Spectrum::symbol);
-    Spectrum& spectrum = found == spectra.end() ? spectra.emplace_back(parameter.symbol) : *found;
+    Spectrum& spectrum =
+        found == spectra.end() ? spectra.emplace_back(Spectrum{parameter.symbol, {}}) : *found;
     spectrum.bands.push_back({*nm, &e});
   }
   for (Spectrum& s : spectra) std::ranges::sort(s.bands, {}, &Band::nm);

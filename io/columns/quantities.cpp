@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "brdf/scalar.h"
 #include "io/columns/quantity_words.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/text.h"

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "brdf/scalar.h"
 #include "io/files/text.h"
 
 namespace brdf::io {

@@ -2,6 +2,7 @@
 // directions.
 #pragma once
 
+#include <compare>
 #include <optional>
 #include <vector>
 
@@ -15,7 +16,12 @@ struct Band {
   double nm = 0;  // 0 if the table has no wavelengths
   std::optional<Polarisation> polarisation;
 
-  auto operator<=>(const Band&) const = default;
+  friend bool operator==(const Band&, const Band&) = default;
+  friend std::partial_ordering operator<=>(const Band& a, const Band& b) {
+    const auto rank = [](const Band& band) { return band.polarisation ? int(*band.polarisation) : -1; };
+    const std::partial_ordering order = a.nm <=> b.nm;
+    return order != 0 ? order : rank(a) <=> rank(b);
+  }
 };
 
 // Returns the same samples with one channel for each band, sorted: `465nm`, `fr_s`, `s_465nm`. `narrow`:

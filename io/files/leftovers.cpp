@@ -49,7 +49,8 @@ void remove_entry(int at, const char* name, int depth = 0) {
     const int folder = ::openat(at, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (folder < 0) continue;
     alignas(dirent64) char entries[2048];
-    for (ssize_t size = 0; (size = ::getdents64(folder, entries, sizeof entries)) > 0;)
+    for (ssize_t size = 0;
+         (size = ::getdents64(folder, reinterpret_cast<dirent64*>(entries), sizeof entries)) > 0;)
       for (ssize_t k = 0; k < size;) {
         const auto* entry = reinterpret_cast<const dirent64*>(entries + k);
         k += entry->d_reclen;

@@ -15,6 +15,7 @@
 
 #include <map>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -59,7 +60,9 @@ class Graph {
     std::string_view op;
     std::vector<int> operands;
     double constant;
-    friend auto operator<=>(const Key&, const Key&) = default;
+    friend bool operator<(const Key& a, const Key& b) {
+      return std::tie(a.op, a.operands, a.constant) < std::tie(b.op, b.operands, b.constant);
+    }
   };
   Rules rules_;
   std::map<Key, int> known_;

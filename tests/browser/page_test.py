@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# ctest: browser.page label=browser timeout=1800 serial chromium @source@/build/wasm/browser @source@/data/synthetic @npm@ @here@/page
+# ctest: browser.page label=wasm timeout=1800 serial chromium @source@/build/wasm/browser @source@/data/synthetic @npm@ @here@/page
 """page_test.py CHROMIUM PAGE TABLES NPM FOLDER: uses the page of the room browser as a person does, from a disk (PAGE/brdf.html) and
 from a web server (PAGE/site). Tables are dropped, chosen, queued, cancelled and refused; results are shown next to each other,
 downloaded and linked; everything is done by keyboard; the browser refuses every connection; the page answers while a table of 100,000

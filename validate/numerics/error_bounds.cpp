@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "brdf/integrals.h"
+#include "brdf/random.h"
 #include "io/files/parallel.h"
 #include "validate/numerics/integral_cases.h"
 #include "validate/search/degrees.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brdf/random.h"
 #include "io/files/numbers.h"
 #include "validate/search/degrees.h"
 #include "validate/search/extremes.h"

@@ -50,8 +50,10 @@ Frame frame_at(const View& view, double x, double y) {
 }
 
 Pair pair_at(const View& view, double x, double y) {
-  const auto [n, t, b] = frame_at(view, x, y);
-  const auto local = [&](const Vec3<double>& w) { return Vec3<double>{dot(w, t), dot(w, b), dot(w, n)}; };
+  const Frame f = frame_at(view, x, y);
+  const auto local = [&](const Vec3<double>& w) {
+    return Vec3<double>{dot(w, f.tangent), dot(w, f.bitangent), dot(w, f.normal)};
+  };
   return {local(view.light), local(view.towards)};
 }
 

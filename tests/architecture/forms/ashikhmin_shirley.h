@@ -22,7 +22,7 @@ struct TwoExponents {
 // Schlick's.
 // Domain: exponents 0..1e5.
 // Symmetry: anisotropic, reciprocal.
-// Known violations: none known for kd = 0.
+// No violation is known for kd = 0.
 struct ashikhmin_shirley : Takes<SchlickWeights, TwoExponents> {
   static constexpr std::string_view name = "ashikhmin_shirley";
   static constexpr std::string_view family = "ashikhmin_shirley";

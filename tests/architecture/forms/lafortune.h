@@ -21,7 +21,7 @@ struct LafortuneShape {
 // kd/pi + ks (n + 2)/(2 pi) max(0, C_z i_z o_z - i_x o_x - i_y o_y)^n.
 // Domain: C_z 0.2..1, exponent 0..1e4.
 // Symmetry: isotropic, reciprocal.
-// Known violations: none for kd + ks <= 1. The domain excludes C_z above 1, for which the lobe would be
+// No violation is known for kd + ks <= 1. The domain excludes C_z above 1, for which the lobe would be
 // unbounded.
 struct lafortune : Takes<LobeWeights, LafortuneShape> {
   static constexpr std::string_view name = "lafortune";

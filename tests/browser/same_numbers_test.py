@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+# ctest: browser.same_numbers label=wasm timeout=3600 @brdf@ @source@/build/wasm/browser
+"""Fits tables with the page's module under node and with the program, and compares: equal verdicts, parameters within 1e-9,
+intervals within 1e-6, equal sentences for broken files. The tables are data/synthetic, examples that ship, and the measured ones of
+BRDF_DATA_DIR. Prints the largest differences, the ratio of processor times and the memory.
+
+same_numbers_test.py BRDF MODULE_FOLDER
+"""
+import json
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+PARAMETERS, INTERVALS = 1e-9, 1e-6
+BROKEN = {"empty.csv": b"", "picture.csv": b"\x89PNG\r\n\x1a\n" + bytes(40), "words.csv": b"hello, this is no table\n",
+          "half.csv": b"theta_i,phi_i,theta_o,phi_o,fr\n10,0,20\n", "exr.csv": b"\x76\x2f\x31\x01" + bytes(60)}
+
+
+def of_the_page(folder, form, tables):
+    told = subprocess.run(["node", HERE / "study.js", folder, form, *tables], capture_output=True, text=True, check=False)
+    assert told.returncode == 0, told.stderr
+    return [json.loads(line) for line in told.stdout.splitlines()]
+
+
+def of_the_program(brdf, form, table, work):
+    """Returns (row or None, message, seconds of processor time)."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    told = subprocess.run([brdf, "study", table, "--form", form, "-o", work / "out", "--json"], capture_output=True, text=True,
+                          cwd=work, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    shutil.rmtree(work / "out", ignore_errors=True)
+    row = json.loads(told.stdout)["samples"][0] if told.stdout else None
+    return row, told.stderr, seconds
+
+
+def difference(ours, theirs, scale):
+    if ours is None or theirs is None:
+        return 0.0 if ours is theirs else float("inf")
+    return abs(ours - theirs) / max(abs(scale), 1e-300) if ours != theirs else 0.0
+
+
+def compare(page, row):
+    """Returns the faults of a table, and the largest differences of parameters and of intervals."""
+    faults = [f"{key}: {page[key]!r} for {row[key]!r}" for key in ("form", "verdict", "statement", "usable", "sheet", "properties")
+              if page[key] != row[key]]
+    names = [(e["name"], e["channel"]) for e in row["estimates"]]
+    if names != [(e["name"], e["channel"]) for e in page["estimates"]]:
+        return faults + ["other parameters are determined"], 0.0, 0.0
+    parameters = intervals = 0.0
+    for ours, theirs in zip(page["estimates"], row["estimates"]):
+        scale = theirs["value"] or 1.0
+        parameters = max(parameters, difference(ours["value"], theirs["value"], scale))
+        intervals = max(intervals, *(difference(ours[end], theirs[end], scale) for end in ("low", "high")))
+    if parameters > PARAMETERS:
+        faults.append(f"a parameter differs by {parameters:.1e}")
+    if intervals > INTERVALS:
+        faults.append(f"an interval differs by {intervals:.1e}")
+    return faults, parameters, intervals
+
+
+def main():
+    brdf, folder = map(pathlib.Path, sys.argv[1:3])
+    if not (folder / "brdf.js").is_file():
+        print(f"{folder}/brdf.js is missing: cmake --preset wasm && cmake --build build/wasm")
+        return 77
+    tables = sorted((ROOT / "data/synthetic").glob("*.csv"))
+    if data := os.environ.get("BRDF_DATA_DIR"):
+        tables += sorted(pathlib.Path(data, "measured").glob("*.csv"))
+    else:
+        print("BRDF_DATA_DIR is unset: measured tables are left out")
+    faults, page_time, program_time, largest, worst, worst_interval = [], 0.0, 0.0, 0, 0.0, 0.0
+    with tempfile.TemporaryDirectory() as temporary:
+        work = pathlib.Path(temporary)
+        for told, table in zip(of_the_page(folder, "all", tables), tables):
+            row, message, seconds = of_the_program(brdf, "all", table, work)
+            found, parameters, intervals = compare(told["row"], row) if told.get("row") and row else \
+                ([f"the page: {told.get('error')}; the program: {message}"], 0.0, 0.0)
+            faults += [f"{table.name}: {fault}" for fault in found]
+            page_time, program_time = page_time + told["milliseconds"] / 1000, program_time + seconds
+            largest, worst, worst_interval = max(largest, told["heap"]), max(worst, parameters), max(worst_interval, intervals)
+        for name, content in BROKEN.items():
+            (work / name).write_bytes(content)
+        for told in of_the_page(folder, "all", [work / name for name in BROKEN]):
+            table = pathlib.Path(told["table"])
+            _, message, _ = of_the_program(brdf, "all", table, work)
+            if not told.get("error"):
+                faults.append(f"{table.name}: the page does not refuse it")
+            elif table.name != "exr.csv" and told["error"].removeprefix(f"{table.name}: ") not in message:
+                faults.append(f"{table.name}: the page says '{told['error']}', the program '{message.strip()}'")
+    print(f"{len(tables)} tables: parameters differ by at most {worst:.1e}, intervals by {worst_interval:.1e}; processor time of "
+          f"the page {page_time:.1f} s, of the program {program_time:.1f} s, ratio {page_time / program_time:.2f}; "
+          f"memory of the page at most {largest / 2**20:.0f} MiB")
+    print("\n".join(faults) or "every verdict and every sentence is equal")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
