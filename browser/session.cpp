@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "brdf/integrals.h"
 #include "fit/choice.h"
@@ -32,10 +33,25 @@ std::string text_at(const JsonPlace& request, const char* key) {
   return has(request, key) ? request.at(key).text() : "";
 }
 
+// A form with the ranges of sliders: usual values, not the whole domain.
+Json form_json(const ReflectanceInfo& form) {
+  Json parameters = Json::array();
+  for (const bool colour : {true, false})
+    for (const ParameterInfo& p : colour ? form.weights : form.shape)
+      parameters.push_back({{"symbol", p.name},
+                            {"name", p.doc},
+                            {"low", p.min},
+                            {"high", std::min(p.max, p.usual_max)},
+                            {"default", p.initial},
+                            {"colour", colour}});
+  return {
+      {"name", form.name}, {"title", form.family}, {"fittable", form.fittable()}, {"parameters", parameters}};
+}
+
 Json about() {
   Json forms = Json::array(), metrics = Json::array();
   for (const std::vector<Reflectance>& family : families())
-    for (const Reflectance& form : family) forms.push_back(io::to_json(info(form)));
+    for (const Reflectance& form : family) forms.push_back(form_json(info(form)));
   for (const std::string_view metric : kNames<fit::Metric>) metrics.push_back(metric);
   return {{"version", io::provenance().version},
           {"forms", forms},
@@ -87,17 +103,18 @@ Json albedos_of(const Material& material, Json& thetas) {
   return curves;
 }
 
-// f_r cos_o in the plane of incidence, of every channel, theta_o from -90 (towards the light) to 90 degrees.
+// The mean over the channels of f_r cos_o in the plane of incidence, theta_o from -89 (towards the light) to 89
+// degrees.
 Json lobe_of(const Material& material, double theta_i) {
   const Vec3<double> wi = direction(degrees(theta_i), degrees(180));
   Json theta = Json::array(), values = Json::array();
-  for (std::size_t c = 0; c < material.channels.size(); ++c) values.push_back(Json::array());
   std::vector<double> f(material.channels.size());
   for (int theta_o = -89; theta_o <= 89; ++theta_o) {
     const Vec3<double> wo = direction(degrees(std::abs(theta_o)), degrees(theta_o < 0 ? 180 : 0));
     eval(material, wi, wo, f);
     theta.push_back(theta_o);
-    for (std::size_t c = 0; c < f.size(); ++c) values[c].push_back(io::finite_or_null(f[c] * wo.z));
+    const double sum = std::accumulate(f.begin(), f.end(), 0.0);
+    values.push_back(io::finite_or_null(sum / double(f.size()) * wo.z));
   }
   return {{"theta_i", theta_i}, {"theta_o", theta}, {"f_cos", values}};
 }

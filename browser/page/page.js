@@ -5,15 +5,15 @@ const addDrops = (queue) => {
   addEventListener("dragover", (event) => {
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    byId("drop").classList.add("over");
+    document.body.classList.add("dragging");  // reports let the files through to this page
   });
   addEventListener("dragleave", (event) => {
-    if (!event.relatedTarget) byId("drop").classList.remove("over");
+    if (!event.relatedTarget) document.body.classList.remove("dragging");
   });
   addEventListener("drop", (event) => {
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    byId("drop").classList.remove("over");
+    document.body.classList.remove("dragging");
     queue.add(event.dataTransfer.files);
   });
 };
@@ -32,7 +32,7 @@ const addExamples = async (queue) => {
 };
 
 const addChoices = ({ version, forms, metrics }) => {
-  byId("version").textContent = `brdf ${version}, compiled to WebAssembly. The native program gives the same results with the commands that are shown.`;
+  byId("version").textContent = `brdf ${version}, compiled to WebAssembly. The commands on this page are for the installed program of the same version.`;
   if (byId("forms").childElementCount) return;
   for (const { name, title, fittable } of forms) {
     if (!fittable) continue;

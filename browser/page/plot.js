@@ -41,7 +41,7 @@ const kAnchors = ["end", "middle", "start"];  // of labels on the left, in the m
 
 // The lobe f cos in the plane of incidence, for some angles of incidence: light from the left, theta_o negative on the side of the light.
 const lobePlot = ({ lobes }) => {
-  const cx = kWidth / 2, cy = kHeight - 34, reach = Math.min(cx - 28, cy - 24);
+  const cx = kWidth / 2, cy = kHeight - 34, reach = Math.min(cx - 44, cy - 24);
   const most = Math.max(...lobes.flatMap((lobe) => lobe.f_cos).filter(Number.isFinite), Number.MIN_VALUE);
   const at = (degrees, radius) => [cx + reach * radius * Math.sin(degrees * Math.PI / 180), cy - reach * radius * Math.cos(degrees * Math.PI / 180)];
   const ring = (radius) => inSvg("path", { class: "grid", d: pathOf([...Array(61).keys()].map((k) => at(3 * k - 90, radius))) });

@@ -92,7 +92,7 @@ class Results {
       make("ul", { className: "facts" }, ...facts.map(([label, value]) => make("li", {}, label + " ", make("b", {}, value)))),
       ...(row.warnings.length ? [make("ul", { className: "remarks" }, ...row.warnings.map((text) => make("li", { className: "warn" }, text)))] : []),
       ...(row.next ? [make("p", { className: "next" }, "Next: ", row.next)] : []),
-      make("p", { className: "note" }, "The same result from the installed program:"),
+      make("p", { className: "note" }, "The same study with the installed program:"),
       make("div", { className: "command" }, make("pre", {}, command), copyButton("command", () => command)),
       downloads(inOrder(files)));
     pane.entry = entry;

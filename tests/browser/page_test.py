@@ -23,7 +23,7 @@ def is_new(name):
 
 def check_tables(browser, address, tables, folder):
     """Drops and chooses tables: the second waits in the queue, the results have a verdict, a command, files and a report."""
-    with opened(browser, address) as page:
+    with browser.open(address) as page:  # the program may not be loaded yet
         drop(page, *((name, (tables / name).read_text()) for name in ("phong_sparse.csv", "lambert.csv")))
         assert len(states(page)) == 2 and states(page)[1] == "waits", states(page)
         page.wait("!document.getElementById('cancel').hidden")
