@@ -36,7 +36,7 @@ def of_the_program(brdf, form, table, work):
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     shutil.rmtree(work / "out", ignore_errors=True)
-    row = json.loads(told.stdout)["samples"][0] if told.stdout else None
+    row = json.loads(told.stdout)["results"][0] if told.stdout else None
     return row, told.stderr, seconds
 
 
@@ -66,7 +66,7 @@ def compare(page, row):
 
 
 def main():
-    brdf, folder = map(pathlib.Path, sys.argv[1:3])
+    brdf, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     if not (folder / "brdf.js").is_file():
         print(f"{folder}/brdf.js is missing: cmake --preset wasm && cmake --build build/wasm")
         return 77

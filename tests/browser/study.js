@@ -6,7 +6,7 @@ const path = require("path");
 const [folder, form, ...tables] = process.argv.slice(2);
 
 async function main() {
-  const module = await require(path.resolve(folder, "brdf.js"))();
+  const module = await require(path.resolve(folder, "brdf.js"))({wasmBinary: fs.readFileSync(path.join(folder, "brdf.wasm"))});
   const text = string => {
     const size = module.lengthBytesUTF8(string) + 1, at = module._malloc(size);
     module.stringToUTF8(string, at, size);
