@@ -103,8 +103,8 @@ Json albedos_of(const Material& material, Json& thetas) {
   return curves;
 }
 
-// The mean over the channels of f_r cos_o in the plane of incidence, theta_o from -89 (towards the light) to 89
-// degrees.
+// The mean over the channels of f_r cos_o in the plane of incidence, for theta_o from -89 degrees, which is
+// towards the light, to 89.
 Json lobe_of(const Material& material, double theta_i) {
   const Vec3<double> wi = direction(degrees(theta_i), degrees(180));
   Json theta = Json::array(), values = Json::array();

@@ -44,7 +44,7 @@ const copyButton = (what, text) => {
 const downloads = (files) => make("ul", { className: "downloads", "aria-label": "Downloads" }, ...files.map(({ name, label, blob, url }) =>
   make("li", {}, make("a", { href: url, download: name }, label ?? name), " ", make("span", { className: "note" }, size(blob.size)))));
 
-const kTypes = { html: "text/html", json: "application/json", png: "image/png", glsl: "text/plain" };
+const kTypes = { html: "text/html", json: "application/json", gltf: "model/gltf+json", png: "image/png", glsl: "text/plain" };
 
 // Returns files of the program with addresses for downloads.
 const withAddresses = (files) => files.map(({ name, data }) => {

@@ -46,7 +46,8 @@ const addChoices = ({ version, forms, metrics }) => {
 const main = async () => {
   const engine = new Engine(), catalogue = new Catalogue(engine);
   const results = new Results((material) => catalogue.showFitted(material),
-    (material) => catalogue.addressOf(chosenOf(material, catalogue.forms)));
+    (material) => catalogue.addressOf(chosenOf(material, catalogue.forms)),
+    (material) => engine.ask({ request: { do: "export", material } }).answered);
   const queue = new Queue(engine, results);
   engine.changed = () => {
     queue.refresh();

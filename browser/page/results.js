@@ -20,9 +20,10 @@ const reportOf = ({ files }) => files.find(({ name }) => name === "index.html");
 class Results {
   finished = [];
 
-  // `inCatalogue(material)` shows a fitted material in the catalogue, `linkOf(material)` returns its permanent link.
-  constructor(inCatalogue, linkOf) {
-    Object.assign(this, { inCatalogue, linkOf });
+  // `inCatalogue(material)` shows a fitted material in the catalogue, `linkOf(material)` returns its permanent link, `asGltf(material)`
+  // asks the program for a glTF file.
+  constructor(inCatalogue, linkOf, asGltf) {
+    Object.assign(this, { inCatalogue, linkOf, asGltf });
     for (const select of [byId("left"), byId("right")]) select.addEventListener("change", () => this.show());
     addEventListener("message", ({ source, data }) => {
       const pane = [...document.querySelectorAll(".pane")].find((p) => p.querySelector("iframe")?.contentWindow === source);
@@ -107,12 +108,33 @@ class Results {
     frame.srcdoc = await report.blob.text() + "<script>(" + followLinks + ")()<\/script>";
   }
 
-  async addMaterial(pane, { files }) {
-    const file = files.find(({ name }) => name === "material.json");
+  async addMaterial(pane, entry) {
+    const file = entry.files.find(({ name }) => name === "material.json");
     if (!file) return;
     const material = JSON.parse(await file.blob.text());
     const button = make("button", { type: "button" }, "Show the material in the catalogue");
     button.addEventListener("click", () => this.inCatalogue(material));
-    pane.querySelector("iframe").before(make("p", { className: "fields" }, button, copyButton("permanent link of the material", () => this.linkOf(material))));
+    pane.querySelector("iframe").before(make("p", { className: "fields" }, button, this.gltfButton(entry, material),
+      copyButton("permanent link of the material", () => this.linkOf(material))));
+  }
+
+  // The file is written when it is asked for, because a refit may take seconds. The loss is shown next to the file.
+  gltfButton(entry, material) {
+    const button = make("button", { type: "button" }, "Write material.gltf");
+    button.addEventListener("click", async () => {
+      const note = make("p", { className: "note", role: "status" }, "material.gltf is being written.");
+      button.closest("p").after(note);
+      button.disabled = true;
+      const { answer, files, cancelled } = await this.asGltf(material);
+      if (cancelled || answer.error) {
+        note.textContent = answer?.error ?? "Cancelled.";
+        button.disabled = false;
+        return;
+      }
+      const made = withAddresses(files);
+      entry.files.push(...made);
+      note.replaceChildren(`glTF holds the material as: ${answer.statement}.`, downloads(made));
+    });
+    return button;
   }
 }

@@ -39,6 +39,7 @@ HOMONYMS = {
     ("io/formats/rgl_writer.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verbs/albedo.cpp", "albedo"): "the verb",
+    ("browser/session.cpp", "albedo"): "the integral",
     ("io/columns/value_names.cpp", "sigma"): "standard deviations",
     ("io/columns/layout.h", "sigma"): "standard deviations",
     ("io/columns/quantity_words.cpp", "rho"): "a letter",
