@@ -2,10 +2,11 @@
 # ctest: browser.same_numbers label=wasm timeout=3600 @brdf@ @source@/build/wasm/browser
 """Fits tables with the page's module under node and with the program, and compares: equal verdicts, parameters within 1e-9,
 intervals within 1e-6, equal sentences for broken files. The tables are data/synthetic, examples that ship, and the measured ones of
-BRDF_DATA_DIR. Prints the largest differences, the ratio of processor times and the memory.
+BRDF_DATA_DIR. Prints the size of the site, the largest differences, the ratio of processor times and the memory.
 
 same_numbers_test.py BRDF MODULE_FOLDER
 """
+import gzip
 import json
 import os
 import pathlib
@@ -18,6 +19,7 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 PARAMETERS, INTERVALS = 1e-9, 1e-6
+MOST_LOADED = 2_100_000  # bytes of the site, compressed by gzip; 1,400,000 is the goal
 BROKEN = {"empty.csv": b"", "picture.csv": b"\x89PNG\r\n\x1a\n" + bytes(40), "words.csv": b"hello, this is no table\n",
           "half.csv": b"theta_i,phi_i,theta_o,phi_o,fr\n10,0,20\n", "exr.csv": b"\x76\x2f\x31\x01" + bytes(60)}
 
@@ -65,6 +67,11 @@ def compare(page, row):
     return faults, parameters, intervals
 
 
+def loaded(site):
+    """Returns the bytes of the site without its examples, compressed by gzip."""
+    return sum(len(gzip.compress(file.read_bytes(), 9)) for file in site.iterdir() if file.suffix != ".csv")
+
+
 def main():
     brdf, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     if not (folder / "brdf.js").is_file():
@@ -94,6 +101,9 @@ def main():
                 faults.append(f"{table.name}: the page does not refuse it")
             elif table.name != "exr.csv" and told["error"].removeprefix(f"{table.name}: ") not in message:
                 faults.append(f"{table.name}: the page says '{told['error']}', the program '{message.strip()}'")
+    if (size := loaded(folder / "site")) > MOST_LOADED:
+        faults.append(f"the site has {size} bytes, compressed by gzip: more than {MOST_LOADED}")
+    print(f"the site has {size} bytes, compressed by gzip")
     print(f"{len(tables)} tables: parameters differ by at most {worst:.1e}, intervals by {worst_interval:.1e}; processor time of "
           f"the page {page_time:.1f} s, of the program {program_time:.1f} s, ratio {page_time / program_time:.2f}; "
           f"memory of the page at most {largest / 2**20:.0f} MiB")
