@@ -65,20 +65,20 @@ from_chars_result from_chars(const char* first, const char* last, T& value) {
   return {found.ptr, errc()};
 }
 
-// The shortest of the texts with 1 to 17 digits that is read back as the same value.
 template <class T>
   requires is_floating_point_v<T>
 to_chars_result to_chars(char* first, char* last, T value, chars_format format, int precision) {
-  char text[64];
+  char text[400];
   const char* const pattern = format == chars_format::scientific ? "%.*e"
                               : format == chars_format::fixed    ? "%.*f"
                                                                  : "%.*g";
   const int size = snprintf(text, sizeof text, pattern, precision, double(value));
-  if (size < 0 || size > last - first) return {last, errc::value_too_large};
+  if (size < 0 || size > last - first || size >= int(sizeof text)) return {last, errc::value_too_large};
   memcpy(first, text, size_t(size));
   return {first + size, errc()};
 }
 
+// The shortest of the texts with 1 to 17 digits that is read back as the same value.
 template <class T>
   requires is_floating_point_v<T>
 to_chars_result to_chars(char* first, char* last, T value) {

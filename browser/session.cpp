@@ -85,18 +85,22 @@ Chosen material_of(const JsonPlace& request) {
   return {io::choose_material(choice), words};
 }
 
-constexpr double kSteep = 89;  // degrees: the last place of the curve of the albedo
+// Angles of incidence of the curve of the albedo, degrees.
+std::vector<double> angles_of_curve() {
+  std::vector<double> thetas;
+  for (double theta = 0; theta < 90; theta += 5) thetas.push_back(theta);
+  thetas.push_back(89);
+  return thetas;
+}
 
-Json albedos_of(const Material& material, Json& thetas) {
+Json albedos_of(const Material& material, const std::vector<double>& thetas) {
   Json curves = Json::array();
   for (std::size_t c = 0; c < material.channels.size(); ++c) curves.push_back(Json::array());
   AlbedoOptions options;
   options.tolerance = 1e-5;
   options.max_evaluations = 200'000;
-  for (double theta = 0; theta <= 90; theta += 5) {
-    const double at = std::min(theta, kSteep);
-    thetas.push_back(at);
-    const std::vector<AlbedoResult> found = directional_albedo(material, degrees(at), degrees(0), options);
+  for (const double theta : thetas) {
+    const std::vector<AlbedoResult> found = directional_albedo(material, degrees(theta), degrees(0), options);
     for (std::size_t c = 0; c < found.size(); ++c)
       curves[c].push_back(found[c].converged ? io::finite_or_null(found[c].value) : Json(nullptr));
   }
@@ -150,14 +154,14 @@ Json Session::study(const JsonPlace& request) {
   io::record_command(command);
   int steps = 0;
   constexpr std::array kNext{"fitting", "judging the properties", "drawing", "writing the page"};
+  static_assert(kNext.size() == study::kSteps);
   const auto report = [&](const std::string& text) {
     if (progress_) progress_(text, double(steps) / study::kSteps);
   };
   report("reading");
   options.progress = report;
-  study::SampleStudy made = study::study_sample({name, input->second}, name, options, [&] {
-    report(kNext[std::size_t(std::min(steps++, study::kSteps - 1))]);
-  });
+  study::SampleStudy made = study::study_sample({name, input->second}, name, options,
+                                                [&] { report(kNext.at(std::size_t(steps++))); });
   files_ = std::move(made.files);
   return {{"row", made.row},
           {"command", command},
@@ -167,10 +171,12 @@ Json Session::study(const JsonPlace& request) {
 
 Json Session::material(const JsonPlace& request) {
   const Chosen chosen = material_of(request);
-  const std::string command = "brdf albedo" + chosen.words;
+  const std::vector<double> theta = angles_of_curve();
+  std::vector<std::string> angles;
+  for (const double t : theta) angles.push_back(io::to_text(t));
+  const std::string command = "brdf albedo" + chosen.words + " --theta " + io::joined(angles, ",");
   io::record_command(command);
-  Json theta = Json::array();
-  Json albedo = albedos_of(chosen.material, theta);
+  const Json albedo = albedos_of(chosen.material, theta);
   const Json lobes{lobe_of(chosen.material, 30), lobe_of(chosen.material, 65)};
   files_.push_back({study::kMaterial, io::to_text(io::to_json(chosen.material))});
   Json no_shader = nullptr;
@@ -208,6 +214,7 @@ Json Session::answer(const std::string& text) {
     if (wanted == "export") return exported(request);
     throw InputError("$.do: '" + wanted + "' is not one of about, study, material, export");
   } catch (const std::bad_alloc&) {
+    files_.clear();
     return {{"error", "the memory of the page is full: use the program for a table of this size"}};
   } catch (const std::exception& e) {
     files_.clear();

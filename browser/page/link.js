@@ -19,7 +19,7 @@ const valuesIn = (text, { symbol, low, high, colour }) => {
   const values = text.split(",").map((word) => word.trim() === "" ? NaN : Number(word));
   if (!values.every(Number.isFinite)) throw new LinkFault(`${symbol}=${text} is not a number.`);
   const beyond = values.find((v) => v < low || v > high);
-  if (beyond !== undefined) throw new LinkFault(`${symbol} is ${beyond}, and the form allows ${low} to ${high}.`);
+  if (beyond !== undefined) throw new LinkFault(`${symbol} is ${beyond}, and the sliders of this page reach from ${low} to ${high}.`);
   if (values.length !== 1 && !(colour && values.length === 3))
     throw new LinkFault(`${symbol} has ${values.length} values, and ${colour ? "1 or 3 are" : "1 is"} possible.`);
   return values;
