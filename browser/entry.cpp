@@ -13,9 +13,14 @@ EM_JS(void, show_progress, (const char* text, double share), {
   if (Module.onProgress) Module.onProgress(UTF8ToString(text), share);
 });
 
+EM_JS(void, show_first_result, (const char* text), {
+  if (Module.onFitted) Module.onFitted(UTF8ToString(text));
+});
+
 brdf::browser::Session& session() {
   static brdf::browser::Session made(
-      [](const std::string& text, double share) { show_progress(text.c_str(), share); });
+      {[](const std::string& text, double share) { show_progress(text.c_str(), share); },
+       [](const std::string& text) { show_first_result(text.c_str()); }});
   return made;
 }
 

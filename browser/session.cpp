@@ -156,10 +156,11 @@ Json Session::study(const JsonPlace& request) {
   constexpr std::array kNext{"fitting", "judging the properties", "drawing", "writing the page"};
   static_assert(kNext.size() == study::kSteps);
   const auto report = [&](const std::string& text) {
-    if (progress_) progress_(text, double(steps) / study::kSteps);
+    listener_.progress(text, double(steps) / study::kSteps);
   };
   report("reading");
   options.progress = report;
+  options.fitted = listener_.fitted;
   study::SampleStudy made = study::study_sample({name, input->second}, name, options,
                                                 [&] { report(kNext.at(std::size_t(steps++))); });
   files_ = std::move(made.files);

@@ -14,10 +14,13 @@ namespace brdf::browser {
 
 class Session {
  public:
-  // Called during a study with a description of the step and the finished share, 0 to 1.
-  using Progress = std::function<void(const std::string&, double)>;
+  // Called during a study.
+  struct Listener {
+    std::function<void(const std::string&, double)> progress;  // a step, and the finished share, 0 to 1
+    std::function<void(const std::string&)> fitted;  // the sentence on the best fit; the report comes later
+  };
 
-  explicit Session(Progress progress) : progress_(std::move(progress)) {}
+  explicit Session(Listener listener) : listener_(std::move(listener)) {}
 
   // Creates an input file of this name (without a folder) and size. The caller writes its bytes to the
   // returned address before the next request. An older file of this name is replaced.
@@ -42,7 +45,7 @@ class Session {
   io::Json material(const io::JsonPlace& request);
   io::Json exported(const io::JsonPlace& request);
 
-  Progress progress_;
+  Listener listener_;
   std::map<std::string, std::string> inputs_;
   std::vector<study::File> files_;
 };

@@ -17,6 +17,13 @@ struct Said {
   double normal() const { return std::min(lobe * f0, 1.0); }
 };
 
+// Returns true for the parameters of a program's metal, whose only colour is the reflectance of its lobe.
+bool is_metal(const ReflectanceInfo& form, const std::vector<double>& shape) {
+  for (std::size_t k = 0; k < form.shape.size(); ++k)
+    if (form.shape[k].map == Map::metallic) return shape[k] == 1;
+  return false;
+}
+
 Said said_of(const Wanted& wanted, std::size_t channel) {
   Said said;
   for (const Term& term : wanted.material.terms) {
@@ -36,6 +43,7 @@ Said said_of(const Wanted& wanted, std::size_t channel) {
     if (said.index > 0) said.f0 = (std::pow(said.index - 1, 2) + k2) / (std::pow(said.index + 1, 2) + k2);
     if (form.weight_index(Role::f0) >= 0) said.f0 = value(form.weight_index(Role::f0), term.weights[channel]);
     if (form.shape_index(Role::f0) >= 0) said.f0 = value(form.shape_index(Role::f0), shape);
+    if (is_metal(form, shape)) said = {.lobe = 1, .f0 = said.diffuse};
   }
   return said;
 }

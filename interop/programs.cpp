@@ -9,6 +9,7 @@
 #include "brdf/targets/blender.h"
 #include "brdf/targets/gltf.h"
 #include "brdf/targets/materialx.h"
+#include "brdf/targets/materialx_surfaces.h"
 #include "brdf/targets/mitsuba.h"
 #include "brdf/targets/osl.h"
 #include "brdf/targets/pbrt.h"
@@ -35,6 +36,12 @@ std::string write_pbrt(const Written& w);
 std::string write_gltf(const Written& w);
 // Returns a nodegraph of pbrlib with its surface and material.
 std::string write_materialx(const Written& w);
+// Return a document with one surface node of this name and its material.
+std::string write_open_pbr_surface(const Written& w);
+std::string write_standard_surface(const Written& w);
+std::string write_gltf_pbr(const Written& w);
+std::string write_usd_preview_surface(const Written& w);
+std::string write_disney_principled(const Written& w);
 // Returns an OSL surface shader that adds closures.
 std::string write_osl(const Written& w);
 
@@ -66,6 +73,20 @@ std::string as_command(const Term& term, Angle tangent) {
     text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
             io::to_text(std::remainder(tangent.degrees(), 360));
   return text;
+}
+
+// A surface node of MaterialX: one colour and one lobe.
+Program surface_node(std::string_view name, Reflectance target, std::string (*write)(const Written&)) {
+  return {.name = name,
+          .title = "MaterialX 1.39.6, its node of this name in generated shaders",
+          .most = 1,
+          .most_lobe = 1,
+          .adds = false,
+          .run_here = false,
+          .conventions = {"colours are linear (lin_rec709); the roughness of the lobe is that of the node",
+                          "coat, sheen, transmission, emission and thin film are off"},
+          .targets = {{target, {.coloured = {Role::diffuse}}}},
+          .write = write};
 }
 
 Limits limits_of(const Program& program) {
@@ -283,6 +304,11 @@ std::span<const Program> programs() {
             "the tangent is Tworld, rotated about Nworld"},
        .targets = {{materialx_schlick{}, {.grey_lobe = true, .coloured = {Role::f0}}}},
        .write = write_materialx},
+      surface_node("open_pbr_surface", open_pbr_surface{}, write_open_pbr_surface),
+      surface_node("standard_surface", standard_surface{}, write_standard_surface),
+      surface_node("gltf_pbr", materialx_gltf_pbr{}, write_gltf_pbr),
+      surface_node("UsdPreviewSurface", usd_preview_surface{}, write_usd_preview_surface),
+      surface_node("disney_principled", disney_principled{}, write_disney_principled),
       {.name = "osl",
        .title = "OSL, as its testrender shades",
        .most = kAnyWeight,

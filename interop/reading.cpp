@@ -60,6 +60,15 @@ void Reading::check_widths(double least, double most_ratio, const std::string& c
                      number(most_ratio) + ", the limit of " + control);
 }
 
+void Reading::check_wider_along(const std::string& program) const {
+  if (alpha_x() < alpha_y())
+    throw InputError("the wider axis is across the tangent, but " + program + " widens along the tangent");
+}
+
+double Reading::anisotropy_strength() const {
+  return std::sqrt((alpha_x() - alpha_y()) / std::max(1 - alpha_y(), 1e-12));
+}
+
 Shares shares_of(const Written& w, const std::string& mix) {
   Shares out;
   double lobes = 0;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,11 +26,15 @@ class Reading {
   // Returns the colour of this role from the weights if the role is a weight, otherwise from the shape.
   Colour colour(Role role) const { return has_weight(role) ? weight(role) : shape_colours(role); }
   double shape(Role role) const { return shape_colours(role)[0]; }
+  double shape(std::string_view name) const {
+    return part_.term.shape[0][std::size_t(form_.shape_index(name))];
+  }
   bool has_shape(Role role) const { return form_.shape_index(role) >= 0; }
   bool has_weight(Role role) const { return form_.weight_index(role) >= 0; }
   double metallic() const;
   double alpha_x() const { return shape(Role::width); }
-  double alpha_y() const { return shape(Role::width_across); }
+  // Returns the other width, or the only one.
+  double alpha_y() const { return has_shape(Role::width_across) ? shape(Role::width_across) : alpha_x(); }
   bool anisotropic() const { return alpha_x() != alpha_y(); }
   // Returns the square root of the widths' geometric mean.
   double roughness() const;
@@ -46,6 +51,11 @@ class Reading {
   std::pair<double, double> along_and_across() const {
     return crosswise() ? std::pair{alpha_y(), alpha_x()} : std::pair{alpha_x(), alpha_y()};
   }
+
+  // Throws if the wider axis is across the tangent, for programs that widen along it.
+  void check_wider_along(const std::string& program) const;
+  // Returns glTF's anisotropyStrength: alpha_x = alpha_y + (1 - alpha_y) strength^2.
+  double anisotropy_strength() const;
 
   // Throws if the program would treat the widths as a mirror, or if its control does not reach their ratio.
   void check_widths(double least, double most_ratio, const std::string& control) const;

@@ -44,8 +44,11 @@ Material in_order(const Material& given, const Asked& asked) {
 }
 
 void check_properties(const Term& term, const Asked& asked) {
-  const std::vector<Reflectance>& own = asked.limits.targets;
-  if (std::ranges::find(own, term.form) != own.end()) return;
+  for (const Reflectance& target : asked.limits.targets) {
+    // The models of one program have the same properties.
+    const bool of_program = catalogue_index(term.form) < 0 && info(target).family == info(term.form).family;
+    if (target == term.form || of_program) return;
+  }
   for (const char* property : {"reciprocity", "continuity"})
     for (const Violation& v : info(term.form).violations)
       if (v.check == property)
@@ -88,7 +91,7 @@ std::optional<Material> in_colours(const Material& given) {
 
 bool has_lobe(const Term& term) {
   const int specular = info(term.form).weight_index(Role::specular);
-  if (specular < 0) return info(term.form).anisotropic();  // targets with a single colour
+  if (specular < 0) return info(term.form).shape_index(Role::width) >= 0;  // targets with a single colour
   return std::ranges::any_of(term.weights,
                              [&](const std::vector<double>& w) { return w[std::size_t(specular)] != 0; });
 }

@@ -11,18 +11,15 @@ namespace brdf::interop {
 std::string write_gltf(const Written& w) {
   const Reading r(w.parts.front());
   r.check_widths(0, 1e4, "nothing");
-  if (r.alpha_x() < r.alpha_y())
-    throw InputError("the wider axis is across the tangent, but glTF widens along the tangent");
+  r.check_wider_along("glTF");
   const Colour base = r.colour(Role::diffuse);
-  // alpha_x = alpha_y + (1 - alpha_y) strength^2
-  const double strength = std::sqrt((r.alpha_x() - r.alpha_y()) / std::max(1 - r.alpha_y(), 1e-12));
   io::Json extensions;
   extensions["KHR_materials_ior"] = {{"ior", r.shape(Role::index)}};
   extensions["KHR_materials_specular"] = {{"specularFactor", r.shape(Role::specular)}};
   if (const Colour tint = r.shape_colours(Role::tint); r.has_shape(Role::tint) && tint != Colour{1, 1, 1})
     extensions["KHR_materials_specular"]["specularColorFactor"] = {tint[0], tint[1], tint[2]};
   if (r.anisotropic())
-    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", strength},
+    extensions["KHR_materials_anisotropy"] = {{"anisotropyStrength", r.anisotropy_strength()},
                                               {"anisotropyRotation", r.turn() * std::numbers::pi / 180}};
   io::Json material;
   material["name"] = w.name;

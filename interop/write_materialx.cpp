@@ -1,4 +1,9 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "interop/reading.h"
+#include "io/files/error.h"
 
 namespace brdf::interop {
 namespace {
@@ -70,7 +75,127 @@ void lobe_node(const Reading& r, Graph& graph, const std::string& number_of) {
   graph.end();
 }
 
+// Returns the document around nodes of which the last one is the surface.
+std::string document(const Written& w, Graph& graph) {
+  graph.begin("surfacematerial", "material", "");
+  graph.link("surfaceshader", "surfaceshader", "surface");
+  graph.end();
+  return "<?xml version=\"1.0\"?>\n" + xml_header(w.header) +
+         "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n" + graph.text() + "</materialx>\n";
+}
+
+// A surface node: its name in MaterialX, and its inputs.
+struct SurfaceNode {
+  const char* node;
+  std::vector<std::pair<const char*, double>> numbers;
+  std::vector<std::pair<const char*, Colour>> colours;
+  const char* tangent;  // its input for the tangent, or null: the tangent is that of the mesh
+};
+
+// Returns 1 - alpha_y/alpha_x, from which these nodes compute the ratio of the widths.
+double narrowing(const Reading& r) {
+  return 1 - r.alpha_y() / r.alpha_x();
+}
+
+SurfaceNode open_pbr_node(const Reading& r) {
+  // alpha_x = roughness^2 sqrt(2/(1 + (alpha_y/alpha_x)^2))
+  const double roughness = std::pow((r.alpha_x() * r.alpha_x() + r.alpha_y() * r.alpha_y()) / 2, 0.25);
+  return {"open_pbr_surface",
+          {{"base_weight", 1},
+           {"base_diffuse_roughness", r.shape("diffuse_roughness")},
+           {"base_metalness", r.metallic()},
+           {"specular_weight", r.shape(Role::specular)},
+           {"specular_roughness", roughness},
+           {"specular_ior", r.shape(Role::index)},
+           {"specular_roughness_anisotropy", narrowing(r)}},
+          {{"base_color", r.colour(Role::diffuse)}, {"specular_color", {1, 1, 1}}},
+          "geometry_tangent"};
+}
+
+SurfaceNode standard_surface_node(const Reading& r) {
+  r.check_widths(1e-4, 50, "specular_anisotropy");
+  return {"standard_surface",
+          {{"base", 1},
+           {"diffuse_roughness", r.shape(Role::slope)},
+           {"metalness", r.metallic()},
+           {"specular", r.shape(Role::specular)},
+           {"specular_roughness", r.roughness()},
+           {"specular_IOR", r.shape(Role::index)},
+           {"specular_anisotropy", narrowing(r)}},
+          {{"base_color", r.colour(Role::diffuse)}, {"specular_color", {1, 1, 1}}},
+          "tangent"};
+}
+
+SurfaceNode gltf_pbr_node(const Reading& r) {
+  return {"gltf_pbr",
+          {{"metallic", r.metallic()},
+           {"roughness", std::sqrt(r.alpha_y())},
+           {"ior", r.shape(Role::index)},
+           {"specular", r.shape(Role::specular)},
+           {"anisotropy_strength", r.anisotropy_strength()},
+           {"anisotropy_rotation", r.turn() * std::numbers::pi / 180}},
+          {{"base_color", r.colour(Role::diffuse)}, {"specular_color", {1, 1, 1}}},
+          nullptr};
+}
+
+SurfaceNode usd_preview_node(const Reading& r) {
+  const Colour colour = r.colour(Role::diffuse);
+  if (const double metallic = r.metallic(); metallic > 0 && metallic < 1 && !is_grey(colour))
+    throw InputError(
+        "metallic " + number(metallic) +
+        " of a coloured material: UsdPreviewSurface darkens the base by the mean of the colours, "
+        "which the target does not know; metallic must be 0 or 1");
+  return {"UsdPreviewSurface",
+          {{"metallic", r.metallic()}, {"roughness", std::sqrt(r.alpha_x())}, {"ior", r.shape(Role::index)}},
+          {{"diffuseColor", colour}},
+          nullptr};
+}
+
+SurfaceNode disney_node(const Reading& r) {
+  r.check_widths(1e-4, 50, "anisotropic");
+  if (!r.along_tangent()) r.refuse_turn();
+  return {"disney_principled",
+          {{"metallic", r.metallic()},
+           {"roughness", r.roughness()},
+           {"anisotropic", narrowing(r)},
+           {"specular", r.shape(Role::f0) / 0.08}},
+          {{"baseColor", r.colour(Role::diffuse)}},
+          nullptr};
+}
+
+std::string write_node(const Written& w, SurfaceNode (*node_of)(const Reading&)) {
+  const Reading r(w.parts.front());
+  r.check_widths(1e-4, 1e4, "nothing");
+  r.check_wider_along("the node");
+  const SurfaceNode node = node_of(r);
+  Graph graph(w);
+  const bool turned = node.tangent && r.turn() != 0;
+  if (turned) tangent_nodes(r, graph, "");
+  graph.begin(node.node, "surfaceshader", "surface");
+  for (const auto& [input, value] : node.numbers) graph.value(input, "float", number(value));
+  for (const auto& [input, value] : node.colours) graph.value(input, "color3", numbers(value));
+  if (turned) graph.link(node.tangent, "vector3", "turned");
+  graph.end();
+  return document(w, graph);
+}
+
 }  // namespace
+
+std::string write_open_pbr_surface(const Written& w) {
+  return write_node(w, open_pbr_node);
+}
+std::string write_standard_surface(const Written& w) {
+  return write_node(w, standard_surface_node);
+}
+std::string write_gltf_pbr(const Written& w) {
+  return write_node(w, gltf_pbr_node);
+}
+std::string write_usd_preview_surface(const Written& w) {
+  return write_node(w, usd_preview_node);
+}
+std::string write_disney_principled(const Written& w) {
+  return write_node(w, disney_node);
+}
 
 std::string write_materialx(const Written& w) {
   Graph graph(w);
@@ -102,11 +227,7 @@ std::string write_materialx(const Written& w) {
   graph.begin("surface", "surfaceshader", "surface");
   graph.link("bsdf", "BSDF", last);
   graph.end();
-  graph.begin("surfacematerial", "material", "");
-  graph.link("surfaceshader", "surfaceshader", "surface");
-  graph.end();
-  return "<?xml version=\"1.0\"?>\n" + xml_header(w.header) +
-         "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n" + graph.text() + "</materialx>\n";
+  return document(w, graph);
 }
 
 }  // namespace brdf::interop

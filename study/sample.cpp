@@ -163,9 +163,11 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   out.interrupted = found.fit.interrupted;
   out.assumptions = assumptions;
   if (out.interrupted) return out;
+  const fit::FormFit& best = found.fit.ranking.front();
+  if (options.fitted && best.solved()) options.fitted(fit::verdict_sentence(best));
   out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
-  if (found.fit.ranking.front().solved()) add_material(found, options, step, out.files);
+  if (best.solved()) add_material(found, options, step, out.files);
   for (const File& file : out.files) found.files.push_back(file.name);
   out.row = row_of(found, name, options);
   out.files.push_back({kPage, sample_page(found, options)});

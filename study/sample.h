@@ -26,6 +26,8 @@ struct SampleOptions {
   bool alone = true;                // the page is not part of an overview
   std::optional<double> tolerance;  // of the median error (fitted), a fraction
   fit::Progress progress;           // called with each model before it is fitted
+  // Called with the sentence on the best fit, before its properties are judged and its pictures are drawn.
+  std::function<void(const std::string&)> fitted = {};
 };
 
 // The content of the page and of the JSON files.

@@ -15,7 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf", "three", "materialx", "osl"]
+PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf", "three", "materialx", "open_pbr_surface", "standard_surface", "gltf_pbr",
+            "UsdPreviewSurface", "disney_principled", "osl"]
 TABLES = ("mitsuba", "pbrt")  # programs that import RGL files
 WRITTEN = "written by tools/interop_table.py"
 FORMS = {

@@ -36,8 +36,9 @@ class Engine {
     this.worker.postMessage({ start: this.wasm });
   }
 
-  heard({ ready, progress, answer, files, stopped }) {
+  heard({ ready, progress, fitted, answer, files, stopped }) {
     if (progress) return this.current?.progress?.(progress);
+    if (fitted) return this.current?.fitted?.(fitted);
     if (ready) {
       this.ready = true;
       this.loaded(ready);
@@ -75,7 +76,7 @@ class Engine {
     this.changed();
   }
 
-  // Returns a question {request, file, begun, progress} with `answered`, a promise of {answer, files} or {cancelled: true}.
+  // Returns a question {request, file, begun, progress, fitted} with `answered`, a promise of {answer, files} or {cancelled: true}.
   ask(question) {
     question.answered = new Promise((resolve) => { question.resolve = resolve; });
     this.line.push(question);

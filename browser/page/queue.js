@@ -44,6 +44,7 @@ class Queue {
         this.say(file.name + ": the table is being read.", null);
       },
       progress: ({ text, share }) => this.say(`${file.name}: ${text}`, share),
+      fitted: (sentence) => entry.item.append(make("p", { className: "first" }, `${sentence}. The report is being made.`)),
     });
     this.refresh();
     const outcome = await entry.question.answered;
@@ -52,6 +53,7 @@ class Queue {
   }
 
   finish(entry, { answer, files, cancelled }) {
+    entry.item.querySelector(".first")?.remove();
     if (cancelled) this.mark(entry, "cancelled", "Remove");
     else if (answer.error) {
       this.mark(entry, "refused", "Remove");

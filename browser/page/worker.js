@@ -1,5 +1,5 @@
 // The program in a thread of its own. Follows brdf.js (createBrdf) in one text.
-// Receives {start: wasm}, with the module as bytes or in base64, and {request, file}; answers {ready}, {progress}, {answer, files}, {stopped}.
+// Receives {start: wasm}, with the module as bytes or in base64, and {request, file}; answers {ready}, {progress}, {fitted}, {answer, files}, {stopped}.
 let program;
 
 const bytesOf = (wasm) => typeof wasm === "string" ? Uint8Array.from(atob(wasm), (c) => c.charCodeAt(0)) : new Uint8Array(wasm);
@@ -47,7 +47,11 @@ const answerTo = async ({ request, file }) => {
 onmessage = async ({ data }) => {
   try {
     if (data.request) return await answerTo(data);
-    program = await createBrdf({ wasmBinary: bytesOf(data.start), onProgress: (text, share) => postMessage({ progress: { text, share } }) });
+    program = await createBrdf({
+      wasmBinary: bytesOf(data.start),
+      onProgress: (text, share) => postMessage({ progress: { text, share } }),
+      onFitted: (fitted) => postMessage({ fitted }),
+    });
     postMessage({ ready: call({ do: "about" }) });
   } catch (fault) {
     postMessage({ stopped: fault.message ?? String(fault) });

@@ -7,7 +7,12 @@ const path = require("path");
 const [folder, form, ...tables] = process.argv.slice(2);
 
 async function main() {
-  const module = await require(path.resolve(folder, "brdf.js"))({wasmBinary: fs.readFileSync(path.join(folder, "brdf.wasm"))});
+  let begin, first;  // processor time at the start of a study, and at its first result
+  const milliseconds = ({user, system}) => Math.round((user + system) / 1000);
+  const module = await require(path.resolve(folder, "brdf.js"))({
+    wasmBinary: fs.readFileSync(path.join(folder, "brdf.wasm")),
+    onFitted: statement => { first = {statement, milliseconds: milliseconds(process.cpuUsage(begin))}; },
+  });
   const text = string => {
     const size = module.lengthBytesUTF8(string) + 1, at = module._malloc(size);
     module.stringToUTF8(string, at, size);
@@ -19,12 +24,11 @@ async function main() {
     const bytes = fs.readFileSync(file), name = path.basename(file);
     module._brdf_clear();
     module.HEAPU8.set(bytes, module._brdf_put(text(name), bytes.length));
-    const begin = process.cpuUsage();
+    first = undefined;
+    begin = process.cpuUsage();
     const answer = answerTo(JSON.stringify({do: "study", table: name, form}));
-    const used = process.cpuUsage(begin);
-    const milliseconds = Math.round((used.user + used.system) / 1000);
-    console.log(JSON.stringify({table: file, error: answer.error, row: answer.row, milliseconds,
-                                heap: module.HEAPU8.length}));
+    console.log(JSON.stringify({table: file, error: answer.error, row: answer.row, first, heap: module.HEAPU8.length,
+                                milliseconds: milliseconds(process.cpuUsage(begin))}));
   }
 }
 

@@ -129,7 +129,7 @@ double materialx_diffuse(const Hit& c) {
   return 1 - 0.5 * (sigma2 / (sigma2 + 0.33)) + 0.45 * sigma2 / (sigma2 + 0.09) * stinv;
 }
 // mx_microfacet_specular.glsl: mx_ggx_dir_albedo_analytic with F0 = F90 = 1, row by row of its sum.
-double materialx_white(double x, double y) {
+std::pair<double, double> materialx_ab(double x, double y) {
   const double rows[9][4] = {
       {0.1003, 0.9345, 1, 1},          {-0.6303, -2.323, -1.765, 0.2281}, {9.748, 2.229, 8.263, 15.94},
       {-2.038, -3.748, 11.53, -55.83}, {29.34, 1.424, 28.96, 13.08},      {-8.245, -0.7684, -7.507, 41.26},
@@ -138,17 +138,96 @@ double materialx_white(double x, double y) {
   double r[4] = {};
   for (int k = 0; k < 9; ++k)
     for (int j = 0; j < 4; ++j) r[j] += rows[k][j] * terms[k];
-  return std::clamp(r[0] / r[2], 0.0, 1.0) + std::clamp(r[1] / r[3], 0.0, 1.0);
+  return {std::clamp(r[0] / r[2], 0.0, 1.0), std::clamp(r[1] / r[3], 0.0, 1.0)};
 }
-// mx_generalized_schlick_bsdf.glsl; its response includes cos_l.
-double materialx(const Hit& c) {
-  const double alpha = std::sqrt(c["alpha_x"] * c["alpha_y"]), a2 = alpha * alpha, f0 = c["f0"];
+// mx_ggx_energy_compensation of a lobe whose Fresnel term rises from f0 to f90.
+double materialx_comp(const Hit& c, double f0, double f90) {
+  const auto [a, b] = materialx_ab(c.v.z, std::sqrt(c["alpha_x"] * c["alpha_y"]));
+  const double e = a + b, fss = f0 + (f90 - f0) * (1.0 / 21);
+  return 1 + fss * (1 - e) / e;
+}
+// mx_ggx_dir_albedo times the compensation: what a layer leaves out of its base.
+double materialx_albedo(const Hit& c, double f0, double f90) {
+  const auto [a, b] = materialx_ab(c.v.z, std::sqrt(c["alpha_x"] * c["alpha_y"]));
+  return (f0 * a + f90 * b) * materialx_comp(c, f0, f90);
+}
+// D G/(4 cos_l cos_v) of all lobes; the responses of the nodes include cos_l.
+double materialx_dg(const Hit& c) {
+  const double alpha = std::sqrt(c["alpha_x"] * c["alpha_y"]), a2 = alpha * alpha;
   const auto length = [&](double n_w) { return std::sqrt(a2 + (1 - a2) * n_w * n_w); };
   const double g2 = 2 * c.l.z * c.v.z / (length(c.l.z) * c.v.z + length(c.v.z) * c.l.z);
-  const double f = f0 + (1 - f0) * pow5(1 - c.l_h()), fss = f0 + (1 - f0) * (1.0 / 21),
-               e = materialx_white(c.v.z, alpha);
-  const double lobe = d_of_slopes(c) * f * g2 * (1 + fss * (1 - e) / e) / (4 * c.v.z) / c.l.z;
-  return c["kd"] * materialx_diffuse(c) / pi() + c["ks"] * lobe;
+  return d_of_slopes(c) * g2 / (4 * c.v.z) / c.l.z;
+}
+// mx_generalized_schlick_bsdf.glsl
+double materialx_schlick_node(const Hit& c, double f0, double f90) {
+  return materialx_dg(c) * (f0 + (f90 - f0) * pow5(1 - c.l_h())) * materialx_comp(c, f0, f90);
+}
+// mx_dielectric_bsdf.glsl, over the base that it leaves.
+double materialx_dielectric_over(const Hit& c, double weight, double ior, double base) {
+  const double f0 = std::pow((ior - 1) / (ior + 1), 2);
+  return weight * materialx_dg(c) * mitsuba_fresnel(c.l_h(), ior) * materialx_comp(c, f0, 1) +
+         (1 - weight * materialx_albedo(c, f0, 1)) * base;
+}
+// mx_artistic_ior.glsl and mx_conductor_bsdf.glsl; the Fresnel term by complex numbers.
+double materialx_conductor(const Hit& c, double reflectivity, double edge) {
+  const double r = std::clamp(reflectivity, 0.0, 0.99), root = std::sqrt(r);
+  const double n_min = (1 - r) / (1 + r), n_max = (1 + root) / (1 - root), n = n_max + edge * (n_min - n_max);
+  const double k = std::sqrt(std::max(((n + 1) * (n + 1) * r - (n - 1) * (n - 1)) / (1 - r), 0.0));
+  return materialx_dg(c) * pbrt_fresnel(c.l_h(), {n, k}) * materialx_comp(c, r, 1);
+}
+double materialx(const Hit& c) {
+  return c["kd"] * materialx_diffuse(c) / pi() + c["ks"] * materialx_schlick_node(c, c["f0"], 1);
+}
+// The graphs of libraries/bxdf.
+double mix(double bg, double fg, double mix) {
+  return fg * mix + bg * (1 - mix);
+}
+double gltf_pbr(const Hit& c) {
+  const double f0 = std::pow((1 - c["eta"]) / (1 + c["eta"]), 2) * c["specular"], f90 = c["specular"];
+  const double dielectric =
+      materialx_schlick_node(c, f0, f90) + (1 - materialx_albedo(c, f0, f90)) * c["base_color"] / pi();
+  return mix(dielectric, materialx_schlick_node(c, c["base_color"], 1), c["metallic"]);
+}
+// mx_oren_nayar_compensated_diffuse: EON with the albedo of Fujii's form by its closed integral.
+double eon(const Hit& c, double rho, double r) {
+  const double c1 = 0.5 - 2 / (3 * pi()), c2 = 2.0 / 3 - 28 / (15 * pi());
+  const auto albedo = [&](double mu) {
+    const double s = std::sqrt(1 - mu * mu),
+                 g = s * (std::acos(mu) - s * mu) + 2 * (s / mu * (1 - s * s * s) - s) / 3;
+    return (1 + r * g / pi()) / (1 + c1 * r);
+  };
+  const double s = dot(c.l, c.v) - c.l.z * c.v.z, average = (1 + c2 * r) / (1 + c1 * r);
+  const double single = rho / (1 + c1 * r) * (1 + r * (s > 0 ? s / std::max(c.l.z, c.v.z) : s));
+  const double multiple = rho * rho * average / (1 - rho * (1 - average)) * (1 - albedo(c.l.z)) *
+                          (1 - albedo(c.v.z)) / (1 - average);
+  return (single + multiple) / pi();
+}
+double openpbr(const Hit& c) {
+  const double f0 = std::min(c["specular"] * std::pow((c["eta"] - 1) / (c["eta"] + 1), 2), 0.99999);
+  const double e = std::sqrt(f0), ior = (1 + e) / (1 - e);
+  return mix(materialx_dielectric_over(c, 1, ior, eon(c, c["base_color"], c["diffuse_roughness"])),
+             c["specular"] * materialx_schlick_node(c, c["base_color"], 1), c["metallic"]);
+}
+double standard(const Hit& c) {
+  const double base = c["base_color"] * materialx_diffuse(c) / pi();
+  return mix(materialx_dielectric_over(c, c["specular"], c["eta"], base),
+             materialx_conductor(c, c["base_color"], c["specular"]), c["metallic"]);
+}
+double usd(const Hit& isotropic) {
+  Hit c = isotropic;
+  c.p["alpha_x"] = c.p["alpha_y"] = c["alpha"];
+  const double colour = c["base_color"], m = c["metallic"], s = mix(1, colour, m);
+  const double f0 = mix(s * std::pow((1 - c["eta"]) / (1 + c["eta"]), 2), s, m);
+  const double base = (1 - m) * colour / pi();
+  return mix(materialx_schlick_node(c, f0, s) + (1 - materialx_albedo(c, f0, s)) * base,
+             materialx_conductor(c, colour, colour), m);
+}
+// The dielectric lobe of disney_principled has color0 = color90 = 1 and the weight 0.08 specular.
+double disney(const Hit& c) {
+  const double weight = c["f0"], m = c["metallic"];
+  const double base = (1 - m) * c["base_color"] * disney_diffuse(c) / pi();
+  return mix(weight * materialx_schlick_node(c, 1, 1) + (1 - weight * materialx_albedo(c, 1, 1)) * base,
+             materialx_schlick_node(c, c["base_color"], 1), m);
 }
 
 // lights_physical_fragment.glsl.js and lights_physical_pars_fragment.glsl.js, with the texture as the
@@ -190,6 +269,11 @@ const std::map<std::string, std::function<double(const Hit&)>> kSources{
      }},
     {"gltf_metallic_roughness", gltf},
     {"materialx_schlick", materialx},
+    {"open_pbr_surface", openpbr},
+    {"standard_surface", standard},
+    {"materialx_gltf_pbr", gltf_pbr},
+    {"usd_preview_surface", usd},
+    {"disney_principled", disney},
     {"three_physical", three}};
 
 TEST(Targets, AreWhatTheirSourcesCompute) {

@@ -16,34 +16,58 @@ S biquadratic(const std::array<double, 9>& c, const G& x, const S& y) {
   return constant + y * linear + square(y) * quadratic;
 }
 
-// Returns MaterialX's approximation of the albedo of a white GGX lobe: two fractions, each limited to 0..1.
-// Source: mx_ggx_dir_albedo_analytic, which is the default of the generator.
+// A GGX lobe of MaterialX without its Fresnel term, with the albedo f0 a + f90 b of a lobe that rises from f0
+// to f90.
+template <class S>
+struct MaterialxLobe {
+  S value;  // D G/(4 cos_i cos_o)
+  S a, b;
+
+  // Returns the factor for light that is scattered several times: 1 + Fss (1 - E)/E, with E = a + b and
+  // Fss = f0 + (f90 - f0)/21.
+  S compensation(const S& f0, const S& f90) const {
+    const S white = a + b;
+    return S(1) + (f0 + (f90 - f0) * S(1.0 / 21)) * ((S(1) - white) / white);
+  }
+  // Returns the albedo in the direction of the viewer, compensation included.
+  S albedo(const S& f0, const S& f90) const { return (f0 * a + f90 * b) * compensation(f0, f90); }
+};
+
+// Returns MaterialX's approximation: D has both widths, masking and albedo have their geometric mean. The
+// two fractions are limited to 0..1.
+// Source: mx_ggx_smith_G2, mx_ggx_dir_albedo_analytic, which is the default of the generator.
 template <class S, class G>
-S materialx_white_albedo(const G& x, const S& y) {
+MaterialxLobe<S> materialx_lobe(const Roughness<S>& widths, const Geometry<G>& g) {
+  const S y = math::sqrt(widths.alpha_x * widths.alpha_y);
+  const G& x = g.cos_o;
   const S a =
       biquadratic<S, G>({0.1003, -0.6303, 9.748, -2.038, 29.34, -8.245, -26.44, 19.99, -5.448}, x, y) /
       biquadratic<S, G>({1, -1.765, 8.263, 11.53, 28.96, -7.507, -36.11, 15.86, 33.37}, x, y);
   const S b =
       biquadratic<S, G>({0.9345, -2.323, 2.229, -3.748, 1.424, -0.7684, 1.436, 0.2913, 0.6286}, x, y) /
       biquadratic<S, G>({1, 0.2281, 15.94, -55.83, 13.08, 41.26, 54.9, 300.2, -285.1}, x, y);
-  return at_most(at_least(a, S(0)), S(1)) + at_most(at_least(b, S(0)), S(1));
+  return {quotient(d_ggx(widths, g), v_smith_ggx(Roughness<S>{y, y}, g)), at_most(at_least(a, S(0)), S(1)),
+          at_most(at_least(b, S(0)), S(1))};
 }
+
+inline constexpr ParameterInfo kDiffuseSlopeInfo{
+    "sigma",    0,
+    1,          0,
+    1,          "rad",
+    false,      "roughness of the diffuse part: standard deviation of the slope angle of its microfacets",
+    Role::slope};
 
 // f0 is not a weight here because the lobe is not linear in f0.
 template <class T>
 struct CompensatedSchlick {
   T alpha_x, alpha_y, f0, sigma;
   static constexpr auto fields() {
-    return std::array{
-        Field{&CompensatedSchlick::alpha_x, kAlongInfo}, Field{&CompensatedSchlick::alpha_y, kAcrossInfo},
-        Field{&CompensatedSchlick::f0,
-              ParameterInfo{"f0", 0, 1, 0.04, 1, "", false, "color0: Fresnel reflectance at normal incidence",
-                            Role::f0}},
-        Field{&CompensatedSchlick::sigma,
-              ParameterInfo{
-                  "sigma", 0, 1, 0, 1, "rad", false,
-                  "roughness of the diffuse part: standard deviation of the slope angle of its microfacets",
-                  Role::slope}}};
+    return std::array{Field{&CompensatedSchlick::alpha_x, kAlongInfo},
+                      Field{&CompensatedSchlick::alpha_y, kAcrossInfo},
+                      Field{&CompensatedSchlick::f0,
+                            ParameterInfo{"f0", 0, 1, 0.04, 1, "", false,
+                                          "color0: Fresnel reflectance at normal incidence", Role::f0}},
+                      Field{&CompensatedSchlick::sigma, kDiffuseSlopeInfo}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
@@ -76,13 +100,10 @@ struct materialx_schlick : Takes<LobeWeights, CompensatedSchlick> {
 
   template <class S, class G>
   static std::array<S, 2> lobes(const Shape<S>& shape, const Geometry<G>& g) {
-    const S mean = math::sqrt(shape.alpha_x * shape.alpha_y);
-    const S vd = quotient(d_ggx(shape.widths(), g), v_smith_ggx(Roughness<S>{mean, mean}, g));
-    const S white = materialx_white_albedo(g.cos_o, mean);
-    const S rest = S(1) - shape.f0;
-    const S compensation = S(1) + (shape.f0 + rest * S(1.0 / 21)) * ((S(1) - white) / white);
+    const MaterialxLobe<S> lobe = materialx_lobe(shape.widths(), g);
+    const S f = shape.f0 + (S(1) - shape.f0) * schlick(g);
     return {oren_nayar::lobes(SlopeDeviation<S>{shape.sigma}, g)[0],
-            vd * (shape.f0 + rest * schlick(g)) * compensation};
+            lobe.value * f * lobe.compensation(shape.f0, S(1))};
   }
 };
 

@@ -31,16 +31,18 @@ S f0_of_index(const S& eta) {
   return square((eta - S(1)) / (eta + S(1)));
 }
 
+// The colour of models with one colour.
+inline constexpr ParameterInfo kBaseColourInfo{
+    "base_color", 0, 1, 0.5, 1, "", false, "the material's one colour", Role::diffuse};
+
 // Weights of models with one colour. The part that this colour does not scale has the fixed weight 1.
 template <class T>
 struct BaseColour {
   T base_color, rest;
   static constexpr auto fields() {
-    return std::array{
-        Field{&BaseColour::base_color, ParameterInfo{"base_color", 0, 1, 0.5, 1, "", false,
-                                                     "the material's one colour", Role::diffuse}},
-        Field{&BaseColour::rest,
-              ParameterInfo{"rest", 1, 1, 1, 1, "", false, "weight of the uncoloured part: always 1"}}};
+    return std::array{Field{&BaseColour::base_color, kBaseColourInfo},
+                      Field{&BaseColour::rest, ParameterInfo{"rest", 1, 1, 1, 1, "", false,
+                                                             "weight of the uncoloured part: always 1"}}};
   }
   constexpr std::array<T, 2> linear() const { return {base_color, rest}; }
   static constexpr BaseColour from_linear(const std::array<T, 2>& w) { return {w[0], w[1]}; }

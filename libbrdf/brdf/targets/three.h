@@ -33,8 +33,7 @@ struct ThreePhysical {
         Field{&ThreePhysical::metallic, kMetallicInfo},
         Field{&ThreePhysical::eta, kPrincipledIndexInfo},
         Field{&ThreePhysical::specular, kSpecularShareInfo},
-        Field{&ThreePhysical::base_color, ParameterInfo{"base_color", 0, 1, 0.5, 1, "", false,
-                                                        "the material's one colour", Role::diffuse}}};
+        Field{&ThreePhysical::base_color, kBaseColourInfo}};
   }
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
