@@ -328,9 +328,11 @@ class Values {
     const bool is_own = c.rank == Rank::values;
     if (!facts_.stated) {
       if (is_own && c.named.needs_a_line) by_unit_.push_back(c.column->name);
-      if (!is_own) unnamed_.push_back(c.column->name);
-      header_.has_unnamed = header_.has_unnamed || !is_own || c.named.is_default;
-      if (!is_own) own = {&quantity_kinds()[0]};
+      // In a road table r is the reduced luminance coefficient, and q is the luminance coefficient.
+      const bool is_reduced = header_.is_road && lower_case(trimmed(c.column->name)) != "q";
+      if (!is_own && !is_reduced) unnamed_.push_back(c.column->name);
+      header_.has_unnamed = header_.has_unnamed || (!is_own && !is_reduced) || c.named.is_default;
+      if (!is_own) own = is_reduced ? *quantity_named("r") : Quantity{&quantity_kinds()[0]};
       return;
     }
     const StatedQuantity& stated = *facts_.stated;
