@@ -79,6 +79,9 @@ TEST(RoadTable, MayHaveARowForEachValue) {
   EXPECT_THAT(message("theta_i,beta,tan gamma,r\n0,0,0,600\n"), HasSubstr("is the tangent of an r-table's"));
   EXPECT_EQ(read("theta_i,phi_i,theta_o,phi_o,beta,gamma\n30,0,30,180,1,1\n").channels.size(), 2u);
   EXPECT_THAT(message("beta,r\n0,600\n"), HasSubstr("column 'theta_i' is missing"));
+  // The quantity of other names is not known.
+  EXPECT_THAT(message("beta,gamma,lux\n0,0,600\n"),
+              HasSubstr("'lux' of an r-table of road lighting gives no quantity"));
 }
 
 TEST(Aspecular, NamesAreReadFromTheMirrorDirectionTowardsTheNormal) {
