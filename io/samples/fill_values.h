@@ -6,8 +6,8 @@
 namespace brdf::io {
 
 // Returns whether a number is certainly a fill value, whatever the quantity: -999 and -9999 with any number
-// of nines more (also -999.9 and -999.99), -32768, -1e30, -1e31, -1e34, the default of NetCDF (9.96921e36), and
-// the largest 32-bit float.
+// of nines more (also -999.9 and -999.99), -32768, -1e30, -1e31, -1e34, the default of NetCDF (9.96921e36),
+// and the largest 32-bit float.
 bool is_fill_value(double number);
 
 // Returns whether a number may be a fill value, but may also be a measurement: a number of nines from 99 on,
