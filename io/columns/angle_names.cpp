@@ -141,11 +141,19 @@ bool is_phase_name(std::string_view name) {
 
 bool is_tangent_name(std::string_view name) {
   const std::string key = plain_spelling(name);
-  return key == "tangamma" || key == "tan(gamma)" || key == "tggamma" || key == "tanγ";
+  return key == "tangamma" || key == "tan(gamma)" || key == "tggamma" || key == "tg(gamma)";
 }
 
 bool is_road_azimuth_name(std::string_view name) {
   return plain_spelling(name) == "beta";
+}
+
+bool is_road_incidence_name(std::string_view name) {
+  return plain_spelling(name) == "gamma";
+}
+
+bool is_road_viewer_name(std::string_view name) {
+  return plain_spelling(name) == "alpha";
 }
 
 std::optional<RefusedAngle> refused_angle(std::string_view name) {
@@ -171,9 +179,8 @@ std::optional<RefusedAngle> refused_angle(std::string_view name) {
         "is an angle from the mirror direction, which is not read: write columns theta_i and theta_o"};
   if (is_tangent_name(name))
     return RefusedAngle{
-        "is the tangent of an r-table's angle of incidence: such a table is a matrix with 'tan gamma' down "
-        "and "
-        "beta along, or 'tan gamma \\ beta' in its first cell"};
+        "is the tangent of an r-table's angle of incidence: such a table has columns beta, tan gamma and r, "
+        "or is a matrix with 'tan gamma \\ beta' in its first cell"};
   return std::nullopt;
 }
 

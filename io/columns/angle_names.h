@@ -41,6 +41,10 @@ bool is_phase_name(std::string_view name);
 // (beta), of an r-table of road lighting.
 bool is_tangent_name(std::string_view name);
 bool is_road_azimuth_name(std::string_view name);
+// Returns whether the name is that of the angle of incidence itself (gamma), or of the viewer's angle above
+// the road (alpha), of an r-table with a row for each value.
+bool is_road_incidence_name(std::string_view name);
+bool is_road_viewer_name(std::string_view name);
 
 // An angle that is recognised but not read: an angle from the mirror direction, a sine.
 struct RefusedAngle {

@@ -1,6 +1,7 @@
 #include "io/columns/column_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -36,7 +37,7 @@ class HeaderReading {
 
   Columns result() {
     for (const std::string_view name : names_) out_.columns.push_back(column_of(name));
-    place_angles();
+    if (!place_road()) place_angles();
     announce_bands_and_turns();
     if ((out_.has_angle(0) && out_.has_angle(2)) || facts_.doubts)
       place_values(out_, facts_,
@@ -129,6 +130,51 @@ class HeaderReading {
              "column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +
                  (light ? "other columns give both" : "no other column gives one of the two"));
     return light ? AngleSide::viewer : AngleSide::light;
+  }
+
+  // Places an angle of a road table if this column has its name. Returns whether it does.
+  static bool read_as_road_angle(Column& column) {
+    for (const auto& [bare, unit] : ways_to_part(column.name)) {
+      const bool is_tangent = is_tangent_name(bare), is_viewer = is_road_viewer_name(bare);
+      const bool is_light = is_tangent || is_road_incidence_name(bare);
+      if (!(is_light || is_viewer || is_road_azimuth_name(bare))) continue;
+      if (!(unit.empty() || (is_angle_unit(unit) && !is_tangent))) continue;
+      column.kind = Column::Kind::angle;
+      column.index = is_light ? 0 : is_viewer ? 2 : 1;
+      column.is_tangent = is_tangent;
+      column.is_elevation = is_viewer;
+      if (!unit.empty() || is_tangent) column.unit = unit_named(unit.empty() ? "deg" : unit);
+      return true;
+    }
+    return false;
+  }
+
+  // Places the angles of an r-table of road lighting with a row for each value: beta and tan gamma (or
+  // gamma), and possibly the viewer's angle alpha above the road. beta is 0 on the mirror side. Returns false
+  // if the table has other angles or lacks one of the two.
+  bool place_road() {
+    if (std::ranges::any_of(angles_, [](const auto& angle) { return angle && !angle->is_weak; }))
+      return false;
+    std::vector<Column> columns = out_.columns;
+    std::array<std::size_t, 3> times{};
+    for (Column& column : columns)
+      if (column.kind == Column::Kind::value && read_as_road_angle(column)) ++times[column.index];
+    if (times[0] != 1 || times[1] != 1 || times[2] > 1) return false;
+    out_.columns = std::move(columns);
+    out_.is_road = true;
+    constexpr double kRoadViewer = 89, kMirrorSide = 180;  // degrees
+    Column constant;
+    constant.kind = Column::Kind::angle;
+    if (times[2] == 0) {
+      constant.index = 2;
+      out_.constants.emplace_back(constant, kRoadViewer);
+    }
+    constant.index = 3;
+    out_.constants.emplace_back(constant, kMirrorSide);
+    out_.assume("an r-table of road lighting: the azimuth beta is 0 on the mirror side, and the viewer is " +
+                std::string(times[2] == 0 ? "1 degree" : "alpha degrees") + " above the road");
+    out_.notes.push_back("fit and study need --max-theta 90 for this table");
+    return true;
   }
 
   // Sets the index of each angle's column. Ambiguous names are decided by the other columns.
@@ -305,19 +351,23 @@ bool is_unit(std::string_view field) {
 
 bool names_angles(const std::vector<std::string_view>& names) {
   std::size_t count = 0;
+  bool has_light = false, has_azimuth = false;  // of a road table
   for (const std::string_view name : names)
     for (const auto& [bare, unit] : ways_to_part(name)) {
+      has_light = has_light || is_tangent_name(bare) || is_road_incidence_name(bare);
+      has_azimuth = has_azimuth || is_road_azimuth_name(bare);
       const auto angle = angle_named(bare);
       if (!angle || (angle->is_weak && unit.empty()) || !(unit.empty() || is_angle_unit(unit))) continue;
       ++count;
       break;
     }
-  return count >= 2;
+  return count >= 2 || (has_light && has_azimuth);
 }
 
 bool Columns::has_angle(std::size_t angle) const {
-  return std::ranges::any_of(
-      columns, [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; });
+  const auto is_it = [&](const Column& c) { return c.kind == Column::Kind::angle && c.index == angle; };
+  return std::ranges::any_of(columns, is_it) ||
+         std::ranges::any_of(constants, [&](const auto& constant) { return is_it(constant.first); });
 }
 
 bool Columns::has(Column::Kind kind) const {

@@ -63,12 +63,14 @@ struct Columns {
   bool has_unnamed = false;
   // No azimuth is stated: the polar angles are signed, in the plane of incidence.
   bool in_plane = false;
+  // An r-table of road lighting with a row for each value.
+  bool is_road = false;
   // Interpretations that differ from the plain format, one sentence each.
   std::vector<std::string> notes;
   // The notes on which values or directions depend.
   std::vector<std::string> assumptions;
 
-  // Returns whether a column holds the angle with this index of kAngleNames.
+  // Returns whether a column or a constant is the angle with this index of kAngleNames.
   bool has_angle(std::size_t angle) const;
   bool has(Column::Kind kind) const;
   // Adds a note that is an assumption.

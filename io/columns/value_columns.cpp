@@ -328,6 +328,7 @@ class Values {
     const bool is_own = c.rank == Rank::values;
     if (!facts_.stated) {
       if (is_own && c.named.needs_a_line) by_unit_.push_back(c.column->name);
+      if (header_.is_road && !is_own) return state_road_value(c);
       if (!is_own) unnamed_.push_back(c.column->name);
       header_.has_unnamed = header_.has_unnamed || !is_own || c.named.is_default;
       if (!is_own) own = {&quantity_kinds()[0]};
@@ -346,6 +347,18 @@ class Values {
     const Quantity plain{stated.quantity.kind};
     own = stated.quantity == plain ? Quantity{stated.quantity.kind, own.factor, own.scale} : stated.quantity;
     if (c.named.says == Says::contradicts) outranked_.push_back(c.column->name);
+  }
+
+  // In a road table r is the reduced luminance coefficient, and q is the luminance coefficient.
+  void state_road_value(Candidate& c) {
+    const std::string name = lower_case(trimmed(c.column->name));
+    const bool is_reduced = name.starts_with('r') && (name.size() == 1 || name.find_first_of(" _*(x") == 1);
+    if (!is_reduced && name != "q")
+      refuse(c, ColumnDoubt::Of::quantity,
+             "column " + shown(c.column->name) +
+                 " of an r-table of road lighting gives no quantity: name the column r (reduced luminance "
+                 "coefficient times 10^4) or q (luminance coefficient), or give --quantity");
+    c.named.quantity = is_reduced ? *quantity_named("r") : Quantity{&quantity_kinds()[0]};
   }
 
   void refuse_contradiction(const Candidate& c) const {

@@ -11,6 +11,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/samples/aperture.h"
+#include "io/samples/fill_values.h"
 #include "io/samples/mirror_side.h"
 #include "io/samples/phase_angle.h"
 #include "io/samples/to_f_r.h"
@@ -110,6 +111,7 @@ class CsvReader {
     table_.assumptions = header_.columns().assumptions;
     add_facts();
     store_raw_angles();
+    announce_small_angles();
     if (header_.columns().in_plane)
       place_in_plane(table_, mirror_side());
     else
@@ -145,6 +147,27 @@ class CsvReader {
       angle.has_unit = c.unit.has_value();
       std::move(raw_[c.index]).store(angle);
     }
+  }
+
+  // Reports polar angles that may be radians: no header gives a unit, all fit a quarter of a turn in radians,
+  // and not all are whole numbers.
+  void announce_small_angles() {
+    constexpr double kMostRadians = 1.6;
+    double largest = 0;
+    bool is_fractional = false;
+    for (const std::size_t a : {0, 2}) {
+      const RawAngle& angle = table_.raw_angles[a];
+      if (angle.name.empty()) continue;
+      if (angle.has_unit) return;
+      largest = std::max(largest, angle.largest);
+      for (const double size : angle.magnitudes) is_fractional = is_fractional || size != std::floor(size);
+    }
+    if (!is_fractional || largest > kMostRadians) return;
+    table_.assume(
+        "the polar angles reach only " + short_number(largest, 6) +
+        ", and the header gives no unit: read as degrees. Name the columns with their unit, such as "
+        "'theta_i (rad)' if they are radians, or 'theta_i (deg)' if the sample was measured near the "
+        "normal only");
   }
 
   // Finds the unit of wavelengths without a unit.
@@ -287,6 +310,8 @@ class CsvReader {
       raw_[matrix.columns.index].add(matrix.angles[k - 1]);
       angles_[matrix.columns.index] = matrix.columns.converted(matrix.angles[k - 1]);
       row_values_[0] = number_of(value, k);
+      if (is_fill_value(row_values_[0]))
+        fail(value, k, "usually means 'not measured': leave such cells of a matrix empty");
       store_row();
     }
   }

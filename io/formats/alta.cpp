@@ -12,6 +12,7 @@
 #include "io/files/text.h"
 #include "io/samples/degrees.h"
 #include "io/samples/repetition.h"
+#include "io/samples/to_f_r.h"
 
 namespace brdf::io::alta {
 namespace {
@@ -89,6 +90,8 @@ class Reader {
       table_.warnings.push_back(plural(table_.skipped, "row") +
                                 " left out: a direction is below the horizon");
     if (segments_ > 0) table_.warnings.push_back("vertical segments are left out");
+    const Quantity quantity = divides_ ? *quantity_named("f_r*cos_o") : Quantity{&quantity_kinds()[0]};
+    make_f_r(table_, std::vector<Quantity>(table_.channels.size(), quantity));
     if (divides_) table_.warnings.push_back("the values were divided by the cosine of the viewing direction");
     leave_out_repetitions(table_, [&](std::size_t a, std::size_t b) { return places_[a] == places_[b]; });
     return std::move(table_);
@@ -173,15 +176,16 @@ class Reader {
     for (std::size_t k = 0; k < dimensions_; ++k) place[k] = number(k);
     const Pair pair = parametrisation_->directions(place);
     constexpr double kGrazing = -1e-6;  // tolerance for a horizon that was printed with few digits
-    if (!(pair.light.z > kGrazing && pair.viewer.z > kGrazing) || (divides_ && !(pair.viewer.z > 0))) {
+    const Polar light = polar_degrees(pair.light), viewer = polar_degrees(pair.viewer);
+    if (!(pair.light.z > kGrazing && pair.viewer.z > kGrazing) ||
+        (divides_ && !(cos_degrees(viewer.theta) > 0))) {
       ++table_.skipped;
       return;
     }
     if (table_.rows() == kMostRows) fail("more than " + std::to_string(kMostRows) + " rows");
-    const Polar light = polar_degrees(pair.light), viewer = polar_degrees(pair.viewer);
     table_.add_directions(std::min(light.theta, 90.0), light.phi, std::min(viewer.theta, 90.0), viewer.phi);
     for (std::size_t c = 0; c < table_.channels.size(); ++c)
-      table_.values[c].push_back(number(dimensions_ + c) / (divides_ ? pair.viewer.z : 1));
+      table_.values[c].push_back(number(dimensions_ + c));
     table_.lines.push_back(static_cast<std::uint32_t>(lines_.line()));
     places_.push_back(place);
   }

@@ -12,6 +12,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "io/samples/fill_values.h"
 #include "io/samples/foreign_rows.h"
 #include "io/samples/table_rules.h"
 #include "io/samples/to_f_r.h"
@@ -211,6 +212,7 @@ class Reader {
         table_.assume("the values are " + quantity.meaning() + ": " + quantity.operation());
       return;
     }
+    refuse_fill_values(table_);
     constexpr double kMostFactor = 5;  // above, the values may be percent
     double largest = 0;
     for (const auto& column : table_.values)

@@ -15,6 +15,7 @@
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
+#include "io/samples/fill_values.h"
 #include "io/samples/highlight.h"
 
 namespace brdf::io {
@@ -36,7 +37,7 @@ struct ColumnFacts {
     least = numbers ? std::min(least, number) : number;
     largest = numbers ? std::max(largest, number) : number;
     ++numbers;
-    if (times.size() < kMostDistinct || times.contains(number)) ++times[number];
+    if (times.size() < kMostDistinct || times.contains(number) || is_fill_value(number)) ++times[number];
   }
   void add(std::string_view word) {
     ++words;
@@ -137,6 +138,10 @@ class Proposer {
       throw InputError(text_.name +
                        ": is a matrix of two angles, which is read without a layout; a layout describes "
                        "tables with a row for each pair of directions");
+    if (header_.columns().is_road)
+      throw InputError(text_.name +
+                       ": is an r-table of road lighting, which is read without a layout; a layout has no "
+                       "entry for the tangent of an angle");
     Fields fields;
     without_header_ = columns().empty();
     if (without_header_) dialect_.split_header(line, fields);
@@ -266,15 +271,21 @@ class Proposer {
     be_unsure("$.mirror_azimuth", judged.assumptions[0]);
   }
 
-  // Words in columns of numbers, and numbers such as -999, mark directions that were not measured.
+  // Words in columns of numbers, and numbers such as -999, mark directions that were not measured. A table
+  // with such cells is refused without a layout.
   void write_fill(Json& j) {
     if (out_.alone) return;
     Json fill = Json::array();
     for (std::size_t k = 0; k < columns().size(); ++k) {
-      if (columns()[k].kind != Column::Kind::value || !is_value(k) || facts_[k].numbers == 0) continue;
+      const bool has_values = columns()[k].kind == Column::Kind::value && is_value(k);
+      if (!(has_values || columns()[k].kind == Column::Kind::sigma) || facts_[k].numbers == 0) continue;
       for (const std::string& word : facts_[k].word_list) add_new(fill, word);
-      for (const double end : {facts_[k].least, facts_[k].largest})
-        if (is_fill_number(end) && facts_[k].times[end] > 1) add_new(fill, end);
+      const ColumnFacts& facts = facts_[k];
+      for (const auto& [number, times] : facts.times) {
+        const bool is_an_end = number == facts.least || number == facts.largest;
+        if (is_fill_value(number) || (is_an_end && times > 1 && may_be_fill_value(number)))
+          add_new(fill, number);
+      }
     }
     if (fill.empty()) return;
     j["fill"] = fill;
@@ -283,12 +294,6 @@ class Proposer {
 
   static void add_new(Json& list, const Json& item) {
     if (std::ranges::find(list, item) == list.end()) list.push_back(item);
-  }
-
-  // Returns whether the number is -9, 99, -999, 9999.9 or similar.
-  static bool is_fill_number(double number) {
-    const std::string text = to_text(std::abs(number));
-    return text.size() > 1 && text.find_first_not_of("9.") == text.npos && std::abs(number) > 90;
   }
 
   // Returns whether a column of the kind `value` holds values: in a table without one of the two polar

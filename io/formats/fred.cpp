@@ -11,6 +11,7 @@
 #include "io/samples/foreign_rows.h"
 #include "io/samples/highlight.h"
 #include "io/samples/set_points.h"
+#include "io/samples/to_f_r.h"
 
 namespace brdf::io::fred {
 namespace {
@@ -40,6 +41,7 @@ class Reader {
     }
     end_block();
     rows_.finish();
+    make_f_r(table_, {Quantity{&quantity_kinds()[0], scale_}});
     table_.warnings.push_back("read as f_r in 1/sr" +
                               (scale_ == 1 ? "" : ", the values times scale=" + to_text(scale_)) +
                               "; the head of each block is the mirror direction, so the incident light is at "
@@ -121,8 +123,7 @@ class Reader {
     if (!mirror_) fail("a row of three numbers has no block: a line of two angles must come first");
     ++rows_of_block_;
     const Direction scattered = direction();
-    const double value = number(2) * scale_;
-    if (!std::isfinite(value)) fail("the value times the scale exceeds the range of numbers");
+    const double value = number(2);
     if (!rows_.add(mirror_->theta, mirror_->phi + 180, scattered.theta, scattered.phi)) return;
     table_.values[0].push_back(value);
     table_.lines.push_back(static_cast<std::uint32_t>(lines_.line()));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "io/files/xml.h"
+#include "io/formats/program_formats.h"
 
 namespace brdf::io {
 namespace {
@@ -41,6 +44,61 @@ std::string hdf5(std::string_view bytes) {
            "instrument: "
            "columns theta_i, phi_i, theta_o, phi_o and the value as CSV";
   return "is an HDF5 file (AxF, NetCDF, MATLAB 7.3 and others), which is not read: export the table as CSV";
+}
+
+// UTIA's BRDF has 6 polar angles and 48 azimuths of the light, and as many of the viewer.
+constexpr std::uint32_t kUtiaWidth = 6 * 48;
+constexpr std::string_view kUtia =
+    ", which is not read: write its directions (theta 0 to 75 degrees in steps of 15, phi in steps of 7.5) "
+    "and "
+    "values as columns theta_i, phi_i, theta_o, phi_o, r, g, b of a CSV table";
+
+// Returns whether the bytes are the three planes of UTIA's BRDF as numbers, which have no header.
+template <class Number>
+bool are_planes_of_utia(std::string_view bytes) {
+  constexpr std::size_t kNumbers = std::size_t{3} * kUtiaWidth * kUtiaWidth;
+  if (bytes.size() != kNumbers * sizeof(Number)) return false;
+  constexpr std::size_t kStep = 17;
+  constexpr Number kLargest = 1e5;
+  bool is_above_0 = false;
+  for (std::size_t k = 0; k < kNumbers; k += kStep) {
+    Number number;
+    std::memcpy(&number, bytes.data() + k * sizeof(Number), sizeof(Number));
+    if (!(std::abs(number) <= kLargest)) return false;
+    is_above_0 = is_above_0 || number > Number(1e-9);
+  }
+  return is_above_0;
+}
+
+// Reads an integer of 4 bytes.
+std::uint32_t integer_at(std::string_view bytes, std::size_t at, bool is_big) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    value |= std::uint32_t(static_cast<unsigned char>(bytes[at + k])) << (8 * (is_big ? 3 - k : k));
+  return value;
+}
+
+// Describes the files of UTIA's database; returns an empty string for other files.
+std::string utia(std::string_view bytes) {
+  if (are_planes_of_utia<double>(bytes) || are_planes_of_utia<float>(bytes))
+    return "has the size of a binary BRDF of UTIA (3 x 288 x 288 numbers)" + std::string(kUtia);
+  constexpr std::size_t kWidthOfPng = 16;  // the place of the width in a PNG
+  const std::string advice = "of 288 x 288 pixels, the size of a BRDF of UTIA" + std::string(kUtia);
+  if (bytes.starts_with("\x89PNG") && bytes.size() >= kWidthOfPng + 8 &&
+      integer_at(bytes, kWidthOfPng, true) == kUtiaWidth &&
+      integer_at(bytes, kWidthOfPng + 4, true) == kUtiaWidth)
+    return "is a picture (PNG) " + advice;
+  constexpr std::string_view kWindow = "dataWindow\0box2i\0\x10\0\0\0"sv;  // then four integers follow
+  const std::string_view head = bytes.substr(0, kHead);
+  const std::size_t window = head.find(kWindow);
+  if (!bytes.starts_with("\x76\x2f\x31\x01") || window == head.npos ||
+      window + kWindow.size() + 16 > bytes.size() || holds(head, "theta_i\0"sv))
+    return "";
+  const auto side = [&](std::size_t axis) {
+    const std::size_t at = window + kWindow.size() + 4 * axis;
+    return integer_at(bytes, at + 8, false) - integer_at(bytes, at, false) + 1;
+  };
+  return side(0) == kUtiaWidth && side(1) == kUtiaWidth ? "is a picture (OpenEXR) " + advice : "";
 }
 
 // Refuses formats that are recognised by their first bytes.
@@ -83,101 +141,13 @@ void refuse_by_magic(const Content& content) {
       {"MATLAB 5.0"sv, "is a MATLAB file: write the table with writetable, as CSV"},
       {"\xff\xfe\0\0"sv, "is UTF-32 text: save it as UTF-8"},
       {"\0\0\xfe\xff"sv, "is UTF-32 text: save it as UTF-8"}};
+  if (const std::string name = utia(content.bytes); !name.empty())
+    throw InputError(content.name + ": " + name);
   if (content.bytes.starts_with("PK\x03\x04"sv))
     throw InputError(content.name + ": " + archive(content.bytes));
   if (content.bytes.starts_with("\x89HDF"sv)) throw InputError(content.name + ": " + hdf5(content.bytes));
   for (const auto& [magic, what] : kKinds)
     if (content.bytes.starts_with(magic)) throw InputError(content.name + ": " + std::string(what));
-}
-
-// Returns the first lines of a text, without blanks at their ends.
-std::vector<std::string_view> first_lines(std::string_view text, std::size_t count) {
-  std::vector<std::string_view> lines;
-  for (std::size_t at = 0; at < text.size() && lines.size() < count;) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(trimmed(text.substr(at, end - at)));
-    at = end + 1;
-  }
-  return lines;
-}
-
-bool is_whole(std::string_view text, double least, double most) {
-  double number;
-  return parse_number(text, number) && number >= least && number <= most && number == std::floor(number);
-}
-
-// EULUMDAT has one entry on each line, without keywords: the company, the kinds of the luminaire (1 to 3)
-// and of its symmetry (0 to 4), the numbers and steps of the planes and of the angles, five lines of text,
-// then the dimensions.
-bool is_eulumdat(std::string_view text) {
-  constexpr std::size_t kHeadLines = 26;
-  const std::vector<std::string_view> lines = first_lines(text.substr(0, kHead), kHeadLines);
-  double number;
-  const auto is_number = [&](std::size_t k) { return parse_number(lines[k], number); };
-  if (lines.size() < kHeadLines || is_number(0) || !is_whole(lines[1], 0, 3) || !is_whole(lines[2], 0, 4) ||
-      !is_whole(lines[3], 1, 721) || !is_number(4) || !is_whole(lines[5], 1, 721) || !is_number(6))
-    return false;
-  for (std::size_t k = 12; k < 22; ++k)
-    if (!is_number(k)) return false;
-  return true;
-}
-
-// A data file of Radiance has the number of dimensions, for each dimension its first and last coordinate
-// and the number of values along it, and then the values, as many as the product of these numbers.
-bool is_radiance_data(std::string_view text) {
-  constexpr double kMostDimensions = 6;
-  std::vector<std::string_view> words;
-  while (text.starts_with('#')) {
-    const std::size_t end = text.find('\n');
-    text.remove_prefix(std::min(end, text.size() - 1) + 1);
-  }
-  if (text.empty()) return false;
-  split_blanks(first_lines(text.substr(0, kHead), 1).front(), words);
-  if (words.size() != 1 || !is_whole(words[0], 1, kMostDimensions)) return false;
-  double dimensions = 0, product = 1;
-  parse_number(words[0], dimensions);
-  const std::vector<std::string_view> lines =
-      first_lines(text.substr(0, kHead), static_cast<std::size_t>(dimensions) + 1);
-  for (std::size_t k = 1; k < lines.size(); ++k) {
-    split_blanks(lines[k], words);
-    double count = 0;
-    if (words.size() != 3 || !is_whole(words[2], 1, 1e6) || !parse_number(words[2], count)) return false;
-    product *= count;
-  }
-  const char* const end_of_head = lines.back().data() + lines.back().size();
-  const std::string_view rest = text.substr(static_cast<std::size_t>(end_of_head - text.data()));
-  std::size_t values = 0;
-  bool is_inside = false;
-  for (const char c : rest) {
-    const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
-    values += !is_blank && !is_inside;
-    is_inside = !is_blank;
-  }
-  return lines.size() == dimensions + 1 && static_cast<double>(values) == product;
-}
-
-constexpr std::string_view kLuminaire =
-    ", which describes the light of a luminaire, not a surface: `brdf` reads samples of surfaces";
-
-// Files of optical and lighting programs without a reader, by their words.
-std::string program_format(std::string_view text) {
-  const std::string_view head = text.substr(0, kHead);
-  const std::string unread = std::string(", which is not read: ") + std::string(kExportAsCsv);
-  if (text.starts_with("IESNA") || text.starts_with("TILT=") || holds(head, "\nTILT="))
-    return "is a photometric file of IES (LM-63)" + std::string(kLuminaire);
-  if (is_eulumdat(text)) return "is a photometric file in EULUMDAT (.ldt)" + std::string(kLuminaire);
-  if (is_radiance_data(text)) return "is a data file of Radiance (.dat)" + unread;
-  if (text.starts_with("TracePro")) return "is a surface property of TracePro" + unread;
-  const bool is_light_tools = holds(head, "ScatterRadial") && holds(head, "AOI") && holds(head, "Side");
-  if (is_light_tools) return "is a BSDF of LightTools" + unread;
-  return "";
-}
-
-// A function file of Radiance begins with a comment in braces and defines functions.
-bool is_radiance_function(std::string_view text) {
-  const std::size_t next = text.find_first_not_of(" \t\r\n", 1);
-  return text.starts_with('{') && next != text.npos && text[next] != '"' && text[next] != '}' &&
-         holds(text.substr(0, kHead), "=") && holds(text.substr(0, kHead), ";");
 }
 
 // Returns an empty string for the text formats of Speos that are read. The first line is "OPTIS - brdf
@@ -210,7 +180,9 @@ std::string xml(std::string_view text) {
     return "is CxF (XML of colour instruments), which is not read: export reflectance factors for each "
            "wavelength and geometry (45as15) as CSV";
   if (root == "IESTM33-22" || root == "IESTM33-18")
-    return "is a photometric file of IES (TM-33)" + std::string(kLuminaire);
+    return "is a photometric file of IES (TM-33), which describes the light of a luminaire, not a surface: "
+           "`brdf` reads "
+           "samples of surfaces";
   if (root != "WindowElement") return "is XML (root element " + shown(root) + instead;
   if (!holds(text, "TensorTree")) return "";
   return "is a BSDF of Radiance as a tensor tree, which is not read: export a matrix in a Klems basis "
@@ -226,9 +198,6 @@ std::string text_format(std::string_view text) {
     return std::string("is SSDD text of libbsdf, which is not read: ") + std::string(kExportAsCsv);
   if (lower.starts_with(";;") && holds(lower, "data"))
     return std::string("is a DDR or DDT file of libbsdf, which is not read: ") + std::string(kExportAsCsv);
-  if (is_radiance_function(text))
-    return std::string("is a function file of Radiance (.cal), which is not read: ") +
-           std::string(kExportAsCsv);
   return program_format(text);
 }
 

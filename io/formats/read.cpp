@@ -7,6 +7,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "io/formats/other_formats.h"
+#include "io/formats/program_formats.h"
 #include "io/material/material_file.h"
 #include "io/samples/repetition.h"
 #include "io/samples/table_rules.h"
@@ -118,6 +119,19 @@ void check_size(const Content& text) {
                      " MiB, the limit of formats of other programs; CSV may be larger");
 }
 
+// Reads a table of columns. The message of a refusal begins with the advice on the text, if any.
+SampleTable read_columns(const Content& text, bool need_values, const Supplied& supplied) {
+  try {
+    return read_csv(text, need_values, supplied);
+  } catch (const ExchangedColumns&) {
+    throw;
+  } catch (const InputError& error) {
+    const std::string advice = advice_on_text(text.bytes);
+    if (advice.empty()) throw;
+    throw InputError(text.name + ": " + advice + " (as a table of columns: " + error.what() + ")");
+  }
+}
+
 SampleTable read_text(Content text, bool need_values, const Supplied& supplied) {
   const std::string transcoded = make_utf8(text);
   // JSON is tried apart from other text, because a document of one line may exceed the limit of lines.
@@ -132,7 +146,7 @@ SampleTable read_text(Content text, bool need_values, const Supplied& supplied) 
   if (format) check_size(text);
   SampleTable table = format       ? format->read(text, supplied)
                       : has_layout ? read_by_layout(text, supplied)
-                                   : read_csv(text, need_values, supplied);
+                                   : read_columns(text, need_values, supplied);
   if (!transcoded.empty()) table.warnings.push_back(transcoded);
   return table;
 }

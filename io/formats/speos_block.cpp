@@ -7,6 +7,7 @@
 #include "io/files/text.h"
 #include "io/formats/speos.h"
 #include "io/samples/degrees.h"
+#include "io/samples/fill_values.h"
 
 namespace brdf::io::speos {
 namespace {
@@ -141,7 +142,12 @@ Block read_block(Cursor& cursor) {
   require_ascending(cursor, block.phi, "azimuth", kLargestAzimuth / 4);
   for (std::size_t t = 0; t < thetas; ++t) {
     block.theta.push_back(cursor.number("a polar angle"));
-    for (std::size_t p = 0; p < phis; ++p) block.values.push_back(cursor.number("a value"));
+    for (std::size_t p = 0; p < phis; ++p) {
+      block.values.push_back(cursor.number("a value"));
+      if (is_fill_value(block.values.back()))
+        cursor.fail(to_text(block.values.back()) +
+                    " usually means 'not measured', for which the format has 0: write 0");
+    }
   }
   require_ascending(cursor, block.theta, "polar angle", 180);
   return block;

@@ -12,6 +12,7 @@
 #include "io/files/limits.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
+#include "io/samples/fill_values.h"
 
 namespace brdf::io {
 namespace {
@@ -65,6 +66,7 @@ void keep_comment(SampleTable& table, Comment comment) {
 void check_table(const SampleTable& table, Origin origin) {
   check_channel_names(table.channels, table.name());
   check_comments(table);
+  if (origin == Origin::measured) refuse_fill_values(table);
   const auto refuse = [&](std::size_t row, std::string_view column, double value, const std::string& rule) {
     throw InputError(table.where(row) + ": " + std::string(column) + " " + to_text(value) + " " + rule);
   };

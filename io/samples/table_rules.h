@@ -14,8 +14,8 @@ void check_channel_names(const std::vector<std::string>& names, const std::strin
 void keep_comment(SampleTable& table, Comment comment);
 
 // Throws InputError unless the channel names are valid, the comments are short enough for a line, polar
-// angles are from 0 to 90 degrees, azimuths from -1e6 to 1e6 degrees, measured values finite, and standard
-// deviations finite and above 0.
+// angles are from 0 to 90 degrees, azimuths from -1e6 to 1e6 degrees, measured values finite and no fill
+// values (io/samples/fill_values.h), and standard deviations finite and above 0.
 void check_table(const SampleTable& table, Origin origin = Origin::measured);
 
 }  // namespace brdf::io

@@ -1,13 +1,12 @@
 #include "io/samples/to_f_r.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/samples/degrees.h"
+#include "io/samples/fill_values.h"
 
 namespace brdf::io {
 namespace {
@@ -33,28 +32,6 @@ std::vector<std::size_t> defined_rows(const SampleTable& table, bool by_light, b
                         : ": f_r, " + quantity.operation() + ", exceeds the range of numbers"));
 }
 
-// Returns whether a value is one of the numbers that programs write for a missing measurement: -999 with any
-// number of nines more, the smallest number of 16 bits, and the defaults of NetCDF and of other libraries.
-bool is_fill_value(double value) {
-  if (value > -999 && value < 9e36) return false;
-  for (const double nines : {999., 9999., 99999., 999999., 9999999.})
-    if (value == -nines || value == -nines - 0.9 || value == -nines - 0.99) return true;
-  constexpr double kOthers[] = {-32768, -1e30, -1e31, -1e34, 9.96921e36, 9.969209968386869e36};
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  return std::ranges::find(kOthers, value) != std::end(kOthers) ||
-         std::abs(static_cast<float>(value)) == kLargest;
-}
-
-void refuse_fill_values(const SampleTable& table, std::size_t channels) {
-  for (std::size_t c = 0; c < channels; ++c)
-    for (std::size_t k = 0; k < table.rows(); ++k)
-      if (is_fill_value(table.values[c][k]))
-        throw InputError(table.where(k) + ": " + to_text(table.values[c][k]) + " (" +
-                         printable(table.channels[c]) +
-                         ") usually means 'not measured': omit such rows, or give a layout with \"fill\": [" +
-                         to_text(table.values[c][k]) + "]");
-}
-
 }  // namespace
 
 void keep_rows(SampleTable& table, const std::vector<std::size_t>& rows) {
@@ -70,7 +47,7 @@ void keep_rows(SampleTable& table, const std::vector<std::size_t>& rows) {
 }
 
 void make_f_r(SampleTable& table, const std::vector<Quantity>& quantities) {
-  refuse_fill_values(table, quantities.size());
+  refuse_fill_values(table);
   bool by_light = false, by_viewer = false;
   for (const Quantity& q : quantities) {
     by_light = by_light || q.kind->cos_i > 0;

@@ -3,6 +3,7 @@
 #include <glslang/SPIRV/spirv.hpp>
 
 #include "io/files/numbers.h"
+#include "io/files/text.h"
 #include "shader/program/half.h"
 #include "shader/program/lowering.h"
 

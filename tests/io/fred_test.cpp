@@ -65,7 +65,7 @@ TEST(Fred, RefusesWhatItDoesNotUnderstand) {
       {"type bsdf_data\nformat angles=deg\n", "must have angles=deg or angles=rad, and bsdf=value"},
       {"type bsdf_data\nformat angles=deg bsdf=value scale=0\n", "the scale must be a number above 0"},
       {"type bsdf_data\nformat angles=deg bsdf=value scale=1e300\n30 0\n30 0 1e300\n",
-       "line 4: the value times the scale exceeds the range"}};
+       "line 4: 1e+300: f_r, times 9.999999999999999e+299, exceeds the range of numbers"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 

@@ -304,6 +304,20 @@ TEST(Proposal, WordsAmongNumbersAreFillValues) {
   EXPECT_EQ(read_samples(Content{"t", text}, {.layout = to_line(proposal.layout)}).rows(), 1u);
 }
 
+TEST(Proposal, FillValuesAreProposedAsGuesses) {
+  const std::string text =
+      "theta_i,phi_i,theta_o,phi_o,fr\n30,0,20,180,.5\n30,0,40,180,-999\n30,0,50,180,9.96921e36\n"
+      "30,0,55,180,-9999\n30,0,60,180,.2\n";
+  const TableProposal proposal = propose_layout(Content{"t", text});
+  EXPECT_EQ(proposal.layout["fill"], Json::array({-9999.0, -999.0, 9.96921e36}));
+  EXPECT_THAT(to_line(proposal.layout["unsure"]), HasSubstr("$.fill"));
+  EXPECT_EQ(read_samples(Content{"t", text}, {.layout = to_line(proposal.layout)}).rows(), 2u);
+  // Noise and a single large value are no fill values.
+  EXPECT_FALSE(
+      propose_layout(Content{"t", "theta_i,phi_i,theta_o,phi_o,fr\n30,0,20,180,-998\n30,0,40,180,999\n"})
+          .layout.contains("fill"));
+}
+
 TEST(Proposal, OtherFormatsAreRefusedByName) {
   const auto refused = [](const std::string& text) {
     return message_of([&] { propose_layout(Content{"x", text}); });

@@ -93,6 +93,58 @@ TEST(OtherFormats, AreNotSeenInTables) {
   EXPECT_TRUE(may_be_material(Content{"m.json", R"({"form": "ward", "a": {}})"}));
 }
 
+std::string bytes_of(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
+
+std::string with_side(std::string head, std::uint32_t side, bool is_png) {
+  for (const std::uint32_t number :
+       is_png ? std::vector{side, side} : std::vector{0u, 0u, side - 1, side - 1})
+    for (int k = 0; k < 4; ++k) head += char(number >> (8 * (is_png ? 3 - k : k)));
+  return head;
+}
+
+TEST(OtherFormats, UtiaIsRecognisedByItsSize) {
+  using namespace std::string_literals;
+  constexpr std::size_t kNumbers = 3 * 288 * 288;
+  EXPECT_THAT(message(bytes_of(std::vector<double>(kNumbers, .25))),
+              HasSubstr("has the size of a binary BRDF of UTIA (3 x 288 x 288 numbers), which is not read"));
+  const std::string png = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s;
+  EXPECT_THAT(message(with_side(png, 288, true)),
+              HasSubstr("is a picture (PNG) of 288 x 288 pixels, the size "
+                        "of a BRDF of UTIA"));
+  const std::string exr = "\x76\x2f\x31\x01\2\0\0\0dataWindow\0box2i\0\x10\0\0\0"s;
+  EXPECT_THAT(message(with_side(exr, 288, false)), HasSubstr("is a picture (OpenEXR) of 288 x 288 pixels"));
+  // Other sizes, and numbers of another meaning, are not taken for such files.
+  for (const std::string& other :
+       {bytes_of(std::vector<double>(kNumbers - 1, .25)), bytes_of(std::vector<double>(kNumbers, 1e9)),
+        bytes_of(std::vector<double>(kNumbers)), with_side(png, 287, true), with_side(exr, 289, false)})
+    EXPECT_THAT(message(other), testing::Not(HasSubstr("UTIA")));
+}
+
+TEST(OtherFormats, AbgCoefficientsAreNamed) {
+  for (const char* text : {"Name: black\nWave (um),AOI (deg),A,B,g,TIS\n0.6328,0,0.0123,0.00034,1.85,0.03\n",
+                           "scatter model\nA = 0.0123\nB = 3.4e-4\ng = 1.85\n",
+                           "! angle A B g\n0 0.01 0.001 1.5\n30 0.02 0.001 1.4\n"})
+    EXPECT_THAT(message(text),
+                HasSubstr("file: holds coefficients of the ABg model of scatter (A, B, g), which "
+                          "are not read: export the measured BSDF"))
+        << text;
+  // A table whose comment holds a fit, and tables of other channels.
+  EXPECT_EQ(read("# ABg: A=0.1 B=0.002 g=2\n" + std::string(kHeader) + kRow).rows(), 1u);
+  EXPECT_EQ(read("theta_i,phi_i,theta_o,phi_o,A,B,g\n30,180,60,5,1,1,1\n").channels.size(), 3u);
+  EXPECT_THAT(message("R,G,B,A\n1,1,1,1\n"), testing::Not(HasSubstr("ABg")));
+}
+
+TEST(OtherFormats, ReportsAfterE2387AreNamedIfTheyAreNoTables) {
+  EXPECT_THAT(
+      message("ASTM E2387-19 report\nAngle of incidence: 5 deg\n\nScatter angle (deg),BRDF (1/sr)\n6,1\n"),
+      AllOf(HasSubstr("file: refers to ASTM E2387, which gives no layout of files: export columns"),
+            HasSubstr("(as a table of columns: ")));
+  EXPECT_EQ(read("# measured after ASTM E 2387\n" + std::string(kHeader) + kRow).rows(), 1u);
+  EXPECT_THAT(message("Scatter angle (deg),BRDF (1/sr)\n6,1\n"), testing::Not(HasSubstr("E2387")));
+}
+
 // Some verbs read JSON as a material and others as a table. Both messages recognise the file as a table.
 TEST(OtherFormats, InJsonAreToldByTheirKeys) {
   const std::pair<const char*, const char*> cases[] = {

@@ -387,6 +387,35 @@ TEST(Quantities, NumbersForMissingMeasurementsAreRefused) {
   EXPECT_EQ(read(angles + "fr\n30,180,40,0,-998\n30,180,50,0,-0.1\n").rows(), 2u) << "noise may be negative";
 }
 
+// One small file of each format that states f_r, with a place for a number.
+TEST(Quantities, NumbersForMissingMeasurementsAreRefusedInEveryFormat) {
+  const std::string bird =
+      R"({"data": {"theta_i": {"unit": "deg", "values": [30]}, "phi_i": {"unit": "deg", "values": [180]},
+      "theta_r": {"unit": "deg", "values": [60]}, "phi_r": {"unit": "deg", "values": [0]},
+      "BRDF": {"unit": "1/sr", "values": [@]}}})";
+  const std::pair<const char*, std::string> files[] = {
+      {"bird", bird},
+      {"openmaterial", R"({"brdf": {"lookupTable": [[9.05e-07, 0.523599, 0.523599, 3.141593, @]]}})"},
+      {"zemax", replaced(kLens, "1 2", "1 @")},
+      {"fred", "type bsdf_data\nformat angles=deg bsdf=value scale=2\n20 0\n20 0 @\n"},
+      {"alta",
+       "#DIM 3 1\n#PARAM_IN ISOTROPIC_TV_TL_DPHI\n#PARAM_OUT INV_STERADIAN_COSINE_FACTOR\n.3 .4 0 @\n"},
+      {"cornell", "1\n500\n.5 0 .5 3.14 .2\n.5 0 .6 3.14 @\n"},
+      {"speos",
+       "OPTIS - brdf surface file v8.0\n0\nx\n0\n\n1 0\n1\n1 1\n20\n550\n50\n2 2\n0 180\n0 .1 .1\n80 .1 @\n"},
+      {"aspecular", "geometry,500nm\n45as15,.4\n45as25,@\n"}};
+  for (const auto& [format, text] : files) {
+    EXPECT_EQ(read(replaced(text, "@", "0.25")).format, format) << text;
+    for (const char* fill : {"-999", "9.96921e36"})
+      EXPECT_THAT(message(replaced(text, "@", fill)), HasSubstr("usually means 'not measured'"))
+          << format << text;
+  }
+  EXPECT_THAT(
+      message("theta_o \\ theta_i,30,60\n-30,.1,-999\n30,.6,.2\n"),
+      HasSubstr(
+          "line 2: column 3 (): '-999' usually means 'not measured': leave such cells of a matrix empty"));
+}
+
 TEST(StatedQuantity, CountsInAnySpelling) {
   const std::string rows = "theta_i,phi_i,theta_o,phi_o,fr\n0,0,60,0,1\n";
   for (const char* line :

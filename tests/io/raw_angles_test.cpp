@@ -66,5 +66,20 @@ TEST(Astm, ScansNearTheNormalAreInDegrees) {
   EXPECT_THAT(t.warnings, ElementsAre("angles are assumed to be in degrees"));
 }
 
+TEST(SmallAngles, WithoutAUnitAreAnnounced) {
+  const auto words = [](const std::string& text) { return testing::PrintToString(read(text).assumptions); };
+  const std::string rows = "0.5236,0,0.5236,3.1416,.5\n0.5236,0,0.2,3.1416,.4\n";
+  const char* const sentence =
+      "the polar angles reach only 0.5236, and the header gives no unit: read as degrees";
+  EXPECT_THAT(words("theta_i,phi_i,theta_r,phi_r,brdf\n" + rows), testing::HasSubstr(sentence));
+  EXPECT_THAT(words("theta_i,phi_i,theta_o,phi_o,fr\n" + rows), testing::HasSubstr(sentence));
+  // A stated unit, whole numbers, and larger angles are read without this message.
+  for (const std::string& text : {"theta_i (deg),phi_i,theta_r (deg),phi_r,brdf\n" + rows,
+                                  "theta_i (rad),phi_i,theta_r,phi_r,brdf\n" + rows,
+                                  std::string("theta_i,phi_i,theta_r,phi_r,brdf\n1,0,1,180,.5\n"),
+                                  "theta_i,phi_i,theta_r,phi_r,brdf\n" + rows + "30,0,20.5,180,.5\n"})
+    EXPECT_THAT(words(text), testing::Not(testing::HasSubstr("reach only"))) << text;
+}
+
 }  // namespace
 }  // namespace brdf::io

@@ -58,6 +58,32 @@ TEST(RoadTable, MayBeTransposedOrStateItsQuantity) {
   EXPECT_NEAR(value_at(t, 45, 30, 89, 180), .03, 1e-12);
 }
 
+TEST(RoadTable, MayHaveARowForEachValue) {
+  const SampleTable matrix = read("tan gamma \\ beta,0,30\n0,600,600\n1,200,150\n");
+  for (const char* text :
+       {"beta,tan_gamma,r\n0,0,600\n0,1,200\n30,1,150\n",
+        "A road\ntan gamma;beta (deg);r\n0;0;600\n1;0;200\n1;30;150\n",
+        "alpha,beta,gamma,r\n1,0,0,600\n1,0,45,200\n1,30,45,150\n",
+        "beta,tan gamma,q (cd/m2/lx)\n0,0,.06\n0,1,.056568542494923804\n30,1,.0424264068711929\n"}) {
+    const SampleTable t = read(text);
+    ASSERT_EQ(t.rows(), 3u) << text;
+    EXPECT_THAT(t.assumptions, Contains(HasSubstr("an r-table of road lighting"))) << text;
+    for (std::size_t k = 0; k < t.rows(); ++k) {
+      EXPECT_EQ(t.theta_o[k], 89) << text;
+      EXPECT_NEAR(t.values[0][k], value_at(matrix, t.theta_i[k], t.phi_i[k], 89, t.phi_o[k]), 1e-12) << text;
+    }
+    EXPECT_EQ(t.phi_o[1] - t.phi_i[1], 180) << text;
+  }
+  EXPECT_EQ(read("alpha,beta,gamma,q\n1.5,0,45,.06\n").theta_o[0], 88.5);
+  // With other angles, beta is no angle of a road.
+  EXPECT_THAT(message("theta_i,beta,tan gamma,r\n0,0,0,600\n"), HasSubstr("is the tangent of an r-table's"));
+  EXPECT_EQ(read("theta_i,phi_i,theta_o,phi_o,beta,gamma\n30,0,30,180,1,1\n").channels.size(), 2u);
+  EXPECT_THAT(message("beta,r\n0,600\n"), HasSubstr("column 'theta_i' is missing"));
+  // The quantity of other names is not known.
+  EXPECT_THAT(message("beta,gamma,lux\n0,0,600\n"),
+              HasSubstr("'lux' of an r-table of road lighting gives no quantity"));
+}
+
 TEST(Aspecular, NamesAreReadFromTheMirrorDirectionTowardsTheNormal) {
   const auto angles = [](std::string_view name) {
     const auto found = aspecular_geometry(name);

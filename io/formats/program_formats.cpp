@@ -1,0 +1,173 @@
+#include "io/formats/program_formats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "io/columns/column_names.h"
+#include "io/columns/foreign_json.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+bool has_part(std::string_view text, std::string_view part) {
+  return text.find(part) != text.npos;
+}
+
+constexpr std::size_t kHeadOfText = 1 << 16;  // bytes that are searched
+
+// Returns the first lines of a text, without blanks at their ends.
+std::vector<std::string_view> first_lines(std::string_view text, std::size_t count) {
+  std::vector<std::string_view> lines;
+  for (std::size_t at = 0; at < text.size() && lines.size() < count;) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(trimmed(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return lines;
+}
+
+bool is_whole(std::string_view text, double least, double most) {
+  double number;
+  return parse_number(text, number) && number >= least && number <= most && number == std::floor(number);
+}
+
+// EULUMDAT has one entry on each line, without keywords: the company, the kinds of the luminaire (1 to 3)
+// and of its symmetry (0 to 4), the numbers and steps of the planes and of the angles, five lines of text,
+// then the dimensions.
+bool is_eulumdat(std::string_view text) {
+  constexpr std::size_t kHeadLines = 26;
+  const std::vector<std::string_view> lines = first_lines(text.substr(0, kHeadOfText), kHeadLines);
+  double number;
+  const auto is_number = [&](std::size_t k) { return parse_number(lines[k], number); };
+  if (lines.size() < kHeadLines || is_number(0) || !is_whole(lines[1], 0, 3) || !is_whole(lines[2], 0, 4) ||
+      !is_whole(lines[3], 1, 721) || !is_number(4) || !is_whole(lines[5], 1, 721) || !is_number(6))
+    return false;
+  for (std::size_t k = 12; k < 22; ++k)
+    if (!is_number(k)) return false;
+  return true;
+}
+
+// A data file of Radiance has the number of dimensions, for each dimension its first and last coordinate
+// and the number of values along it, and then the values, as many as the product of these numbers.
+bool is_radiance_data(std::string_view text) {
+  constexpr double kMostDimensions = 6;
+  std::vector<std::string_view> words;
+  while (text.starts_with('#')) {
+    const std::size_t end = text.find('\n');
+    text.remove_prefix(std::min(end, text.size() - 1) + 1);
+  }
+  if (text.empty()) return false;
+  split_blanks(first_lines(text.substr(0, kHeadOfText), 1).front(), words);
+  if (words.size() != 1 || !is_whole(words[0], 1, kMostDimensions)) return false;
+  double dimensions = 0, product = 1;
+  parse_number(words[0], dimensions);
+  const std::vector<std::string_view> lines =
+      first_lines(text.substr(0, kHeadOfText), static_cast<std::size_t>(dimensions) + 1);
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    split_blanks(lines[k], words);
+    double count = 0;
+    if (words.size() != 3 || !is_whole(words[2], 1, 1e6) || !parse_number(words[2], count)) return false;
+    product *= count;
+  }
+  const char* const end_of_head = lines.back().data() + lines.back().size();
+  const std::string_view rest = text.substr(static_cast<std::size_t>(end_of_head - text.data()));
+  std::size_t values = 0;
+  bool is_inside = false;
+  for (const char c : rest) {
+    const bool is_blank = c == ' ' || c == '\t' || c == '\r' || c == '\n';
+    values += !is_blank && !is_inside;
+    is_inside = !is_blank;
+  }
+  return lines.size() == dimensions + 1 && static_cast<double>(values) == product;
+}
+
+// A function file of Radiance begins with a comment in braces and defines functions.
+bool is_radiance_function(std::string_view text) {
+  const std::size_t next = text.find_first_not_of(" \t\r\n", 1);
+  return text.starts_with('{') && next != text.npos && text[next] != '"' && text[next] != '}' &&
+         has_part(text.substr(0, kHeadOfText), "=") && has_part(text.substr(0, kHeadOfText), ";");
+}
+
+constexpr std::size_t kLinesOfHeader = 60;
+
+// Returns the parts between any of these characters, without empty parts.
+Words parts_of(std::string_view line, std::string_view separators) {
+  Words parts;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+    if (const std::string_view part = trimmed(line.substr(at, end - at)); !part.empty())
+      parts.push_back(part);
+    at = end + 1;
+  }
+  return parts;
+}
+
+bool is_header_of_samples(std::string_view line) {
+  line = line.substr(std::min(line.size(), line.find_first_not_of("#%!/ ")));
+  return names_angles(parts_of(line, ",;\t|")) || names_angles(parts_of(line, " ,;\t|"));
+}
+
+bool has_word(const Words& words, std::string_view word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+// Coefficients of the ABg model have A, B and g as the names of three columns or of three lines. A table of
+// samples whose comments hold a fit of this model names its angles.
+bool holds_abg(std::string_view text) {
+  bool has_columns = false;
+  Words names_of_lines;
+  for (const std::string_view line : first_lines(text.substr(0, kHeadOfText), kLinesOfHeader)) {
+    if (is_header_of_samples(line)) return false;
+    const Words words = parts_of(line, " ,;:=|()[]#%!/\t");
+    has_columns = has_columns || (has_word(words, "A") && has_word(words, "B") && has_word(words, "g"));
+    double number;
+    if (words.size() >= 2 && words[0].size() == 1 && parse_number(words[1], number))
+      names_of_lines.push_back(words[0]);
+  }
+  return has_columns ||
+         (has_word(names_of_lines, "A") && has_word(names_of_lines, "B") && has_word(names_of_lines, "g"));
+}
+
+bool refers_to_e2387(std::string_view text) {
+  std::string head = lower_case(text.substr(0, kHeadOfText));
+  std::erase_if(head, [](char c) { return c == ' ' || c == '-' || c == '_'; });
+  return has_part(head, "e2387");
+}
+
+constexpr std::string_view kLuminaire =
+    ", which describes the light of a luminaire, not a surface: `brdf` reads samples of surfaces";
+
+}  // namespace
+
+std::string program_format(std::string_view text) {
+  const std::string_view head = text.substr(0, kHeadOfText);
+  const std::string unread = std::string(", which is not read: ") + std::string(kExportAsCsv);
+  if (text.starts_with("IESNA") || text.starts_with("TILT=") || has_part(head, "\nTILT="))
+    return "is a photometric file of IES (LM-63)" + std::string(kLuminaire);
+  if (is_eulumdat(text)) return "is a photometric file in EULUMDAT (.ldt)" + std::string(kLuminaire);
+  if (is_radiance_data(text)) return "is a data file of Radiance (.dat)" + unread;
+  if (text.starts_with("TracePro")) return "is a surface property of TracePro" + unread;
+  const bool is_light_tools =
+      has_part(head, "ScatterRadial") && has_part(head, "AOI") && has_part(head, "Side");
+  if (is_light_tools) return "is a BSDF of LightTools" + unread;
+  if (is_radiance_function(text)) return "is a function file of Radiance (.cal)" + unread;
+  return "";
+}
+
+std::string advice_on_text(std::string_view text) {
+  if (holds_abg(text))
+    return "holds coefficients of the ABg model of scatter (A, B, g), which are not read: export "
+           "the "
+           "measured BSDF, or compute A/(B + |sin(theta_o) - sin(theta_i)|^g) for pairs of directions, and " +
+           std::string(kExportAsCsv);
+  if (refers_to_e2387(text))
+    return "refers to ASTM E2387, which gives no layout of files: " + std::string(kExportAsCsv) +
+           ", or describe the table by a layout (`brdf describe-table FILE` proposes one)";
+  return "";
+}
+
+}  // namespace brdf::io
