@@ -74,6 +74,7 @@ CASES = [
     Case("eval to stdout", ["eval", "--form", "ward", "directions.csv"], [], ["directions.csv"], short=True),
     Case("albedo", ["albedo", "--material", "material.json", "--theta", "30", "--tolerance", "1e-2", "--json"], [],
          ["material.json"]),
+    Case("convert-parameters", ["convert-parameters", "material.json", "--to", "gloss_60", "--json"], [], ["material.json"]),
     Case("synth", ["synth", "--form", "lambert", "--grid", "in_plane", "--step", "20", "-o", "samples.csv"],
          ["samples.csv"]),
     Case("synth --microsurface", ["synth", "--microsurface", "mirror_grooves", "--set", "alpha=0.3", "--theta-i", "30",
