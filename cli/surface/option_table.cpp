@@ -195,6 +195,7 @@ constexpr OptionRow kTable[] = {
     {"--times", Group::output},
     {"--missing", Group::output},
     {"export --size", Group::output},
+    {"--table-layout", Group::output},
     {"--help", Group::general},
     {"--quiet", Group::general},
 };

@@ -132,6 +132,8 @@ CASES = [
          ["material.glsl"], ["material.json"]),
     Case("export to glTF", ["export", "--material", "material.json", "--to", "gltf", "-o", "material.gltf"],
          ["material.gltf"], ["material.json"]),
+    Case("export a lookup table", ["export", "--material", "material.json", "--to", "dfg", "--table-layout", "three", "-o", "dfg.exr"],
+         ["dfg.exr"], ["material.json"]),
     Case("fit a stack", ["fit", "stack", "--form", "lambert", "--metric", "log", "-o", "maps", "--report", "maps.html",
                          "--json"],
          ["maps/maps.exr", "maps/maps.json", "maps/scene.json", "maps/albedo.png", "maps/normal.png", "maps.html"], STACK,
