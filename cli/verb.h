@@ -48,6 +48,7 @@ void add_albedo(CLI::App& app);
 void add_recommend(CLI::App& app);
 void add_parity(CLI::App& app);
 void add_trade(CLI::App& app);
+void add_convert_parameters(CLI::App& app);
 void add_export(CLI::App& app);
 void add_describe(CLI::App& app);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interop/loss.h"
 #include "io/samples/degrees.h"
 
 namespace brdf::interop {
@@ -90,6 +91,13 @@ io::SampleTable pairs_about(const Material& material, Pairs which) {
   table.set_channels(material.channels);
   for (const LobePlace& lobe : lobe_places(material))
     add_about(table, lobe, steps_of(which), may_turn(material));
+  return table;
+}
+
+io::SampleTable values_about(const Material& material, Pairs which) {
+  io::SampleTable table = pairs_about(material, which);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  table.values = values_at(material, arrays.view());
   return table;
 }
 

@@ -27,6 +27,8 @@ std::vector<LobePlace> lobe_places(const Material& material);
 
 // Returns rows of directions without values.
 io::SampleTable pairs_about(const Material& material, Pairs which);
+// Returns the same rows with the values of the material.
+io::SampleTable values_about(const Material& material, Pairs which);
 
 // Returns starting rows for a search of the largest difference from a material: theta in steps of 4 degrees
 // up to 80 degrees, azimuths dense near the mirror direction, and the lobes sampled at their own widths.

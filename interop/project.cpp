@@ -11,18 +11,6 @@
 namespace brdf::interop {
 namespace {
 
-io::SampleTable wanted_values(const Wanted& wanted) {
-  io::SampleTable table = pairs_about(wanted.material, Pairs::fitted);
-  const DirectionArrays<double> arrays = io::unit_directions(table);
-  const Directions<double> d = arrays.view();
-  std::vector<double> f(table.channels.size());
-  for (std::size_t k = 0; k < d.count; ++k) {
-    brdf::eval(wanted.material, d.wi(k), d.wo(k), f);
-    for (std::size_t c = 0; c < f.size(); ++c) table.values[c].push_back(f[c]);
-  }
-  return table;
-}
-
 bool is_zero(const Term& term, std::size_t weight) {
   return std::ranges::all_of(term.weights, [&](const auto& w) { return w[weight] == 0; });
 }
@@ -122,7 +110,7 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   const Comparison comparison(wanted.material);
   const Loss of_copy = comparison.loss_of(shown_by(rules, out.material));
   if (of_copy.exact() && !exceeds(out.material.terms[0], rules)) return out;
-  const io::SampleTable table = wanted_values(wanted);
+  const io::SampleTable table = values_about(wanted.material, Pairs::fitted);
   Refit refit(comparison, rules, table, out.material, of_copy);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);
   // Fits f cos_i first, then relative differences.

@@ -182,6 +182,8 @@ constexpr OptionRow kTable[] = {
     {"--picture", Group::output, Value::picture},
     {"--no-pictures", Group::output},
     {"--to", Group::output},
+    {"--from", Group::input, Value::text},
+    {"--index", Group::model},
     {"--name", Group::output, Value::text},
     {"--include", Group::output},
     {"--kernels", Group::output},
@@ -193,6 +195,7 @@ constexpr OptionRow kTable[] = {
     {"--times", Group::output},
     {"--missing", Group::output},
     {"export --size", Group::output},
+    {"--table-layout", Group::output},
     {"--help", Group::general},
     {"--quiet", Group::general},
 };

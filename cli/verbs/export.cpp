@@ -8,7 +8,9 @@
 #include "cli/options/shader_options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "cli/steps/written_table.h"
 #include "cli/verb.h"
+#include "interop/lookup_table.h"
 #include "interop/programs.h"
 #include "interop/read_back.h"
 #include "interop/rgl.h"
@@ -34,7 +36,7 @@ namespace {
 
 struct ExportCall {
   MaterialOptions material;
-  std::string measured, to, output, name, kernels = "own";
+  std::string measured, to, output, name, kernels = "own", table_layout = "brdf";
   bool include = false, naive = false, json = false, is_positional = false;
   std::optional<double> max_loss;
   io::Supplied supplied;
@@ -42,7 +44,11 @@ struct ExportCall {
   std::function<void(const std::string&)> step;  // shows the current step on a terminal
 };
 
-constexpr const char *kMerl = "merl", *kRgl = "rgl";
+constexpr const char *kMerl = "merl", *kRgl = "rgl", *kDfg = "dfg", *kAlbedoTable = "albedo";
+
+bool is_lookup_table(const std::string& to) {
+  return to == kDfg || to == kAlbedoTable;
+}
 
 // Additional content of --json, and the exit code.
 struct Made {
@@ -168,6 +174,24 @@ Made export_rgl(const ExportCall& o) {
   return made;
 }
 
+Made export_lookup_table(const ExportCall& o) {
+  check_output(o);
+  const Material material = choose_material(o.material, "export");
+  o.step("integrating the texels");
+  const interop::LookupTable table =
+      interop::lookup_table(material, o.to == kDfg ? interop::TableKind::dfg : interop::TableKind::albedo,
+                            *interop::find_table_layout(o.table_layout));
+  write_lookup_table(o.output, table);
+  for (const std::string& sentence : interop::sentences(table)) Note() << "brdf export: " << sentence;
+  Made made{{{"kind", "table"}, {"table", interop::to_json(table)}}};
+  if (table.not_converged > 0) {
+    Warning() << "brdf export: " << table.not_converged
+              << " texels did not converge, and their bounds are not known";
+    made.exit = Exit::failed;
+  }
+  return made;
+}
+
 std::optional<io::ShaderLanguage> language_of(const std::string& to) {
   if (to == "hlsl") return io::ShaderLanguage::hlsl;
   if (to == "cpp") return io::ShaderLanguage::cpp;
@@ -229,6 +253,7 @@ Made made_by(const ExportCall& o, const interop::Program* program) {
     throw InputError("--quantity, --mirror-side, --layout: apply to --measured only");
   if (o.to == kMerl) return export_merl(o);
   if (o.to == kRgl) return export_rgl(o);
+  if (is_lookup_table(o.to)) return export_lookup_table(o);
   return program ? export_program(o, *program) : export_formula(o);
 }
 
@@ -243,14 +268,21 @@ void print_json(const ExportCall& o, const io::Json& made) {
 
 // Throws for an option that has no effect on the target, instead of ignoring the option.
 void check_use(const ExportCall& o, const interop::Program* program) {
-  if ((program || o.to == kMerl || o.to == kRgl) && (o.include || o.kernels != "own"))
+  if ((program || o.to == kMerl || o.to == kRgl || is_lookup_table(o.to)) &&
+      (o.include || o.kernels != "own"))
     throw InputError(std::string(o.include ? "--include" : "--kernels") + ": applies to shaders only");
-  if (!o.name.empty() && (o.to == kMerl || o.to == "explorer" || !o.measured.empty()))
+  if (!o.name.empty() &&
+      (o.to == kMerl || o.to == "explorer" || is_lookup_table(o.to) || !o.measured.empty()))
     throw InputError("--name: " + (o.measured.empty() ? "--to " + o.to : "--measured") +
                      " writes no name of a material");
   if (o.to != kRgl && o.size != interop::kUsualTable) throw InputError("--size: applies to --to rgl only");
   if (!program && o.naive)
     throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
+  if (o.table_layout != "brdf" && !is_lookup_table(o.to))
+    throw InputError("--table-layout: applies to --to dfg and albedo only");
+  if (o.max_loss && is_lookup_table(o.to))
+    throw InputError("--max-loss: --to " + o.to +
+                     " states the difference of a reading, which is no loss of f");
   if (o.max_loss && !o.measured.empty())
     throw InputError("--max-loss: needs a material, because the values between samples are not known");
   if (o.max_loss && o.kernels != "own")
@@ -294,8 +326,15 @@ Exit run_export(ExportCall& o) {
 }
 
 std::vector<std::string> target_names() {
-  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp", "explorer", kMerl, kRgl};
+  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp",       "explorer",
+                                 kMerl,  kRgl,      kDfg,   kAlbedoTable};
   for (const interop::Program& program : interop::programs()) names.emplace_back(program.name);
+  return names;
+}
+
+std::vector<std::string> layout_names() {
+  std::vector<std::string> names;
+  for (const interop::TableLayout& layout : interop::table_layouts()) names.emplace_back(layout.name);
   return names;
 }
 
@@ -313,7 +352,9 @@ void add_export(CLI::App& app) {
   verb->add_option(
           "--to", options->to,
           "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
-          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); or a program")
+          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); dfg and albedo "
+          "(lookup tables, .exr); "
+          "or a program")
       ->required()
       ->check(CLI::IsMember(target_names()));
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
@@ -333,6 +374,10 @@ void add_export(CLI::App& app) {
                    "Largest loss, the rms difference of ln(1 + f cos_i), about a relative error; exit code 1 "
                    "if the loss is larger")
       ->check(CLI::NonNegativeNumber);
+  verb->add_option("--table-layout", options->table_layout,
+                   "Program whose axes, size and channels the table of --to dfg or albedo has")
+      ->check(CLI::IsMember(layout_names()))
+      ->capture_default_str();
   verb->add_flag("--json", options->json,
                  "JSON on stdout: the loss, the loss of copied parameters, and refused properties");
   add_supplied_options(*verb, options->supplied);
@@ -357,6 +402,7 @@ void add_export(CLI::App& app) {
       "          brdf export copper.json --to materialx -o copper.mtlx --json\n"
       "          brdf export copper.json --to merl -o copper.binary\n"
       "          brdf export copper.json --to rgl --size 25M -o copper.bsdf\n"
+      "          brdf export --form cook_torrance --to dfg --table-layout filament -o dfg.exr\n"
       "          brdf export copper.json --measured copper.csv --to merl -o copper.binary\n"
       "          brdf export plane.csv --quantity BRF --mirror-side negative --to merl -o "
       "plane.binary");

@@ -146,3 +146,18 @@ def trade(**options: Any) -> Any:
 def recommend(**options: Any) -> Any:
     """`brdf recommend`: the cheapest model that is sufficient for a scene; json=True: returns choice and candidates."""
     return program("recommend", **options)
+
+
+def convert_parameters(source: Material | Mapping[str, float] | str | os.PathLike[str], to: str = "",
+                       **options: Any) -> list[dict[str, Any]]:
+    """`brdf convert-parameters`: converts {"phong_exponent": 50} into other widths and roughness, and a width or a material
+    into gloss.
+
+    to: one parameter or number, or "" for all. Further options: index, phi. Returns a dictionary for each result, with its
+    rule; the value is None if the number is undecided or refused.
+    """
+    chosen: dict[str, Any] = {"from": source} if isinstance(source, Mapping) else {"material": source}
+    if to:
+        chosen["to"] = to
+    rows: list[dict[str, Any]] = program("convert-parameters", **chosen, **options, json=True)["results"]
+    return rows

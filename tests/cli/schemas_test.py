@@ -57,8 +57,11 @@ with tempfile.TemporaryDirectory() as folder:
     check("collect", said("collect", "job", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
+    for words in (("--from", "ggx_alpha=0.3"), ("--from", "glass_index=1.5"), ("m.json", "--to", "gloss"), ("m.json", "--to", "haze")):
+        check("convert-parameters", said("convert-parameters", *words, "--json"))
     for words in (("--form", "ward", "--to", "materialx"), ("--form", "lambert", "--to", "gltf"), ("--form", "ward", "--to", "glsl"),
                   ("--form", "ward", "--to", "rgl", "--size", "200K"), ("--form", "ward", "--to", "merl"),
+                  ("--form", "ward", "--to", "dfg", "--table-layout", "three"), ("--form", "cook_torrance", "--to", "albedo"),
                   ("--form", "ward_duer", "--to", "gltf")):
         check("export", said("export", *words, "-o", "exported", "--json"))
     check("prove", said("prove", "--form", "ward", "--form", "oren_nayar_full", "--seconds", "0.2", "-o", "c.json", "--json"))

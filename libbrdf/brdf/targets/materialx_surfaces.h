@@ -2,8 +2,8 @@
 // off.
 //
 // Each node mixes a metal and a dielectric by its metalness, and its dielectric lobe lies over a diffuse
-// part: f = lobe + (1 - weight albedo(cos_o)) base. The albedo is that of the lobe in the direction of the viewer.
-// The nodes are therefore not reciprocal. All lobes are those of materialx_lobe.
+// part: f = lobe + (1 - weight albedo(cos_o)) base. The albedo is that of the lobe in the direction of the
+// viewer. The nodes are therefore not reciprocal. All lobes are those of materialx_lobe.
 // Source: AcademySoftwareFoundation/MaterialX 4177b2cb (1.39.6), libraries/bxdf (the graphs of the nodes) and
 // libraries/pbrlib/genglsl (mx_generalized_schlick_bsdf.glsl, mx_dielectric_bsdf.glsl,
 // mx_conductor_bsdf.glsl, mx_oren_nayar_diffuse_bsdf.glsl, mx_burley_diffuse_bsdf.glsl,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/convergence.h"
 #include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf {
@@ -15,45 +16,6 @@ constexpr int kFirstAccepted = 12;
 constexpr double kNodesPerFold = 1.25;  // with fewer, two orders may agree because both miss the same part
 
 using PanelRule = Sums (*)(const Integrand&, const FixedDirection&, int);
-
-double distance(double a, double b) {
-  return std::abs(a - b);
-}
-
-// The most recent values of one output, the newest first.
-class History {
- public:
-  void add(double value) {
-    std::copy_backward(values_.begin(), values_.end() - 1, values_.end());
-    values_[0] = value;
-    count_ = std::min(count_ + 1, values_.size());
-  }
-  // Returns the distance between value k and the value before it, with 0 for the newest value. The result
-  // is infinite if there are too few values.
-  double change(std::size_t k) const {
-    return k + 1 < count_ ? distance(values_[k], values_[k + 1]) : HUGE_VAL;
-  }
-
- private:
-  std::array<double, 4> values_{};
-  std::size_t count_ = 0;
-};
-
-// Decrease of the error from one order to the next.
-enum class Fall {
-  fast,  // by much more than a factor of four once the lobe is resolved
-  slow,  // eventually as fast, but unevenly: two small changes in a row may be chance
-};
-
-// Returns an estimate that was above the error in each of 120 000 random integrals. It costs 1.2 times the
-// evaluations of a simpler estimate, which was up to 160 times too small in one of 2000 integrals.
-double truncation_error(const History& history, Fall fall, double rounding) {
-  const double last = history.change(0), earlier = history.change(1);
-  const double change = last < earlier / 4 || last < 10 * rounding ? last : 4 * last;
-  const bool third = !std::isfinite(history.change(2));  // third order: little better than the second
-  if (fall == Fall::fast) return std::max(change, (third ? 0.4 : 0.1) * earlier);
-  return std::max({change, (third ? 0.8 : 0.4) * earlier, third ? 0 : 0.01 * history.change(2)});
-}
 
 std::vector<AlbedoResult> escalate(PanelRule rule, Rule name, const Integrand& integrand,
                                    const FixedDirection& fixed, const AlbedoOptions& options) {
@@ -142,15 +104,7 @@ FixedDirection fixed_direction(Angle theta, Angle phi) {
 // Adds the albedo of the term to the results of its channels.
 void add_term(const Term& term, Angle theta, Angle phi, const AlbedoOptions& options,
               std::vector<AlbedoResult>& results) {
-  const std::size_t n = term.weights.size();
-  std::vector<std::vector<std::size_t>> groups;
-  if (term.shape.size() == 1) {
-    groups.emplace_back();
-    for (std::size_t c = 0; c < n; ++c) groups.front().push_back(c);
-  } else {
-    for (std::size_t c = 0; c < n; ++c) groups.push_back({c});
-  }
-  for (const auto& group : groups) {
+  for (const auto& group : integrals::groups_of_one_shape(term)) {
     const Integrand integrand(term, group, options.fixed);
     const auto found =
         integrals::integrate(integrand, fixed_direction(theta, phi - term.tangent_phi), options);

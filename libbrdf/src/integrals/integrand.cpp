@@ -154,8 +154,6 @@ std::vector<double> Integrand::constant_outputs() const {
   return combine(std::vector<double>(columns_, 0.0));
 }
 
-// Returns the outputs computed from the columns: the lobes themselves, or the sums of weight times lobe of
-// the channels.
 std::vector<double> Integrand::weigh(std::vector<double> columns) const {
   const std::span<const LobeWeight> lobes = info(form_).lobes;
   if (lobes_only_ || lobes.empty()) return columns;
@@ -195,6 +193,12 @@ void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double*
   }
   for (std::size_t c = 0; c < columns_; ++c)
     for (std::size_t j = 0; j < n; ++j) out[c * n + j] *= z[j];
+}
+
+std::vector<std::vector<std::size_t>> groups_of_one_shape(const Term& term) {
+  std::vector<std::vector<std::size_t>> groups(term.shape.size() == 1 ? 1 : term.weights.size());
+  for (std::size_t c = 0; c < term.weights.size(); ++c) groups[std::min(c, groups.size() - 1)].push_back(c);
+  return groups;
 }
 
 void NodeSum::flush() {

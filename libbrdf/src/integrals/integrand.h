@@ -65,6 +65,8 @@ class Integrand {
   // varying columns to a piece, and the contribution of the constant columns to the whole.
   std::vector<double> combine_varying(std::span<const double> columns) const;
   std::vector<double> constant_outputs() const;
+  // Returns the outputs, computed from the integrals of the columns over any region.
+  std::vector<double> weigh(std::vector<double> columns) const;
 
   // Computes f cos of column c at n <= kBlock moving unit directions: out[c n + j]. `fixed` is given in the
   // frame of the tangent. Uses the batches of the forms.
@@ -83,13 +85,15 @@ class Integrand {
   Features features_;
 
   void look();
-  std::vector<double> weigh(std::vector<double> columns) const;
   double sum_at(const Vec3<double>& fixed, const Vec3<double>& moving) const;
   void find_constants();
   double measured_width() const;
   bool measured_root() const;
   bool measured_orientation() const;
 };
+
+// Returns the channels of a term in groups that have the same shape and are integrated together.
+std::vector<std::vector<std::size_t>> groups_of_one_shape(const Term& term);
 
 // Collects weighted directions and sums the integrand over them, one block at a time.
 class NodeSum {
