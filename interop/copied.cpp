@@ -17,7 +17,7 @@ struct Said {
   double normal() const { return std::min(lobe * f0, 1.0); }
 };
 
-// Returns true for the parameters of a program's metal, whose only colour is the reflectance of its lobe.
+// Returns true for a metal of a program: its only colour is the reflectance of the lobe.
 bool is_metal(const ReflectanceInfo& form, const std::vector<double>& shape) {
   for (std::size_t k = 0; k < form.shape.size(); ++k)
     if (form.shape[k].map == Map::metallic) return shape[k] == 1;
