@@ -153,6 +153,8 @@ TableFunction::TableFunction(const Material& material, TableKind kind, bool bias
   for (const auto& roles : kAxisRoles)
     for (const Role role : roles)
       if (const int k = form.shape_index(role); k >= 0) widths_.push_back(std::size_t(k));
+  // Shaders and forms of other conventions have the root itself.
+  if (widths_.empty()) root_ = form.shape_index("roughness");
   const std::string name(form.name);
   if (kind == TableKind::dfg && splits_) {
     channels_ =
@@ -175,6 +177,10 @@ Term TableFunction::at_alpha(double alpha) const {
     // Equal peaks of the distributions (Walter et al. 2007).
     const double value = exponent ? 2 / std::max(alpha * alpha, 1e-12) - 2 : alpha;
     term.shape[0][k] = std::clamp(value, p.min, p.max);
+  }
+  if (root_ >= 0) {
+    const ParameterInfo& p = form.shape[std::size_t(root_)];
+    term.shape[0][std::size_t(root_)] = std::clamp(std::sqrt(alpha), p.min, p.max);
   }
   return term;
 }

@@ -50,8 +50,9 @@ class TableFunction {
 
   const std::vector<std::string>& channels() const { return channels_; }
   const std::string& content() const { return content_; }
-  // Returns whether the form has a width or an exponent, which the roughness sets.
-  bool has_roughness() const { return !widths_.empty(); }
+  // Returns whether the form has a width, an exponent or a parameter called roughness, which the table's
+  // roughness sets.
+  bool has_roughness() const { return !widths_.empty() || root_ >= 0; }
 
   struct Values {
     std::vector<double> values;
@@ -70,6 +71,7 @@ class TableFunction {
   TableKind kind_;
   bool bias_first_, splits_ = false;
   std::vector<std::size_t> widths_;  // indices into the shape
+  int root_ = -1;                    // the same of the parameter that takes the root of alpha
   std::vector<std::string> channels_;
   std::string content_;
 };

@@ -143,6 +143,16 @@ TEST(LookupTables, FormsWithoutF0HaveOneChannel) {
   for (const double value : lambert.texels[0]) EXPECT_NEAR(value, 0.5, 1e-12);
 }
 
+TEST(LookupTables, AParameterCalledRoughnessFollowsTheAxis) {
+  const LookupTable table = table_of("oren_nayar_energy", TableKind::dfg, "three");
+  ASSERT_EQ(table.width, 16u);
+  Material same = lobe("oren_nayar_energy");
+  same.terms[0].shape[0][0] = 10.5 / 16;
+  const AlbedoResult exact = directional_albedo(same.terms[0], 0, radians(std::acos(3.5 / 16)), {}, {});
+  EXPECT_NEAR(table.texels[0][3 * 16 + 10], exact.value, 1e-5);
+  EXPECT_GT(std::abs(table.texels[0][3 * 16 + 2] - exact.value), 1e-4);
+}
+
 TEST(LookupTables, NumbersOfFormatsAreRoundedToTheNearest) {
   EXPECT_EQ(stored(1.0 / 3, TableFormat::half), 0.333251953125);
   EXPECT_EQ(stored(1, TableFormat::half), 1);
