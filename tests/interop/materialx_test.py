@@ -174,7 +174,7 @@ def main():
     subprocess.run([brdf, "export", *shlex.split(MATERIALS["metal"]), "--to", "mitsuba", "-o", mitsuba], check=True,
                    capture_output=True)
     subprocess.run(["xmllint", "--noout", mitsuba], check=True)
-    assert compare_with_seen() < 1.3e-6
+    assert 6e-7 < compare_with_seen() < 1.5e-6
     broken = folder / "broken.mtlx"
     broken.write_text((folder / "metal_materialx.mtlx").read_text().replace("color82", "colour82"))
     try:
