@@ -153,7 +153,7 @@ struct Copy {
       case Role::tint:
         return metal() || !has_lobe ? p.initial : tint(s);
       case Role::f0:
-        return f0_of(s);
+        return has_lobe || target.weight_index(Role::specular) >= 0 ? f0_of(s) : 0;
       case Role::slope:
         return s.slope;
       case Role::exponent:

@@ -1,6 +1,7 @@
 #include "interop/project.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "fit/fit.h"
 #include "fit/model/constraints.h"
@@ -21,9 +22,19 @@ bool has_no_diffuse(const Term& copy) {
   return target.weight_index(Role::specular) >= 0 && diffuse >= 0 && is_zero(copy, std::size_t(diffuse));
 }
 
+// Returns true if the program's control has one value only.
+bool has_one_value(const fit::NamedRange& bound) {
+  return bound.low == bound.high;
+}
+
+bool is_held(const TargetRules& rules, std::string_view name) {
+  return std::ranges::any_of(
+      rules.bounds, [&](const fit::NamedRange& bound) { return has_one_value(bound) && bound.name == name; });
+}
+
 // Uses the copy's values as the first starting point of the fit. Absent parts (a diffuse part, a lobe) stay
 // at 0.
-void start_at(const Term& copy, fit::FitOptions& options) {
+void start_at(const Term& copy, const TargetRules& rules, fit::FitOptions& options) {
   const ReflectanceInfo& target = info(copy.form);
   const bool several = copy.weights.size() > 1;
   const bool without_diffuse = has_no_diffuse(copy);
@@ -43,8 +54,8 @@ void start_at(const Term& copy, fit::FitOptions& options) {
     if (int(k) == target.axes().across && !options.anisotropic) continue;
     fit::NamedValues values{std::string(target.shape[k].name), {}};
     for (const auto& shape : copy.shape) values.values.push_back(shape[k]);
-    const bool of_nothing =
-        (target.shape[k].role == Role::slope && without_diffuse) || int(k) == superfluous(copy);
+    const bool of_nothing = (target.shape[k].role == Role::slope && without_diffuse) ||
+                            int(k) == superfluous(copy) || is_held(rules, values.name);
     if (of_nothing || std::ranges::find(options.tie, values.name) != options.tie.end())
       values.values.resize(1);
     (of_nothing ? options.fix : options.start).push_back(std::move(values));
@@ -64,12 +75,13 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   options.threads = io::all_processors();
   options.anisotropic = is_anisotropic(wanted.material) && target.anisotropic();
   options.per_channel = copy.shape.size() > 1;
-  options.bounds = rules.bounds;
+  std::ranges::remove_copy_if(rules.bounds, std::back_inserter(options.bounds), has_one_value);
   const auto name = [&](int shape) { return std::string(target.shape[std::size_t(shape)].name); };
   for (std::size_t k = 0; options.per_channel && k < target.shape.size(); ++k) {
     const Role role = target.shape[k].role;
     const bool held = (int(k) == target.axes().across && !options.anisotropic) ||
-                      (role == Role::slope && has_no_diffuse(copy)) || int(k) == superfluous(copy);
+                      (role == Role::slope && has_no_diffuse(copy)) || int(k) == superfluous(copy) ||
+                      is_held(rules, target.shape[k].name);
     const bool coloured = std::ranges::find(rules.copy.coloured, role) != rules.copy.coloured.end();
     if (!coloured && !held) options.tie.push_back(name(int(k)));
   }
@@ -84,7 +96,7 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
          rules.copy.most_lobe});
   if (rules.sum_to_one) options.physical = fit::Physical::bounded;
   if (options.anisotropic) options.fix.push_back({std::string(fit::kTangentInfo.name), {0}});
-  start_at(copy, options);
+  start_at(copy, rules, options);
   return options;
 }
 

@@ -43,15 +43,19 @@ Material in_order(const Material& given, const Asked& asked) {
   return std::move(*out);
 }
 
+// Returns true for a target or for another program's model with a violation that a target has, too.
+bool is_approximated(const Term& term, const Violation& violation, const Asked& asked) {
+  return std::ranges::any_of(asked.limits.targets, [&](const Reflectance& target) {
+    const auto same = [&](const Violation& v) { return v.check == violation.check; };
+    return target == term.form ||
+           (catalogue_index(term.form) < 0 && std::ranges::any_of(info(target).violations, same));
+  });
+}
+
 void check_properties(const Term& term, const Asked& asked) {
-  for (const Reflectance& target : asked.limits.targets) {
-    // The models of one program have the same properties.
-    const bool of_program = catalogue_index(term.form) < 0 && info(target).family == info(term.form).family;
-    if (target == term.form || of_program) return;
-  }
   for (const char* property : {"reciprocity", "continuity"})
     for (const Violation& v : info(term.form).violations)
-      if (v.check == property)
+      if (v.check == property && !is_approximated(term, v, asked))
         asked.refuse(std::string(info(term.form).name) + " violates " + property + " (" +
                      std::string(v.statement) +
                      "): no formula of the program approximates this behaviour at grazing angles");

@@ -42,8 +42,8 @@ struct Limits {
 // - a second lobe, if the program does not add lobes;
 // - a shape per channel, except for the Fresnel reflectance, which every program accepts by colour in some
 //   way;
-// - a form that is neither a target nor another model of the program, and that is not reciprocal or does
-//   not vanish at grazing incidence;
+// - a form that is no target and is not reciprocal or does not vanish at grazing incidence, unless it is a
+//   program's model and a target has the same violation;
 // - weights above the limits.
 std::vector<Wanted> wanted(const Material& material, const Limits& limits);
 

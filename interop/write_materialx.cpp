@@ -153,7 +153,11 @@ SurfaceNode usd_preview_node(const Reading& r) {
 
 SurfaceNode disney_node(const Reading& r) {
   r.check_widths(1e-4, 50, "anisotropic");
-  if (!r.along_tangent()) r.refuse_turn();
+  if (!r.along_tangent())
+    throw InputError(
+        "the node widens the lobe along the mesh's dp/du: orient dp/du at " + number(r.turn()) +
+        " degrees from the surface's x axis, counter-clockwise seen from outside, and export with "
+        "the larger width as alpha_x and tangent_phi 0");
   return {"disney_principled",
           {{"metallic", r.metallic()},
            {"roughness", r.roughness()},

@@ -58,8 +58,12 @@ TEST(Export, IsExactWhereTheFormulaIsOurs) {
   for (const Program& each : programs()) {
     const std::string program(each.name);
     const Exported white = exported(program, material("lambert", {"rho=0.5,0.4,0.3"}));
-    EXPECT_TRUE(white.exact()) << program;
-    EXPECT_THAT(white.text, HasSubstr(": exact"));
+    // These nodes darken a diffuse part by a lobe of index 1, or have Burley's diffuse term.
+    const bool other =
+        program == "open_pbr_surface" || program == "UsdPreviewSurface" || program == "disney_principled";
+    EXPECT_EQ(white.exact(), !other) << program;
+    EXPECT_LT(white.loss.rms, other ? 0.003 : 1e-9) << program;
+    EXPECT_THAT(white.text, HasSubstr(other ? ": refitted" : ": exact"));
   }
 }
 

@@ -26,7 +26,7 @@ def verbs_of_program():
 
 def options_of(verb):
     """Returns the positional arguments and the long names of options, except --help."""
-    options = re.findall(r"^ +(?:-\w,)?(--[\w-]+|[A-Z]{2,})(?=\s)", help_of(verb), re.M)
+    options = re.findall(r"^ +(?:-\w,)?(--[\w-]+|(?!REQUIRED)[A-Z]{2,})(?=\s)", help_of(verb), re.M)
     return [o for o in options if o != "--help"]
 
 
