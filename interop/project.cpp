@@ -75,7 +75,8 @@ fit::FitOptions options_for(const Wanted& wanted, const TargetRules& rules, cons
   options.threads = io::all_processors();
   options.anisotropic = is_anisotropic(wanted.material) && target.anisotropic();
   options.per_channel = copy.shape.size() > 1;
-  std::ranges::remove_copy_if(rules.bounds, std::back_inserter(options.bounds), has_one_value);
+  std::remove_copy_if(rules.bounds.begin(), rules.bounds.end(), std::back_inserter(options.bounds),
+                      has_one_value);
   const auto name = [&](int shape) { return std::string(target.shape[std::size_t(shape)].name); };
   for (std::size_t k = 0; options.per_channel && k < target.shape.size(); ++k) {
     const Role role = target.shape[k].role;
