@@ -11,12 +11,26 @@ namespace {
 
 constexpr double kMostIndex = 5, kLeastHazeGloss = 70, kBesideImage = 0.3, kImageError = 1e-5;
 
-const std::array<std::string, 5> kRules{
-    "ISO 2813 and ASTM D523: source 0.75 x 2.5, receptor 1.8 x 3.6 degrees",
-    "ISO 2813 and ASTM D523: source 0.75 x 2.5, receptor 4.4 x 11.7 degrees",
-    "ISO 2813 and ASTM D523: source 0.75 x 2.5, receptor 4 x 6 degrees",
-    "ASTM D4039: gloss_60 - gloss_20, for gloss_60 above 70",
-    "100 (1 - R(0.3)/R(0)) at 30 degrees, the angles of ASTM E430; source and receptors 0.14 x 3 degrees"};
+std::string size_in_degrees(const RectangularAperture& aperture) {
+  return io::short_number(aperture.in_plane.degrees(), 3) + " x " +
+         io::short_number(aperture.across.degrees(), 3);
+}
+
+// Returns the standard of each number, with the apertures.
+const std::array<std::string, 5>& rules() {
+  const auto gloss_rule = [](const GlossGeometry& g) {
+    return "ISO 2813 and ASTM D523: source " + size_in_degrees(g.source) + ", receptor " +
+           size_in_degrees(g.receptor) + " degrees";
+  };
+  static const std::array<std::string, 5> all{
+      gloss_rule(kGloss[0]), gloss_rule(kGloss[1]), gloss_rule(kGloss[2]),
+      "ASTM D4039: gloss_60 - gloss_20, for gloss_60 above " + io::short_number(kLeastHazeGloss),
+      "100 (1 - R(" + io::short_number(kBesideImage) +
+          ")/R(0)) at 30 degrees, the angles of ASTM E430; source and "
+          "receptors " +
+          size_in_degrees(kImageSpecular.source) + " degrees"};
+  return all;
+}
 
 constexpr const char* kTooSmooth =
     "the integration did not converge: the lobe is too narrow for it, or it varies too fast";
@@ -36,7 +50,7 @@ std::vector<GlossNumber> numbers_from(const Readings& r, const std::string& chan
   std::vector<GlossNumber> out;
   const auto add = [&](double value, double bound, bool converged, std::string undecided = "") {
     const std::size_t k = out.size();
-    out.push_back({std::string(kGlossNumbers[k]), channel, value, bound, kRules[k],
+    out.push_back({std::string(kGlossNumbers[k]), channel, value, bound, rules()[k],
                    converged ? std::move(undecided) : kTooSmooth});
   };
   for (const GlossReading& gloss : r.gloss) add(gloss.value, gloss.error_bound, gloss.converged);
@@ -76,9 +90,7 @@ std::vector<GlossNumber> gloss_numbers(const Material& material, Angle phi) {
 std::vector<GlossNumber> gloss_numbers_of_glass(double index) {
   if (!(index >= 1 && index <= kMostIndex))
     throw InputError("index " + io::short_number(index) + ": must lie in the range 1 to 5");
-  const auto reading = [&](const GlossGeometry& geometry) -> GlossReading {
-    return {gloss_of_glass(geometry, index), 1e-12, 0, true};
-  };
+  const auto reading = [&](const GlossGeometry& geometry) { return gloss_of_glass(geometry, index); };
   // The mirror image of the source, 0.14 degrees wide, does not reach the receptors beside it.
   return numbers_from({{reading(kGloss[0]), reading(kGloss[1]), reading(kGloss[2])},
                        reading(kImageSpecular),

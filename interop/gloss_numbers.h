@@ -11,8 +11,8 @@
 namespace brdf::interop {
 
 // Names of the numbers, in the order of gloss_numbers().
-inline constexpr std::array<std::string_view, 5> kGlossNumbers{"gloss_20", "gloss_60", "gloss_85", "haze",
-                                                               "distinctness"};
+inline constexpr std::array<std::string_view, 5> kGlossNumbers{kGloss[0].name, kGloss[1].name, kGloss[2].name,
+                                                               "haze", "distinctness"};
 
 // A number of one channel.
 struct GlossNumber {

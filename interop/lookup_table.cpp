@@ -29,7 +29,7 @@ auto converged_or_bisected(const Integral& integral) {
   return integral(bisection);
 }
 
-// Returns the integral of the lobe whose weight has this factor, or -1 if there is none or more than one.
+// Returns the integral of the lobe with this factor of its weight, or -1 if there is none or more than one.
 int lobe_with(const ReflectanceInfo& form, LobeWeight::Factor factor) {
   int found = -1;
   for (std::size_t k = 0; k < form.lobes.size(); ++k)
@@ -65,15 +65,18 @@ std::size_t size_of(const TableAxis& axis, const TableFunction& function) {
 // Searches the largest difference between the reading and the integral.
 void search_reading(LookupTable& table, const TableFunction& function) {
   const std::size_t directional = function.channels().size();
+  std::size_t unknown = 0;
   const auto compare = [&](std::span<const double> at, std::size_t first, std::size_t last) {
     const TablePlace place = place_at(*table.layout, at[0], at[1]);
+    const bool is_mean = first == directional;
+    const TableFunction::Values exact =
+        is_mean ? function.mean(place.alpha) : function.directional(place.cosine, place.alpha);
     ReadingError worst{-1, place.cosine, std::sqrt(place.alpha)};
+    if (!exact.converged) return worst;
     for (std::size_t c = first; c < last; ++c) {
-      const auto exact = c < directional ? function.directional(place.cosine, place.alpha).values[c]
-                                         : function.mean(place.alpha).values[0];
-      const double read = table.read(c, at[0], at[1]), difference = std::abs(read - exact);
-      if (difference > worst.difference)
-        worst = {difference, place.cosine, std::sqrt(place.alpha), read, exact, table.channels[c]};
+      const double value = exact.values[c - first], read = table.read(c, at[0], at[1]);
+      if (const double difference = std::abs(read - value); difference > worst.difference)
+        worst = {difference, place.cosine, std::sqrt(place.alpha), read, value, table.channels[c]};
     }
     return worst;
   };
@@ -90,6 +93,7 @@ void search_reading(LookupTable& table, const TableFunction& function) {
     std::vector<double> differences(starts.size());
     io::parallel_for(starts.size(),
                      [&](std::size_t k) { differences[k] = compare(starts[k], first, last).difference; });
+    unknown += std::size_t(std::ranges::count(differences, -1.0));
     std::vector<std::size_t> order(starts.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
     std::ranges::sort(order, std::greater<>(), [&](std::size_t k) { return differences[k]; });
@@ -102,6 +106,7 @@ void search_reading(LookupTable& table, const TableFunction& function) {
     options.finest = 1e-5;
     const auto objective = [&](std::span<const double> at) {
       const ReadingError here = compare(at, first, last);
+      unknown += here.difference < 0;
       if (here.difference > table.reading.difference) table.reading = here;
       return here.difference;
     };
@@ -112,6 +117,7 @@ void search_reading(LookupTable& table, const TableFunction& function) {
   search(0, directional, table.layout->x.size);
   if (table.channels.size() > directional)
     search(directional, table.channels.size(), cosine_along_x ? 1 : 16);
+  table.reading.unknown = unknown;
 }
 
 }  // namespace
@@ -272,16 +278,23 @@ std::vector<std::string> sentences(const LookupTable& table) {
                 std::string(layout.title) + "; " + table.content);
   out.push_back("x: " + axis(layout.x) + "; y: " + axis(layout.y) +
                 "; channels: " + io::joined(table.channels));
-  out.push_back("texels: integrated within " + io::short_number(table.texel_bound, 2) + "; as " +
-                std::string(name_of_format(layout.format)) + " rounded by at most " +
-                io::short_number(table.rounding, 2));
+  if (!layout.supposed.empty()) out.push_back("supposed, not checked: " + std::string(layout.supposed));
+  const std::string integrated =
+      table.not_converged > 0
+          ? "the integrals of " + std::to_string(table.not_converged) + " did not converge"
+          : "integrated within " + io::short_number(table.texel_bound, 2);
+  out.push_back("texels: " + integrated + "; as " + std::string(name_of_format(layout.format)) +
+                " rounded by at most " + io::short_number(table.rounding, 2));
+  if (table.reading.unknown > 0)
+    out.push_back("bilinear reading: unknown at " + std::to_string(table.reading.unknown) +
+                  " places of the search: their integrals did not converge");
+  if (table.reading.difference < 0) return out;
   out.push_back(
-      "bilinear reading: largest difference from the integral " +
+      "bilinear reading: largest difference from the integral at least " +
       io::short_number(table.reading.difference, 3) + ", found by a search: " + table.reading.channel +
       " is read as " + io::short_number(table.reading.read, 5) + " instead of " +
       io::short_number(table.reading.integral, 5) + " at cos(theta) " +
       io::short_number(table.reading.cosine) + ", roughness " + io::short_number(table.reading.roughness));
-  if (!layout.supposed.empty()) out.push_back("supposed, not checked: " + std::string(layout.supposed));
   return out;
 }
 
@@ -292,13 +305,14 @@ io::Json to_json(const LookupTable& table) {
           {"height", table.height},
           {"channels", table.channels},
           {"content", table.content},
-          {"texel_bound", table.texel_bound},
+          {"texel_bound", table.not_converged > 0 ? io::Json() : io::Json(table.texel_bound)},
           {"not_converged", table.not_converged},
           {"format", name_of_format(table.layout->format)},
           {"rounding", table.rounding},
           {"reading",
-           {{"largest", r.difference},
+           {{"largest", r.difference < 0 ? io::Json() : io::Json(r.difference)},
             {"largest_is", "at least"},
+            {"unknown", r.unknown},
             {"cosine", r.cosine},
             {"roughness", r.roughness},
             {"channel", r.channel},

@@ -16,12 +16,14 @@ namespace brdf::interop {
 // albedo (one channel). albedo: the directional albedo and its mean over projected solid angle.
 enum class TableKind { dfg, albedo };
 
-// The largest difference between the bilinear reading of the float table and the integral. It is found by a
-// search from every cell's middle; the true maximum is not smaller.
+// The largest difference between the bilinear reading of the float table and the integral that a search from
+// the middle of every cell has found; the true maximum is not smaller. Places without a converged
+// integral have no difference and are counted.
 struct ReadingError {
   double difference = 0, cosine = 0, roughness = 0;  // roughness is the root of alpha
   double read = 0, integral = 0;
   std::string channel{};
+  std::size_t unknown = 0;  // places of the search without a difference
 };
 
 struct LookupTable {

@@ -77,23 +77,24 @@ std::string as_command(const Term& term, Angle tangent) {
 
 // A surface node of MaterialX: one colour and one lobe.
 Program surface_node(std::string_view name, Reflectance target, std::string (*write)(const Written&)) {
-  const CopyRules kColoured{.coloured = {Role::diffuse}};
-  Program program{
-      .name = name,
-      .title = "MaterialX 1.39.6, its node of this name in generated shaders",
-      .most = 1,
-      .most_lobe = 1,
-      .adds = false,
-      .run_here = false,
-      .conventions = {"colours are linear (lin_rec709); the roughness of the lobe is that of the node",
-                      "coat, sheen, transmission, emission and thin film are off"},
-      .targets = {{target, kColoured}},
-      .write = write};
-  // UsdPreviewSurface cannot write a coloured material between metal and dielectric, so both ends are tried.
-  if (info(target).shape_index(Role::width_across) < 0)
-    for (const double metallic : {0.0, 1.0})
-      program.targets.push_back(
-          {target, kColoured, false, false, {{std::string(kMetallicInfo.name), metallic, metallic}}});
+  return {.name = name,
+          .title = "MaterialX 1.39.6, its node of this name in generated shaders",
+          .most = 1,
+          .most_lobe = 1,
+          .adds = false,
+          .run_here = false,
+          .conventions = {"colours are linear (lin_rec709); the roughness of the lobe is that of the node",
+                          "coat, sheen, transmission, emission and thin film are off"},
+          .targets = {{target, {.coloured = {Role::diffuse}}}},
+          .write = write};
+}
+
+// UsdPreviewSurface cannot write a coloured material between metal and dielectric, so both ends are tried.
+Program with_both_ends(Program program) {
+  for (const double metallic : {0.0, 1.0}) {
+    program.targets.push_back(program.targets.front());
+    program.targets.back().bounds = {{std::string(kMetallicInfo.name), metallic, metallic}};
+  }
   return program;
 }
 
@@ -315,7 +316,7 @@ std::span<const Program> programs() {
       surface_node("open_pbr_surface", open_pbr_surface{}, write_open_pbr_surface),
       surface_node("standard_surface", standard_surface{}, write_standard_surface),
       surface_node("gltf_pbr", materialx_gltf_pbr{}, write_gltf_pbr),
-      surface_node("UsdPreviewSurface", usd_preview_surface{}, write_usd_preview_surface),
+      with_both_ends(surface_node("UsdPreviewSurface", usd_preview_surface{}, write_usd_preview_surface)),
       surface_node("disney_principled", disney_principled{}, write_disney_principled),
       {.name = "osl",
        .title = "OSL, as its testrender shades",

@@ -30,22 +30,19 @@ double rms_of_alpha(double x) {
   return x / std::sqrt(2.0);
 }
 
-constexpr double kLeastWidthAlpha = 1e-4, kMostExponent = 1e6;
 std::span<const WidthParameter> all_widths() {
   static const std::vector<WidthParameter> all{
-      WidthParameter{"phong_exponent", phong{}, "exponent", 0, kMostExponent, same, same, ""},
-      WidthParameter{"blinn_phong_exponent", blinn_phong{}, "exponent", 0, kMostExponent, same, same, ""},
-      WidthParameter{"ward_sigma", ward{}, "alpha_x", kLeastWidthAlpha, 1, same, same, ""},
-      WidthParameter{"beckmann_alpha", cook_torrance_beckmann{}, "alpha_x", kLeastWidthAlpha, 1, same, same,
-                     ""},
-      WidthParameter{"rms_slope", cook_torrance_beckmann{}, "alpha_x", 0.70710678118654757e-4,
-                     0.70710678118654757, alpha_of_rms, rms_of_alpha,
-                     "alpha = sqrt(2) times the rms slope along one axis (Heitz 2014)"},
-      WidthParameter{"ggx_alpha", cook_torrance{}, "alpha_x", kLeastWidthAlpha, 1, same, same, ""},
-      WidthParameter{"roughness", cook_torrance{}, "alpha_x", 0.01, 1, squared, root,
-                     "alpha = roughness^2 (Burley 2012; glTF, Unreal, Blender)"},
-      WidthParameter{"linear_roughness", cook_torrance{}, "alpha_x", kLeastWidthAlpha, 1, same, same,
-                     "alpha = roughness (the linear convention: MaterialX, pbrt without remapping)"}};
+      {"phong_exponent", phong{}, "exponent", same, same, ""},
+      {"blinn_phong_exponent", blinn_phong{}, "exponent", same, same, ""},
+      {"ward_sigma", ward{}, "alpha_x", same, same, ""},
+      {"beckmann_alpha", cook_torrance_beckmann{}, "alpha_x", same, same, ""},
+      {"rms_slope", cook_torrance_beckmann{}, "alpha_x", alpha_of_rms, rms_of_alpha,
+       "alpha = sqrt(2) times the rms slope along one axis (Heitz 2014)"},
+      {"ggx_alpha", cook_torrance{}, "alpha_x", same, same, ""},
+      {"roughness", cook_torrance{}, "alpha_x", squared, root,
+       "alpha = roughness^2 (Burley 2012; glTF, Unreal, Blender)"},
+      {"linear_roughness", cook_torrance{}, "alpha_x", same, same,
+       "alpha = roughness (the linear convention: MaterialX, pbrt without remapping)"}};
   return all;
 }
 
@@ -88,13 +85,13 @@ Material lobe_of(const WidthParameter& parameter, double shape) {
 }
 
 std::string range_of(const WidthParameter& parameter) {
-  return io::short_number(parameter.low) + " to " + io::short_number(parameter.high);
+  return io::short_number(parameter.low()) + " to " + io::short_number(parameter.high());
 }
 
 void check_range(const WidthParameter& parameter, double value, const std::string& origin) {
   // Rounding in a rule may leave the range by a little.
   const double slack = 1e-12;
-  if (value >= parameter.low * (1 - slack) - slack && value <= parameter.high * (1 + slack)) return;
+  if (value >= parameter.low() * (1 - slack) - slack && value <= parameter.high() * (1 + slack)) return;
   throw InputError(origin + std::string(parameter.name) + " = " + io::short_number(value, 6) +
                    ": must lie in the range " + range_of(parameter));
 }
@@ -154,7 +151,7 @@ ConvertedWidth convert_width(const WidthParameter& from, double value, const Wid
   if (&from != &to) add(to.rule);
   out.value = to.from_shape(other);
   check_range(to, out.value, "--to ");
-  if (out.kind == Conversion::fit && (out.value <= to.low || out.value >= to.high))
+  if (out.kind == Conversion::fit && (out.value <= to.low() || out.value >= to.high()))
     throw InputError("--to " + std::string(to.name) + ": the nearest lobe lies at the end of the range " +
                      range_of(to) + ": no value of this parameter represents the lobe");
   if (out.kind != Conversion::exact)

@@ -19,10 +19,18 @@ struct WidthParameter {
   std::string_view name;
   Reflectance form;        // of the catalogue, with the lobe
   std::string_view shape;  // its shape parameter, to which to_shape converts
-  double low, high;        // range of the values
   double (*to_shape)(double);
-  double (*from_shape)(double);
-  std::string_view rule;  // "" if the parameter is the form's own
+  double (*from_shape)(double);  // increasing
+  std::string_view rule;         // "" if the parameter is the form's own
+
+  // The range of the values, which follows from the range of the shape parameter.
+  double low() const { return from_shape(shape_info().min); }
+  double high() const { return from_shape(shape_info().max); }
+
+ private:
+  const ParameterInfo& shape_info() const {
+    return info(form).shape[std::size_t(info(form).shape_index(shape))];
+  }
 };
 
 // Returns all parameters, with those of the same form adjacent.

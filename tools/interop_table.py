@@ -15,8 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["blender", "blender-3.4", "mitsuba", "pbrt", "gltf", "three", "materialx", "open_pbr_surface", "standard_surface", "gltf_pbr",
-            "UsdPreviewSurface", "disney_principled", "osl"]
+NOT_PROGRAMS = {"glsl", "glsl-es", "hlsl", "cpp", "explorer", "merl", "rgl", "dfg", "albedo"}  # shaders and tables
 TABLES = ("mitsuba", "pbrt")  # programs that import RGL files
 WRITTEN = "written by tools/interop_table.py"
 FORMS = {
@@ -62,12 +61,20 @@ def cell(brdf, words, program, scratch):
     return f"{rms[0]:.2g} ({'the copy' if 'copied: ' in said else 'no copy'})", True
 
 
+def programs_of(brdf):
+    """Returns the values of --to that name a program, as the program itself lists them."""
+    told = json.loads(subprocess.run([brdf, "describe", "json"], check=True, text=True, capture_output=True).stdout)
+    options = next(verb["options"] for verb in told["verbs"] if verb["name"] == "export")
+    return [word for word in next(o["words"] for o in options if o["names"] == ["--to"]) if word not in NOT_PROGRAMS]
+
+
 def losses(brdf, scratch):
-    lines = ["| material | " + " | ".join(PROGRAMS) + " |", "|---" * (len(PROGRAMS) + 1) + "|"]
+    programs = programs_of(brdf)
+    lines = ["| material | " + " | ".join(programs) + " |", "|---" * (len(programs) + 1) + "|"]
     worse = []
     for name, words in FORMS.items():
         cells = []
-        for program in PROGRAMS:
+        for program in programs:
             text, good = cell(brdf, words, program, scratch)
             cells.append(text)
             if not good:
@@ -81,14 +88,15 @@ def forms(brdf, scratch):
     def run(*words):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 
+    programs = programs_of(brdf)
     models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, text=True, capture_output=True).stdout)
-    lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(PROGRAMS) + " |", "|---" * (len(PROGRAMS) + 3) + "|"]
+    lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(programs) + " |", "|---" * (len(programs) + 3) + "|"]
     for form in (m["form"] for m in models["forms"]):
         words = ("export", "--form", form)
         assert run(*words, "--to", "explorer").returncode == 0, form
         table = "table" if run(*words, "--to", "rgl", "--size", "200K").returncode == 0 else "-"
         cells = []
-        for program in PROGRAMS:
+        for program in programs:
             text = cell(brdf, f"--form {form}", program, scratch)[0]
             cells.append((table if program in TABLES else "-") if text == "-" else text.split(" ")[0])
         lines.append(f"| {form} | exact | {table} | " + " | ".join(cells) + " |")

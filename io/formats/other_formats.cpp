@@ -180,9 +180,7 @@ std::string xml(std::string_view text) {
     return "is CxF (XML of colour instruments), which is not read: export reflectance factors for each "
            "wavelength and geometry (45as15) as CSV";
   if (root == "IESTM33-22" || root == "IESTM33-18")
-    return "is a photometric file of IES (TM-33), which describes the light of a luminaire, not a surface: "
-           "`brdf` reads "
-           "samples of surfaces";
+    return "is a photometric file of IES (TM-33)" + std::string(kLuminaire);
   if (root != "WindowElement") return "is XML (root element " + shown(root) + instead;
   if (!holds(text, "TensorTree")) return "";
   return "is a BSDF of Radiance as a tensor tree, which is not read: export a matrix in a Klems basis "

@@ -138,9 +138,6 @@ bool refers_to_e2387(std::string_view text) {
   return has_part(head, "e2387");
 }
 
-constexpr std::string_view kLuminaire =
-    ", which describes the light of a luminaire, not a surface: `brdf` reads samples of surfaces";
-
 }  // namespace
 
 std::string program_format(std::string_view text) {

@@ -6,9 +6,12 @@
 
 namespace brdf::io {
 
+// The end of a sentence about the format of a luminaire.
+inline constexpr std::string_view kLuminaire =
+    ", which describes the light of a luminaire, not a surface: `brdf` reads samples of surfaces";
+
 // Returns the name of the format that a text is in, with advice, as the end of a sentence about the file; an
-// empty string for other texts. `text` begins with its first character that is no
-// blank.
+// empty string for other texts. `text` begins with its first character that is not a blank.
 std::string program_format(std::string_view text);
 
 // Returns advice on a text that cannot be read as a table of columns: coefficients of the ABg model, reports

@@ -63,9 +63,9 @@ struct GlossReading {
 };
 
 // Returns the reading of a polished black glass of this index >= 1, from Fresnel's reflectance averaged over
-// the source. For offset geometries of E430 the glass reflects into the specular receptor only; they are not
-// permitted here.
-double gloss_of_glass(const GlossGeometry& geometry, double index);
+// the source. The error bound is twice the difference of two orders of the rule, and rounding. For offset
+// geometries of E430 the glass reflects into the specular receptor only; they are not permitted here.
+GlossReading gloss_of_glass(const GlossGeometry& geometry, double index);
 
 // Computes the reading of every channel, with the plane of incidence at azimuth phi.
 // Example:

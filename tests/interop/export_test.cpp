@@ -67,6 +67,17 @@ TEST(Export, IsExactWhereTheFormulaIsOurs) {
   }
 }
 
+// The one colour of a principled model's metal is the reflectance of its lobe.
+TEST(Export, ACopyOfAPrincipledMetalIsAMetal) {
+  const std::vector<std::string> set{"metallic=1", "base_color=0.9,0.6,0.3", "alpha=0.3"};
+  EXPECT_TRUE(exported("gltf_pbr", material("open_pbr_surface", set)).exact());
+  EXPECT_TRUE(exported("open_pbr_surface", material("materialx_gltf_pbr", set)).exact());
+  EXPECT_TRUE(exported("blender", material("gltf_metallic_roughness", set)).exact());
+  const Exported half = exported(
+      "gltf_pbr", material("open_pbr_surface", {"metallic=0.5", "base_color=0.9,0.6,0.3", "alpha=0.3"}));
+  EXPECT_FALSE(half.exact());
+}
+
 // Blender 3.4 and Mitsuba have separable masking. The loss was measured there: up to 13 % at alpha 0.3,
 // with a very small median.
 TEST(Export, SaysWhatCopiedParametersLose) {

@@ -162,6 +162,21 @@ TEST(LookupTables, NumbersOfFormatsAreRoundedToTheNearest) {
   EXPECT_EQ(stored(1.2, TableFormat::bits10), 1);
 }
 
+TEST(LookupTables, NoBoundIsStatedForIntegralsThatDidNotConverge) {
+  LookupTable table{find_table_layout("three"), 16, 16, {"albedo"}};
+  table.texel_bound = 1e-6;
+  EXPECT_THAT(sentences(table)[2], HasSubstr("integrated within 1e-06"));
+  table.not_converged = 3;
+  table.reading.unknown = 5;
+  table.reading.difference = -1;
+  const std::vector<std::string> said = sentences(table);
+  EXPECT_THAT(said, ::testing::Each(::testing::Not(HasSubstr("within"))));
+  EXPECT_THAT(said, ::testing::Each(::testing::Not(HasSubstr("largest difference"))));
+  EXPECT_THAT(said[2], HasSubstr("the integrals of 3 did not converge"));
+  EXPECT_THAT(said[3], HasSubstr("unknown at 5 places"));
+  EXPECT_TRUE(to_json(table)["texel_bound"].is_null());
+}
+
 TEST(LookupTables, MaterialsThatNoTableHoldsAreRefused) {
   const auto refusal = [](const Material& material) -> std::string {
     try {

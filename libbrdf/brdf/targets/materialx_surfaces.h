@@ -31,6 +31,16 @@ struct MetalOverBase {
   Roughness<T> widths() const { return {alpha_x, alpha_y}; }
 };
 
+// The compensation depends on the viewing direction only. White metals show the largest violations.
+constexpr std::array<Violation, 2> of_white_metal(double reciprocity, double albedo) {
+  constexpr std::string_view kWhiteMetal = "metallic=1 base_color=1 alpha=1";
+  return {
+      Violation{"reciprocity", "the compensation depends on cos_o only", kWhiteMetal, 89.5, reciprocity},
+      Violation{"energy", "the compensation depends on the viewing direction", kWhiteMetal, 89.5, albedo}};
+}
+inline constexpr std::array kSchlickMetal = of_white_metal(0.668073, 2.12173);
+inline constexpr std::array kConductorMetal = of_white_metal(0.666108, 2.09376);
+
 // Returns metallic metal + (1 - metallic) dielectric.
 template <class S>
 S mixed(const S& metallic, const S& metal, const S& dielectric) {
@@ -73,11 +83,7 @@ struct materialx_gltf_pbr : Takes<WholeWeight, MetalOverBase> {
   static constexpr std::string_view family = "materialx";
   static constexpr Kink kink = Kink::none;
   using Sampler = OfWidths<VisibleGgx>;
-  static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
-                89.5, 0.668073},
-      Violation{"energy", "the compensation depends on the viewing direction",
-                "metallic=1 base_color=1 alpha=1", 89.5, 2.12173}};
+  static constexpr std::array violations = kSchlickMetal;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -117,11 +123,7 @@ struct open_pbr_surface : Takes<WholeWeight, OpenPbr> {
   static constexpr std::string_view family = "materialx";
   static constexpr Kink kink = Kink::azimuth;
   using Sampler = OfWidths<VisibleGgx>;
-  static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
-                89.5, 0.668073},
-      Violation{"energy", "the compensation depends on the viewing direction",
-                "metallic=1 base_color=1 alpha=1", 89.5, 2.12173}};
+  static constexpr std::array violations = kSchlickMetal;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -160,11 +162,7 @@ struct standard_surface : Takes<WholeWeight, StandardSurface> {
   static constexpr std::string_view family = "materialx";
   static constexpr Kink kink = Kink::azimuth;
   using Sampler = OfWidths<VisibleGgx>;
-  static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
-                89.5, 0.666108},
-      Violation{"energy", "the compensation depends on the viewing direction",
-                "metallic=1 base_color=1 alpha=1", 89.5, 2.09376}};
+  static constexpr std::array violations = kConductorMetal;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -203,11 +201,7 @@ struct usd_preview_surface : Takes<WholeWeight, UsdPreview> {
   static constexpr std::string_view family = "materialx";
   static constexpr Kink kink = Kink::none;
   using Sampler = OfWidths<VisibleGgx>;
-  static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
-                89.5, 0.666108},
-      Violation{"energy", "the compensation depends on the viewing direction",
-                "metallic=1 base_color=1 alpha=1", 89.5, 2.09376}};
+  static constexpr std::array violations = kConductorMetal;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
@@ -247,11 +241,7 @@ struct disney_principled : Takes<WholeWeight, DisneyPrincipled> {
   static constexpr std::string_view family = "materialx";
   static constexpr Kink kink = Kink::none;
   using Sampler = OfWidths<VisibleGgx>;
-  static constexpr std::array violations{
-      Violation{"reciprocity", "the compensation depends on cos_o only", "metallic=1 base_color=1 alpha=1",
-                89.5, 0.668073},
-      Violation{"energy", "the compensation depends on the viewing direction",
-                "metallic=1 base_color=1 alpha=1", 89.5, 2.12173}};
+  static constexpr std::array violations = kSchlickMetal;
 
   template <class S, class G>
   static std::array<S, 1> lobes(const Shape<S>& shape, const Geometry<G>& g) {
