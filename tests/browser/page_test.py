@@ -152,7 +152,8 @@ def check_answers(browser, address, large):
         time.sleep(3)  # the report is drawn
         longest = page.evaluate("Math.max(0, ...tasks)")
         assert longest <= MOST_BLOCKED, f"the page was blocked for {longest} ms"
-        print(f"{large.count(chr(10)) - 1} rows in {seconds:.1f} s; the page was blocked for at most {longest:.0f} ms")
+        blocked = f"blocked for at most {longest:.0f} ms" if longest else "never blocked for 50 ms"  # the observer's threshold
+        print(f"{large.count(chr(10)) - 1} rows in {seconds:.1f} s; the page was {blocked}")
 
 
 def check_silence(browser, address, server, tables):
