@@ -142,11 +142,11 @@ TableFunction::TableFunction(const Material& material, TableKind kind, bool bias
     : term_(material.terms.at(0)), kind_(kind), bias_first_(bias_first) {
   const ReflectanceInfo& form = info(term_.form);
   if (material.terms.size() > 1)
-    throw InputError("--to dfg, albedo: the material is a sum of terms; a table holds one lobe: give a form");
+    throw InputError("a lookup table: the material is a sum of terms; a table holds one lobe: give a form");
   if (term_.shape.size() > 1)
-    throw InputError("--to dfg, albedo: the shape differs between the channels; a table holds one shape");
+    throw InputError("a lookup table: the shape differs between the channels; a table holds one shape");
   if (is_anisotropic(material))
-    throw InputError("--to dfg, albedo: the lobe is anisotropic, and a table has one width: set both equal");
+    throw InputError("a lookup table: the lobe is anisotropic, and a table has one width: set both equal");
   term_.weights.resize(1);
   term_.tangent_phi = {};
   const int specular = form.weight_index(Role::specular), diffuse = form.weight_index(Role::diffuse);
@@ -161,17 +161,21 @@ TableFunction::TableFunction(const Material& material, TableKind kind, bool bias
       if (const int k = form.shape_index(role); k >= 0) widths_.push_back(std::size_t(k));
   // Shaders and forms of other conventions have the root itself.
   if (widths_.empty()) root_ = form.shape_index("roughness");
-  const std::string name(form.name);
   if (kind == TableKind::dfg && splits_) {
     channels_ =
         bias_first ? std::vector<std::string>{"bias", "white"} : std::vector<std::string>{"scale", "bias"};
-    content_ = "split sum of the lobe of " + name +
+    content_ = "split sum of " + lobe_name() +
                (bias_first ? ": albedo = (1 - f0) bias + f0 white" : ": albedo = f0 scale + bias");
   } else {
     channels_ = {"albedo"};
-    content_ = "directional albedo of " +
-               (specular >= 0 ? "the lobe of " + name + (splits_ ? " with f0 = 1" : "") : name);
+    content_ = "directional albedo of " + lobe_name() + (specular >= 0 && splits_ ? " with f0 = 1" : "");
   }
+}
+
+std::string TableFunction::lobe_name() const {
+  const ReflectanceInfo& form = info(term_.form);
+  const std::string name(form.name);
+  return form.weight_index(Role::specular) >= 0 ? "the lobe of " + name : name;
 }
 
 Term TableFunction::at_alpha(double alpha) const {

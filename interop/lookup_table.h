@@ -52,6 +52,8 @@ class TableFunction {
 
   const std::vector<std::string>& channels() const { return channels_; }
   const std::string& content() const { return content_; }
+  // Returns a phrase: the lobe of which form, without the weights.
+  std::string lobe_name() const;
   // Returns whether the form has a width, an exponent or a parameter called roughness, which the table's
   // roughness sets.
   bool has_roughness() const { return !widths_.empty() || root_ >= 0; }
@@ -66,9 +68,10 @@ class TableFunction {
   Values directional(double cosine, double alpha) const;
   // Returns the mean of the directional albedo over projected solid angle.
   Values mean(double alpha) const;
+  // Returns the lobe itself, with f0 = 1, at this alpha.
+  Term at_alpha(double alpha) const;
 
  private:
-  Term at_alpha(double alpha) const;
   Term term_;
   TableKind kind_;
   bool bias_first_, splits_ = false;

@@ -10,10 +10,10 @@
 #include "cli/options/terminal.h"
 #include "cli/steps/written_table.h"
 #include "cli/verb.h"
-#include "interop/lookup_table.h"
 #include "interop/programs.h"
 #include "interop/read_back.h"
 #include "interop/rgl.h"
+#include "interop/table_layouts.h"
 #include "interop/told.h"
 #include "io/columns/foreign_json.h"
 #include "io/columns/supplied.h"
@@ -44,11 +44,7 @@ struct ExportCall {
   std::function<void(const std::string&)> step;  // shows the current step on a terminal
 };
 
-constexpr const char *kMerl = "merl", *kRgl = "rgl", *kDfg = "dfg", *kAlbedoTable = "albedo";
-
-bool is_lookup_table(const std::string& to) {
-  return to == kDfg || to == kAlbedoTable;
-}
+constexpr const char *kMerl = "merl", *kRgl = "rgl";
 
 // Additional content of --json, and the exit code.
 struct Made {
@@ -177,13 +173,10 @@ Made export_rgl(const ExportCall& o) {
 Made export_lookup_table(const ExportCall& o) {
   check_output(o);
   const Material material = choose_material(o.material, "export");
-  o.step("integrating the texels");
-  const interop::LookupTable table =
-      interop::lookup_table(material, o.to == kDfg ? interop::TableKind::dfg : interop::TableKind::albedo,
-                            *interop::find_table_layout(o.table_layout));
-  write_lookup_table(o.output, table);
-  for (const std::string& sentence : interop::sentences(table)) Note() << "brdf export: " << sentence;
-  Made made{{{"kind", "table"}, {"table", interop::to_json(table)}}};
+  o.step("computing the texels");
+  const WrittenTable table = write_lookup_table(o.to, material, o.table_layout, o.output);
+  for (const std::string& sentence : table.sentences) Note() << "brdf export: " << sentence;
+  Made made{{{"kind", "table"}, {"table", table.json}}};
   if (table.not_converged > 0) {
     Warning() << "brdf export: " << table.not_converged
               << " texels did not converge, and their bounds are not known";
@@ -278,7 +271,7 @@ void check_use(const ExportCall& o, const interop::Program* program) {
   if (o.to != kRgl && o.size != interop::kUsualTable) throw InputError("--size: applies to --to rgl only");
   if (!program && o.naive)
     throw InputError("--naive: --to " + o.to + " has no parameters of another formula that could be copied");
-  if (o.table_layout != "brdf" && !is_lookup_table(o.to))
+  if (o.table_layout != "brdf" && (!is_lookup_table(o.to) || o.to == "ltc"))
     throw InputError("--table-layout: applies to --to dfg and albedo only");
   if (o.max_loss && is_lookup_table(o.to))
     throw InputError("--max-loss: --to " + o.to +
@@ -326,8 +319,8 @@ Exit run_export(ExportCall& o) {
 }
 
 std::vector<std::string> target_names() {
-  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp",       "explorer",
-                                 kMerl,  kRgl,      kDfg,   kAlbedoTable};
+  std::vector<std::string> names{"glsl", "glsl-es", "hlsl", "cpp", "explorer", kMerl, kRgl};
+  names.insert(names.end(), std::begin(kTables), std::end(kTables));
   for (const interop::Program& program : interop::programs()) names.emplace_back(program.name);
   return names;
 }
@@ -352,8 +345,8 @@ void add_export(CLI::App& app) {
   verb->add_option(
           "--to", options->to,
           "glsl (4.50, Vulkan), glsl-es (3.00, WebGL 2), hlsl, cpp (a header) or explorer (a .brdf with "
-          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); dfg and albedo "
-          "(lookup tables, .exr); "
+          "sliders); merl (a .binary) and rgl (a .bsdf, which Mitsuba and pbrt import); dfg, albedo and "
+          "ltc (lookup tables, .exr); "
           "or a program")
       ->required()
       ->check(CLI::IsMember(target_names()));
@@ -403,6 +396,7 @@ void add_export(CLI::App& app) {
       "          brdf export copper.json --to merl -o copper.binary\n"
       "          brdf export copper.json --to rgl --size 25M -o copper.bsdf\n"
       "          brdf export --form cook_torrance --to dfg --table-layout filament -o dfg.exr\n"
+      "          brdf export --form cook_torrance_beckmann --to ltc -o ltc.exr\n"
       "          brdf export copper.json --measured copper.csv --to merl -o copper.binary\n"
       "          brdf export plane.csv --quantity BRF --mirror-side negative --to merl -o "
       "plane.binary");

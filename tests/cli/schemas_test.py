@@ -61,7 +61,7 @@ with tempfile.TemporaryDirectory() as folder:
         check("convert-parameters", said("convert-parameters", *words, "--json"))
     for words in (("--form", "ward", "--to", "materialx"), ("--form", "lambert", "--to", "gltf"), ("--form", "ward", "--to", "glsl"),
                   ("--form", "ward", "--to", "rgl", "--size", "200K"), ("--form", "ward", "--to", "merl"),
-                  ("--form", "ward", "--to", "dfg", "--table-layout", "three"), ("--form", "cook_torrance", "--to", "albedo"),
+                  ("--form", "ward", "--to", "dfg", "--table-layout", "three"), ("--form", "cook_torrance", "--to", "albedo"), ("--form", "lambert", "--to", "ltc"),
                   ("--form", "ward_duer", "--to", "gltf")):
         check("export", said("export", *words, "-o", "exported", "--json"))
     check("prove", said("prove", "--form", "ward", "--form", "oren_nayar_full", "--seconds", "0.2", "-o", "c.json", "--json"))
