@@ -298,6 +298,8 @@ std::vector<NameAndUnit> ways_to_part(std::string_view name) {
 }
 
 std::optional<Unit> unit_named(std::string_view text) {
+  constexpr std::size_t kLongest = 200;  // bytes; a longer text is no unit, and many may begin in one line
+  if (text.size() > kLongest) return std::nullopt;
   const std::string plain = plain_symbols(text);
   return UnitReader(plain).read();
 }

@@ -168,6 +168,7 @@ void CsvHeader::read_names(std::string_view line) {
   Fields fields;
   if (!dialect_.split_header(line, fields)) fail(std::string(kBadQuotation));
   check_width(fields.size());
+  check_lengths(fields);
   if (read_matrix(fields)) return;
   written_names_.assign(fields.begin(), fields.end());
   if (!doubts_) check_names(fields);
@@ -183,6 +184,16 @@ void CsvHeader::read_names(std::string_view line) {
   check_columns();
   table_.channels = columns_.channels;
   check_channel_names(table_.channels, facts.where);
+}
+
+// Names are searched for quantities and units from each separator on, so that a hostile name would take a
+// time that grows with the square of its length.
+void CsvHeader::check_lengths(std::span<const std::string_view> names) const {
+  constexpr std::size_t kLongestHeading = 500;  // bytes
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (names[k].size() > kLongestHeading)
+      fail("the name of column " + std::to_string(k + 1) + " has " + std::to_string(names[k].size()) +
+           " bytes, which exceed the limit of " + std::to_string(kLongestHeading));
 }
 
 void CsvHeader::check_width(std::size_t columns) const {

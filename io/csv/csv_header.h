@@ -82,6 +82,7 @@ class CsvHeader {
   void add_title(std::string_view title);
   void read_names(std::string_view line);
   void check_width(std::size_t columns) const;
+  void check_lengths(std::span<const std::string_view> names) const;
   std::string refused_values() const;
   bool has_numbers_only(const std::vector<std::string_view>& fields, std::size_t first) const;
   void check_names(const std::vector<std::string_view>& fields) const;

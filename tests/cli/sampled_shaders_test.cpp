@@ -203,6 +203,43 @@ TEST(SampledShader, CausesAreNamed) {
               testing::Not(Contains("jacobian")));
 }
 
+TEST(SampledShader, WrongProbabilitiesOfLobesAreNamed) {
+  const auto cause = [](const std::string& density) {
+    return judged(replaced(kSound, "p * lobe + (1.0 - p) * L.z / kPi", density)).at("jacobian").statement;
+  };
+  EXPECT_THAT(cause("(1.0 - p) * lobe + p * L.z / kPi"), HasSubstr("they are exchanged"));
+  EXPECT_THAT(cause("p * lobe + L.z / kPi"), HasSubstr("a factor is missing"));
+  EXPECT_THAT(cause("lobe + L.z / kPi"), HasSubstr("both factors are missing"));
+  const std::string same = cause("p * lobe + p * L.z / kPi");
+  EXPECT_THAT(same, HasSubstr("weights the lobes with"));
+  EXPECT_THAT(same, testing::Not(HasSubstr("missing")));
+  // The wrong width of one lobe is no wrong probability.
+  EXPECT_THAT(judged(replaced(kSound, "distribution(H, ax, ay) * H.z", "distribution(H, 1.2 * ax, ay) * H.z"))
+                  .at("jacobian")
+                  .statement,
+              HasSubstr("no known cause"));
+}
+
+TEST(SampledShader, WrongWidthsAndFramesAreNamed) {
+  const std::string sound =
+      io::read_content(BRDF_SOURCE_DIR "/tests/cli/samplers/visible_normals.hlsl").bytes;
+  const auto cause = [&](const std::string& from, const std::string& to) {
+    return judged(replaced(sound, from, to), 1, ".hlsl").at("jacobian").statement;
+  };
+  const std::string density = "distribution(H.z, alpha) / (1 + lambda(V.z, alpha)) / (4 * V.z)";
+  EXPECT_THAT(cause(density, replaced(replaced(density, "z, alpha", "z, alpha * alpha"), "(V.z, alpha)",
+                                      "(V.z, alpha * alpha)")),
+              HasSubstr("with the root of alpha: the density squares it once more"));
+  EXPECT_THAT(cause(density, replaced(replaced(density, "z, alpha", "z, sqrt(alpha)"), "(V.z, alpha)",
+                                      "(V.z, sqrt(alpha))")),
+              HasSubstr("with the square of alpha: the sampler squares it once more"));
+  EXPECT_THAT(
+      cause(density, "V.y <= 0.0 ? 1e-9 : distribution(H.y, alpha) / (1 + lambda(V.y, alpha)) / (4 * V.y)"),
+      HasSubstr("a frame with the normal along Y"));
+  EXPECT_THAT(cause("L = reflect(-V, H);", "L = reflect(-V, H).xzy;"),
+              HasSubstr("fits if the sampled direction is in a frame with the normal along Y"));
+}
+
 }  // namespace
 }  // namespace brdf::cli
 #endif

@@ -58,6 +58,14 @@ TEST(Files, AreRefusedBeyondTheirLimitBeforeTheyAreRead) {
   writer.join();
 }
 
+TEST(Limits, NamesOfColumnsAreShort) {
+  EXPECT_EQ(message(repeated("ab/c_d[e]", 100) + ",f\n1,2\n"),
+            "file, line 1: the name of column 1 has 900 bytes, which exceed the limit of 500");
+  // Names below the limit are searched for units at each separator: a whole line of them is still read.
+  EXPECT_NE(message(repeated("ab/c_d[e]", 55) + ",f\n1,2\n").find("column 'theta_i' is missing"),
+            std::string::npos);
+}
+
 TEST(Limits, LinesRowsAndColumnsAreCounted) {
   BRDF_LONG_UNDER_SANITIZERS();
   EXPECT_EQ(message("# " + repeated("x", kLongestLine) + "\n" + kHeader + kRow),

@@ -16,11 +16,8 @@ using Vector = Vec3<double>;
 Vector difference_of(const Vector& a, const Vector& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-double product_of(const Vector& a, const Vector& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
 double length_of(const Vector& a) {
-  return std::sqrt(product_of(a, a));
+  return std::sqrt(dot(a, a));
 }
 double area_of(const Vector& a, const Vector& b) {
   return length_of({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x});
@@ -231,10 +228,10 @@ class Inverse {
     if (order.size() < 2) return std::nullopt;
     std::ranges::sort(order);
     const std::size_t a = order[0].second, b = order[1].second;
-    const double aa = product_of(by[a], by[a]), ab = product_of(by[a], by[b]), bb = product_of(by[b], by[b]);
+    const double aa = dot(by[a], by[a]), ab = dot(by[a], by[b]), bb = dot(by[b], by[b]);
     const double determinant = aa * bb - ab * ab;
     if (!(determinant > 1e-18 * aa * bb)) return std::nullopt;
-    const double am = product_of(by[a], miss), bm = product_of(by[b], miss);
+    const double am = dot(by[a], miss), bm = dot(by[b], miss);
     double da = (bb * am - ab * bm) / determinant, db = (aa * bm - ab * am) / determinant;
     const double longest = std::max(std::abs(da), std::abs(db));
     if (!std::isfinite(longest)) return std::nullopt;
@@ -286,7 +283,7 @@ class Inverse {
       std::size_t cell = 0;
       for (std::size_t j = 0; j < std::min<std::size_t>(used_, 8); ++j)
         cell = cell * std::size_t(side) + std::size_t(std::min(int(stock_[k].u[j] * side), side - 1));
-      const double far = -product_of(stock_[k].wi, target);
+      const double far = -dot(stock_[k].wi, target);
       cells[cell].emplace_back(far, k);
       all.emplace_back(far, k);
     }
@@ -310,10 +307,6 @@ class Inverse {
   std::vector<Stock> stock_;
 };
 
-bool agree(double a, double b, double bound) {
-  return std::abs(a - b) <= bound * std::max(std::abs(a), std::abs(b));
-}
-
 bool is_short(const DensityRow& row) {
   return row.claimed > row.truth && !agree(row.claimed, row.truth, kJacobianBound);
 }
@@ -329,7 +322,7 @@ bool draws_are_too_few(const Inverse& inverse, std::span<const DensityRow> rows)
     const double area = kInCap / (double(Inverse::kStock) * row.claimed);
     const double cosine = std::max(1 - area / (2 * kPi), std::cos(10 * kPi / 180));
     expected += 2 * kPi * (1 - cosine) * double(Inverse::kStock) * row.claimed;
-    for (const Inverse::Stock& s : inverse.stock()) observed += product_of(s.wi, row.wi) > cosine;
+    for (const Inverse::Stock& s : inverse.stock()) observed += dot(s.wi, row.wi) > cosine;
   }
   return observed + kFarBelow * std::sqrt(expected) < expected;
 }
@@ -363,17 +356,18 @@ JacobianRows jacobian_rows(const Trio& trio, int probes, std::uint64_t seed) {
     if (!inverse.density_at(stock.u, out.why)) continue;
     const double claimed = trio.facts().has_density ? trio.density_of(stock.wi, trio.at().wo) : stock.pdf;
     double truth = 0;
-    std::size_t roots = 0;
+    std::vector<DensityPart> parts;
     const auto sum_up = [&](bool thorough) {
       std::vector<Numbers> all = inverse.leading_to(stock.wi, thorough);
       bool whole = true;
-      roots = all.size();
-      most_roots = std::max(most_roots, roots);
+      most_roots = std::max(most_roots, all.size());
       truth = 0;
+      parts.clear();
       for (const Numbers& u : all) {
         const auto part = inverse.density_at(u, out.why);
         whole = whole && part;
         truth += part.value_or(0);
+        parts.push_back({u, part.value_or(0)});
       }
       return whole && !all.empty();
     };
@@ -384,96 +378,18 @@ JacobianRows jacobian_rows(const Trio& trio, int probes, std::uint64_t seed) {
       if (!sum_up(true)) continue;
       thorough_misses += !agree(claimed, truth, kJacobianBound);
     }
-    out.rows.push_back({stock.wi, claimed, truth, stock.u, roots});
+    out.rows.push_back({stock.wi, claimed, truth, stock.u, parts});
   }
   // Of several lobes one may lead to a direction by random numbers that the search did not find, close to the
   // end of a branch. If it found fewer numbers than at other directions, the sum is a lower bound, and only
   // draws can show that the claimed density is too large.
-  const auto may_miss = [&](const DensityRow& row) { return is_short(row) && row.roots < most_roots; };
+  const auto may_miss = [&](const DensityRow& row) { return is_short(row) && row.parts.size() < most_roots; };
   if (std::ranges::any_of(out.rows, may_miss) && !draws_are_too_few(inverse, out.rows)) {
     const std::size_t left_out = std::erase_if(out.rows, may_miss);
     out.why = "another lobe may lead to " + io::plural(left_out, "direction") +
               ", by random numbers that the search did not find";
   }
   return out;
-}
-
-namespace {
-
-// The factor that turns the claimed density of a wrong measure into the right one, at one direction.
-struct Factor {
-  const char* cause;
-  double (*of)(const Vector& wi, const Vector& wo);
-};
-
-double half_cosine(const Vector& wi, const Vector& wo, bool with_normal) {
-  const Vector sum{wi.x + wo.x, wi.y + wo.y, wi.z + wo.z};
-  return with_normal ? sum.z / length_of(sum) : product_of(sum, wo) / length_of(sum);
-}
-
-constexpr Factor kFactors[] = {
-    {"is that of the half vector: the factor 1 / (4 dot(V, H)) is missing",
-     [](const Vector& i, const Vector& o) { return 1 / (4 * half_cosine(i, o, false)); }},
-    {"has the factor 1 / (4 dot(V, H)) once too often",
-     [](const Vector& i, const Vector& o) { return 4 * half_cosine(i, o, false); }},
-    {"is per projected solid angle: the factor cos_i is missing",
-     [](const Vector& i, const Vector&) { return i.z; }},
-    {"has the factor cos_i once too often", [](const Vector& i, const Vector&) { return 1 / i.z; }},
-    {"lacks the cosine of the half vector, dot(N, H)",
-     [](const Vector& i, const Vector& o) { return half_cosine(i, o, true); }},
-    {"has the cosine of the half vector, dot(N, H), once too often",
-     [](const Vector& i, const Vector& o) { return 1 / half_cosine(i, o, true); }},
-    {"has the factor 1 / (4 cos_o) in the place of 1 / (4 dot(V, H))",
-     [](const Vector& i, const Vector& o) { return o.z / half_cosine(i, o, false); }},
-};
-
-}  // namespace
-
-std::string cause_of(const Trio& trio, std::span<const DensityRow> rows) {
-  constexpr double kNear = 2e-4, kMost = 0.95;
-  if (rows.size() < 6) return "";
-  const Vector& wo = trio.at().wo;
-  // Returns whether expected(row) / truth is the same at nearly all rows; `factor` receives its median.
-  double factor = 0;
-  const auto constant_ratio = [&](auto&& expected) {
-    std::vector<double> ratios;
-    for (const DensityRow& row : rows) ratios.push_back(row.truth / expected(row));
-    std::ranges::nth_element(ratios, ratios.begin() + long(ratios.size() / 2));
-    factor = ratios[ratios.size() / 2];
-    const auto near = std::ranges::count_if(ratios, [&](double r) { return agree(r, factor, kNear); });
-    return double(near) >= kMost * double(ratios.size()) && std::isfinite(factor) && factor > 0;
-  };
-  const auto times = [&](const std::string& cause) {
-    if (agree(factor, 1, kNear)) return cause;
-    // A power of dot(N, H) whose exponent is off by 1 has another norm as well.
-    const bool power = cause.find("dot(N, H)") != std::string::npos;
-    return cause + ", and the constant factor " + io::short_number(factor, 5) + " as well" +
-           (power ? ": an exponent that differs by 1 has this effect" : "");
-  };
-  const auto claimed_is = [&](auto&& value) {
-    return std::ranges::count_if(rows, [&](const DensityRow& r) {
-             return agree(r.claimed, value(r.wi), kNear);
-           }) >= kMost * double(rows.size());
-  };
-  if (claimed_is([](const Vector&) { return 1 / (2 * kPi); }))
-    return "is the uniform density 1 / (2 pi), which the samples do not have";
-  if (claimed_is([](const Vector& w) { return w.z / kPi; }))
-    return "is the cosine density cos_i / pi, which the samples do not have";
-  if (constant_ratio([](const DensityRow& r) { return r.claimed; }))
-    return "has a wrong constant factor: the true density is " + io::short_number(factor, 5) +
-           " times this one";
-  for (const Factor& f : kFactors)
-    if (constant_ratio([&](const DensityRow& r) { return r.claimed * f.of(r.wi, wo); }))
-      return times(f.cause);
-  if (!trio.facts().has_density) return "";
-  const auto turned = [](const Vector& w) { return Vector{w.y, w.x, w.z}; };
-  if (constant_ratio([&](const DensityRow& r) { return trio.density_of(turned(r.wi), turned(wo)); }) &&
-      agree(factor, 1, kNear))
-    return "belongs to exchanged axes: X and Y, or the widths along them, are exchanged";
-  if (constant_ratio([&](const DensityRow& r) { return trio.density_of(wo, r.wi); }) &&
-      agree(factor, 1, kNear))
-    return "belongs to exchanged directions: light and viewer are exchanged";
-  return "";
 }
 
 }  // namespace brdf::validate

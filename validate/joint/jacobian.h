@@ -2,6 +2,8 @@
 // numbers.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,12 +12,19 @@
 
 namespace brdf::validate {
 
+// Random numbers that lead to a direction, and the density that they contribute there, 1/sr.
+struct DensityPart {
+  std::vector<double> u;
+  double density;
+};
+
 // A direction with the density that the code claims and the density that the sampler has, per solid angle.
 struct DensityRow {
   Vec3<double> wi;
   double claimed, truth;
   std::vector<double> u;  // the random numbers that led to the direction
-  std::size_t roots = 1;  // how many random numbers that lead to the direction were found
+  // The truth as a sum over all random numbers that lead to the direction, as far as they were found.
+  std::vector<DensityPart> parts = {};
 };
 
 // The true density is the sum over all random numbers u that lead to the direction of the probability of the
@@ -32,8 +41,9 @@ JacobianRows jacobian_rows(const Trio& trio, int probes, std::uint64_t seed);
 // Relative difference from which a row counts as wrong.
 inline constexpr double kJacobianBound = 1e-4;
 
-// Returns the cause of a wrong density, as a clause that follows "the density": a density of another measure,
-// a constant factor, exchanged axes or directions; empty if no known cause explains the rows.
-std::string cause_of(const Trio& trio, std::span<const DensityRow> rows);
+// Returns whether two densities differ by at most `bound` of the larger one.
+inline bool agree(double a, double b, double bound) {
+  return std::abs(a - b) <= bound * std::max(std::abs(a), std::abs(b));
+}
 
 }  // namespace brdf::validate

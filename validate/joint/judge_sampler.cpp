@@ -9,6 +9,7 @@
 #include "io/files/numbers.h"
 #include "validate/joint/catalogue_noise.h"
 #include "validate/joint/cells.h"
+#include "validate/joint/density_cause.h"
 #include "validate/joint/jacobian.h"
 #include "validate/joint/pointwise.h"
 #include "validate/joint/statistics.h"

@@ -29,6 +29,8 @@ class Trio {
 
   const SamplerFacts& facts() const { return sampler_.facts(); }
   const SampledCase& at() const { return case_; }
+  // Returns the same sampler in another case, which must outlive the result.
+  Trio with(const SampledCase& other) const { return {sampler_, other}; }
   std::size_t channels() const { return case_.at.channels.size(); }
 
   // Returns f (or f cos_i) of all directions, channel by channel; 0 below the horizon, and everywhere if f is
