@@ -56,25 +56,6 @@ fit::NamedRange index_up_to(const Reflectance& target, double high) {
   return {std::string(p.name), p.min, high};
 }
 
-// Returns the projected material as options of other verbs: brdf eval --form NAME --set ...
-std::string as_command(const Term& term, Angle tangent) {
-  const ReflectanceInfo& form = info(term.form);
-  std::string text = "--form " + std::string(form.name);
-  const auto add = [&](const ParameterInfo& p, std::size_t k, const std::vector<std::vector<double>>& sets) {
-    if (p.min == p.max) return;
-    std::vector<std::string> values;
-    for (const std::vector<double>& set : sets) values.push_back(io::to_text(set[k]));
-    if (std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end()) values.resize(1);
-    text += " --set " + std::string(p.name) + "=" + io::joined(values, ",");
-  };
-  for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
-  for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
-  if (tangent != Angle{})
-    text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
-            io::to_text(std::remainder(tangent.degrees(), 360));
-  return text;
-}
-
 // A surface node of MaterialX: one colour and one lobe.
 Program surface_node(std::string_view name, Reflectance target, std::string (*write)(const Written&)) {
   return {.name = name,
@@ -96,12 +77,6 @@ Program with_both_ends(Program program) {
     program.targets.back().bounds = {{std::string(kMetallicInfo.name), metallic, metallic}};
   }
   return program;
-}
-
-Limits limits_of(const Program& program) {
-  Limits limits{program.name, program.most, program.most_lobe, program.adds};
-  for (const TargetRules& rules : program.targets) limits.targets.push_back(rules.target);
-  return limits;
 }
 
 // Places the term in the surface's frame.
@@ -222,6 +197,24 @@ struct Attempt {
 
 }  // namespace
 
+std::string as_command(const Term& term, Angle tangent) {
+  const ReflectanceInfo& form = info(term.form);
+  std::string text = "--form " + std::string(form.name);
+  const auto add = [&](const ParameterInfo& p, std::size_t k, const std::vector<std::vector<double>>& sets) {
+    if (p.min == p.max) return;
+    std::vector<std::string> values;
+    for (const std::vector<double>& set : sets) values.push_back(io::to_text(set[k]));
+    if (std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end()) values.resize(1);
+    text += " --set " + std::string(p.name) + "=" + io::joined(values, ",");
+  };
+  for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
+  for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
+  if (tangent != Angle{})
+    text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
+            io::to_text(std::remainder(tangent.degrees(), 360));
+  return text;
+}
+
 std::string in_words(const Exported& made) {
   if (made.exact()) return "exact";
   if (!made.refitted) return "copied: " + in_words(made.loss);
@@ -334,6 +327,12 @@ const Program* find_program(std::string_view name) {
   for (const Program& program : programs())
     if (program.name == name) return &program;
   return nullptr;
+}
+
+Limits limits_of(const Program& program) {
+  Limits limits{program.name, program.most, program.most_lobe, program.adds};
+  for (const TargetRules& rules : program.targets) limits.targets.push_back(rules.target);
+  return limits;
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
