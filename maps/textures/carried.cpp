@@ -147,10 +147,9 @@ class Attempt {
   void store_normals() {
     out_.has_normals = maps_.has_normals();
     out_.normals.assign(maps_.size(), {0, 0, 1});
-    const bool bytes = textured_.inputs[0].storage != Storage::real;
-    const auto held = [&](double x) {
-      return bytes ? 2 * rounded(Storage::linear_byte, 0.5 + 0.5 * x) - 1 : double(float(x));
-    };
+    const Storage storage =
+        textured_.inputs[0].storage == Storage::real ? Storage::real : Storage::linear_byte;
+    const auto held = [&](double x) { return 2 * rounded(storage, 0.5 + 0.5 * x) - 1; };
     for (std::size_t texel = 0; out_.has_normals && texel < maps_.size(); ++texel)
       if (out_.held[texel]) {
         const Vec3<double> n = maps_.normal(texel);

@@ -42,11 +42,11 @@ struct Carried {
   const interop::Program* program = nullptr;
   Reflectance target;
   std::vector<InputMap> inputs{};
-  std::optional<double>
-      index{};  // the index of refraction of all texels, if the target has one without input
+  // The index of refraction of all texels, if the target has one and no input drives it.
+  std::optional<double> index{};
   bool has_normals = false;
-  std::vector<Vec3<double>>
-      normals{};             // as the texture holds them, not normalised: 2 byte/255 - 1, or floats
+  // The normals of the texture with the numbers x: 2 x - 1, not normalised.
+  std::vector<Vec3<double>> normals{};
   std::vector<bool> held{};  // the texels that the program shows
   std::size_t without_fit = 0, refused = 0;
   std::string reason{};  // of the first refused texel

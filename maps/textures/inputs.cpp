@@ -12,6 +12,15 @@ namespace {
 constexpr Scale kSame{[](double x) { return x; }, [](double x) { return x; }};
 // Roughness is the root of alpha.
 constexpr Scale kRoot{[](double alpha) { return std::sqrt(alpha); }, [](double r) { return r * r; }};
+// The Specular of Blender's Principled BSDF, f0/0.08, and the index.
+constexpr Scale kSpecular{[](double eta) { return f0_of_index(eta) / 0.08; },
+                          [](double specular) {
+                            const double root = std::sqrt(0.08 * specular);
+                            return (1 + root) / (1 - root);
+                          }};
+
+constexpr double kMirrorOfCycles = 3.17e-4;  // alpha_x alpha_y <= 1e-7
+
 Input number(std::string_view name, Role role, Storage storage, const Scale& scale = kSame) {
   return {name, role, false, false, storage, scale};
 }
@@ -32,6 +41,24 @@ const std::vector<TexturedTarget>& all_targets() {
   static const std::vector<TexturedTarget> all = [] {
     std::vector<TexturedTarget> out{{"gltf_metallic_roughness", of_gltf()}, {"three_physical", of_gltf()}};
     out[0].inputs.push_back(colour("specular_color", Role::tint, Storage::srgb_byte));
+    out.push_back({"materialx_schlick",
+                   {colour("kd", Role::diffuse, Storage::real), number("ks", Role::specular, Storage::real),
+                    colour("f0", Role::f0, Storage::real), number("alpha", Role::width, Storage::real),
+                    number("sigma", Role::slope, Storage::real)}});
+    out.push_back({"blender_glossy",
+                   {colour("kd", Role::diffuse, Storage::real), colour("ks", Role::specular, Storage::real),
+                    number("roughness", Role::width, Storage::real, kRoot)},
+                   kMirrorOfCycles});
+    out.push_back({"blender_principled",
+                   {colour("base_color", Role::diffuse, Storage::real), metallic(Storage::real),
+                    number("specular", Role::index, Storage::real, kSpecular),
+                    number("roughness", Role::width, Storage::real, kRoot)},
+                   kMirrorOfCycles});
+    out.push_back(
+        {"blender_metallic",
+         {colour("kd", Role::diffuse, Storage::real), number("ks", Role::specular, Storage::real),
+          colour("f0", Role::f0, Storage::real), number("roughness", Role::width, Storage::real, kRoot)},
+         kMirrorOfCycles});
     return out;
   }();
   return all;

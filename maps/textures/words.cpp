@@ -95,6 +95,12 @@ std::vector<std::string> sentences(const Carried& carried, const TexelMaterials&
     out.push_back("32-bit float, linear: " + names);
   if (carried.index)
     out.push_back("one index of refraction for all texels: " + io::short_number(*carried.index, 6));
+  if (carried.has_normals && carried.program->name.starts_with("blender"))
+    out.push_back(
+        "Cycles darkens the diffuse part if the light is nearer to the horizon of the plane than to that of "
+        "a "
+        "texel's normal, and it bends a normal that mirrors the viewer below the plane; the losses leave "
+        "this out");
   out.push_back(
       "textures are read at the nearest texel: between texels a filter mixes parameters, and the "
       "losses do not hold");

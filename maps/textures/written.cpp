@@ -6,13 +6,9 @@
 #include "io/files/provenance.h"
 
 namespace brdf::maps {
+
 std::string_view suffix_of(const interop::Program& program) {
   return program.name == "materialx" ? ".mtlx" : program.name.starts_with("blender") ? ".py" : ".glb";
-}
-
-std::vector<std::filesystem::path> possible_files(const interop::Program&,
-                                                  const std::filesystem::path& output) {
-  return {output};
 }
 
 std::vector<std::filesystem::path> write_textures(const Carried& carried, const TexelMaterials& maps,
@@ -22,11 +18,20 @@ std::vector<std::filesystem::path> write_textures(const Carried& carried, const 
   Description described{
       name,
       {"Written by brdf " BRDF_VERSION ": " + io::provenance().command, "for " + std::string(program.title)}};
-  for (const auto* lines : {&program.conventions})
-    described.header.insert(described.header.end(), lines->begin(), lines->end());
+  described.header.insert(described.header.end(), program.conventions.begin(), program.conventions.end());
   for (const std::string& sentence : sentences(carried, maps)) described.header.push_back(sentence);
-  io::write_file_atomically(output, glb_of(carried, maps, described));
-  return {output};
+  ImageFiles images(carried, maps, output);
+  const double larger = double(std::max(maps.width(), maps.height()));
+  const std::string_view suffix = suffix_of(program);
+  const std::string text =
+      suffix == ".mtlx" ? mtlx_of(carried, images, described)
+      : suffix == ".py" ? script_of(carried, images, described,
+                                    {2 * double(maps.width()) / larger, 2 * double(maps.height()) / larger})
+                        : glb_of(carried, maps, described);
+  std::vector<std::filesystem::path> paths = images.write();
+  io::write_file_atomically(output, text);
+  paths.push_back(output);
+  return paths;
 }
 
 }  // namespace brdf::maps

@@ -14,11 +14,12 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 from exported import DARK, Export, summary_of
-from measured import evaluated, write_directions
+from measured import evaluated, rms, write_directions
+from textured import STACKS, exported, fitted_maps
 
 brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 
-# Node: its type, and the type of every input. From libraries/pbrlib/pbrlib_defs.mtlx and libraries/stdlib/stdlib_defs.mtlx of
+# Node: its type or types, and the type of every input. From libraries/pbrlib/pbrlib_defs.mtlx and libraries/stdlib/stdlib_defs.mtlx of
 # MaterialX 1.39.
 NODES = {
     "oren_nayar_diffuse_bsdf": ("BSDF", dict(weight="float", color="color3", roughness="float", normal="vector3",
@@ -45,6 +46,9 @@ NODES = {
                                          displacementshader="displacementshader")),
     "tangent": ("vector3", dict(space="string", index="integer")),
     "normal": ("vector3", dict(space="string")),
+    "image": (("color3", "float", "vector2", "vector3"), dict(file="filename", filtertype="string", uaddressmode="string",
+                                                              vaddressmode="string")),
+    "normalmap": ("vector3", {"in": "vector3"}),
     "rotate3d": ("vector3", {"in": "vector3", "amount": "float", "axis": "vector3"}),
 }
 NUMBERS = {"float": 1, "vector2": 2, "vector3": 3, "color3": 3}
@@ -97,9 +101,10 @@ def check(path):
     assert root.tag == "materialx" and root.get("version") == "1.39" and root.get("colorspace") == "lin_rec709"
     before = {}
     for node in root:
-        kind, inputs = NODES[node.tag]
+        kinds, inputs = NODES[node.tag]
         name = node.get("name")
-        assert node.get("type") == kind and name and name not in before, name
+        kind = node.get("type")
+        assert kind in (kinds if isinstance(kinds, tuple) else (kinds,)) and name and name not in before, name
         for item in node:
             wanted = inputs[item.get("name")]
             assert item.tag == "input" and item.get("type") == wanted, (name, item.attrib)
@@ -107,6 +112,8 @@ def check(path):
             assert (link is None) != (value is None), (name, item.attrib)
             if link:
                 assert before[link] == wanted, (name, link)
+            elif wanted == "filename":
+                assert (path.parent / value).is_file(), value
             elif wanted in NUMBERS:
                 assert len([float(x) for x in value.split(",")]) == NUMBERS[wanted], value
         before[name] = kind
@@ -169,6 +176,12 @@ def main():
                 continue
             assert made.returncode == 0, made.stderr
             seen |= set(check(path))
+    for name in STACKS:
+        maps = fitted_maps(brdf, name, folder)
+        for place in exported(brdf, maps, "materialx", folder / f"{name}_maps.mtlx"):
+            wanted, carried = place.values(brdf, folder)
+            print(f"{name}: texel {place.x},{place.y}, rms {rms(wanted, carried, place.pairs):.6f}")
+        seen |= set(check(folder / f"{name}_maps.mtlx"))
     assert seen == set(NODES), set(NODES) - seen
     mitsuba = folder / "paint.xml"
     subprocess.run([brdf, "export", *shlex.split(MATERIALS["metal"]), "--to", "mitsuba", "-o", mitsuba], check=True,

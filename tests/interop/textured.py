@@ -73,16 +73,19 @@ class Place:
         return [evaluated(brdf, words, write_directions(folder / "texel.csv", self.in_frame(normal)))
                 for words, normal in ((self.wanted, self.wanted_normal), (self.carried, self.normal))]
 
-    def judge(self, brdf, folder, seen, bound, label=""):
+    def judge(self, brdf, folder, seen, bound, label="", shaded=lambda normal, wi, wo: True):
         """Returns whether the f_r that a program shows, times the factors of the normal, is that of the textures up to the bound, and
-        whether the difference from the map is as large as with the stated values."""
+        whether the difference from the map is as large as with the stated values. `shaded` chooses the pairs that are compared, by the
+        normal and both directions."""
+        kept = [k for k, p in enumerate(self.pairs) if shaded(self.normal, unit(*p[:2]), unit(*p[2:]))]
+        assert len(kept) > 20, len(kept)
         seen = [[value / factor for value in row] for row, factor in zip(seen, self.factors)]
-        wanted, carried = self.values(brdf, folder)
+        wanted, carried, seen = ([values[k] for k in kept] for values in (*self.values(brdf, folder), seen))
         apart = max(abs(b - a) / a for x, y in zip(carried, seen) for a, b in zip(x, y))
-        said, found = (rms(wanted, values, self.pairs) for values in (carried, seen))
+        said, found = (rms(wanted, values, [self.pairs[k] for k in kept]) for values in (carried, seen))
         good = apart < bound and abs(said - found) < max(2e-4, bound / 10)
-        print(f"  {label or f'texel {self.x},{self.y}'}: largest difference {apart:.2g} of {bound:.2g}, loss said {said:.6f} seen {found:.6f}"
-              f"{'' if good or label else '  FAILED'}", flush=True)
+        print(f"  {label or f'texel {self.x},{self.y}'}: {len(kept)} pairs, largest difference {apart:.2g} of {bound:.2g}, loss said "
+              f"{said:.6f} seen {found:.6f}{'' if good or label else '  FAILED'}", flush=True)
         return good
 
 

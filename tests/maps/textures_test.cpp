@@ -145,6 +145,41 @@ TEST(Textures, ATexelWithoutAFitIsAHole) {
               ::testing::Contains(HasSubstr("1 texel without a fit: holes")));
 }
 
+// Returns the text of a program's file, and the written files.
+struct InFolder {
+  std::string text;
+  std::vector<std::filesystem::path> files;
+};
+InFolder written_for(const char* program, const Written& file, const std::string& output) {
+  const maps::TexelMaterials maps = file.read();
+  const auto files =
+      maps::write_textures(carried_to(maps, program), maps, file.folder.path() / output, "holes");
+  return {io::read_content(files.back()).bytes, files};
+}
+
+TEST(Textures, ProgramsThatReadImagesHaveAnImageForEachInputThatVaries) {
+  const Written file(small_maps());
+  const InFolder mtlx = written_for("materialx", file, "a&b.mtlx");
+  EXPECT_THAT(mtlx.text, HasSubstr("value=\"a&amp;b_kd.exr\""));
+  EXPECT_THAT(mtlx.text, HasSubstr("name=\"opacity\" type=\"float\" nodename=\"holes_held\""));
+  EXPECT_THAT(mtlx.text,
+              HasSubstr("name=\"weight\" type=\"float\" value=\"0.800000012\""));  // ks is constant
+  const InFolder script = written_for("blender", file, "paint.py");
+  EXPECT_THAT(script.text, HasSubstr("os.path.join(folder, \"paint_roughness.exr\")"));
+  EXPECT_THAT(script.text, HasSubstr("hole = tree.nodes.new(\"ShaderNodeBsdfTransparent\")"));
+  for (const auto& [program, files] : {std::pair{"materialx", mtlx.files}, {"blender", script.files}})
+    for (const std::filesystem::path& path : files) {
+      EXPECT_TRUE(std::filesystem::is_regular_file(path)) << path;
+      EXPECT_THAT(maps::possible_files(*interop::find_program(program), files.back()),
+                  ::testing::Contains(path));
+    }
+  const texel::Planes kd = texel::read_planes(file.folder.path() / "paint_kd.exr");
+  EXPECT_EQ((*kd.find("R"))[1], 0.3F);
+  EXPECT_EQ((*kd.find("G"))[1], 0.15F);
+  const texel::Planes held = texel::read_planes(file.folder.path() / "paint_held.exr");
+  EXPECT_EQ(*held.find("R"), (std::vector<float>{1, 1, 1, 0}));
+}
+
 TEST(Textures, TheRoundingOfNormalsIsPartOfTheLoss) {
   texel::Planes planes = small_maps();
   plane(planes, "normal.x")[0] = 0.3F;

@@ -103,7 +103,7 @@ with tempfile.TemporaryDirectory() as name:
     assert b'"alphaMode": "MASK"' in (folder / "many.glb").read_bytes()
     assert "above --max-loss" in run(export + " --max-loss 1e-6", 1).stderr
     run(export + f" --max-loss {1.01 * rms['largest']}")
-    refused("export --maps one/maps.exr --to hlsl -o x.hlsl", "--to hlsl: textures are written for gltf")
+    refused("export --maps one/maps.exr --to hlsl -o x.hlsl", "--to hlsl: textures are written for blender, blender-3.4, gltf, three, materialx")
     refused("export --maps one/maps.exr --to gltf -o x.gltf", "needs -o NAME.glb")
     refused("export --maps one/maps.exr --to gltf", "needs -o NAME.glb")
     refused("export --maps one/maps.exr --form ward --to gltf -o x.glb", "--maps: is the only input")
