@@ -13,6 +13,7 @@
 #include "brdf/targets/mitsuba.h"
 #include "brdf/targets/osl.h"
 #include "brdf/targets/pbrt.h"
+#include "brdf/targets/radiance.h"
 #include "brdf/targets/three.h"
 #include "fit/model/constraints.h"
 #include "interop/pbrt_colour.h"
@@ -44,6 +45,8 @@ std::string write_usd_preview_surface(const Written& w);
 std::string write_disney_principled(const Written& w);
 // Returns an OSL surface shader that adds closures.
 std::string write_osl(const Written& w);
+// Returns material modifiers: plastic, metal, and mixfunc for sums.
+std::string write_radiance(const Written& w);
 
 namespace {
 
@@ -319,7 +322,20 @@ std::span<const Program> programs() {
        .run_here = false,
        .conventions = {"widths are alphas; colours are linear; the tangent is dPdu, rotated about N"},
        .targets = {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
-       .write = write_osl}};
+       .write = write_osl},
+      {.name = "radiance",
+       .title = "Radiance (normal.c 2.83, aniso.c 2.67), light that comes directly from sources",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions =
+           {"roughness is alpha; colours are linear, as Radiance's red, green and blue",
+            "on a flat surface Radiance adds omega/(4 pi) of a source of solid angle omega to alpha^2",
+            "sampled rays (ambient light, other surfaces) have weights of their own",
+            "plastic2, metal2: the tangent is the x axis of the scene for a surface in its xy plane"},
+       .targets = {{radiance_wgmd{}, {}, true, true}},
+       .write = write_radiance}};
   return all;
 }
 
