@@ -13,6 +13,7 @@
 #include "brdf/targets/mitsuba.h"
 #include "brdf/targets/osl.h"
 #include "brdf/targets/pbrt.h"
+#include "brdf/targets/radiance.h"
 #include "brdf/targets/three.h"
 #include "fit/model/constraints.h"
 #include "interop/pbrt_colour.h"
@@ -44,6 +45,8 @@ std::string write_usd_preview_surface(const Written& w);
 std::string write_disney_principled(const Written& w);
 // Returns an OSL surface shader that adds closures.
 std::string write_osl(const Written& w);
+// Returns material modifiers: plastic, metal, and mixfunc for sums.
+std::string write_radiance(const Written& w);
 
 namespace {
 
@@ -54,25 +57,6 @@ fit::NamedRange index_up_to(const Reflectance& target, double high) {
   const ReflectanceInfo& form = info(target);
   const ParameterInfo& p = form.shape[std::size_t(form.shape_index(Role::index))];
   return {std::string(p.name), p.min, high};
-}
-
-// Returns the projected material as options of other verbs: brdf eval --form NAME --set ...
-std::string as_command(const Term& term, Angle tangent) {
-  const ReflectanceInfo& form = info(term.form);
-  std::string text = "--form " + std::string(form.name);
-  const auto add = [&](const ParameterInfo& p, std::size_t k, const std::vector<std::vector<double>>& sets) {
-    if (p.min == p.max) return;
-    std::vector<std::string> values;
-    for (const std::vector<double>& set : sets) values.push_back(io::to_text(set[k]));
-    if (std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end()) values.resize(1);
-    text += " --set " + std::string(p.name) + "=" + io::joined(values, ",");
-  };
-  for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
-  for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
-  if (tangent != Angle{})
-    text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
-            io::to_text(std::remainder(tangent.degrees(), 360));
-  return text;
 }
 
 // A surface node of MaterialX: one colour and one lobe.
@@ -96,12 +80,6 @@ Program with_both_ends(Program program) {
     program.targets.back().bounds = {{std::string(kMetallicInfo.name), metallic, metallic}};
   }
   return program;
-}
-
-Limits limits_of(const Program& program) {
-  Limits limits{program.name, program.most, program.most_lobe, program.adds};
-  for (const TargetRules& rules : program.targets) limits.targets.push_back(rules.target);
-  return limits;
 }
 
 // Places the term in the surface's frame.
@@ -222,6 +200,24 @@ struct Attempt {
 
 }  // namespace
 
+std::string as_command(const Term& term, Angle tangent) {
+  const ReflectanceInfo& form = info(term.form);
+  std::string text = "--form " + std::string(form.name);
+  const auto add = [&](const ParameterInfo& p, std::size_t k, const std::vector<std::vector<double>>& sets) {
+    if (p.min == p.max) return;
+    std::vector<std::string> values;
+    for (const std::vector<double>& set : sets) values.push_back(io::to_text(set[k]));
+    if (std::ranges::adjacent_find(values, std::not_equal_to<>()) == values.end()) values.resize(1);
+    text += " --set " + std::string(p.name) + "=" + io::joined(values, ",");
+  };
+  for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
+  for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
+  if (tangent != Angle{})
+    text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
+            io::to_text(std::remainder(tangent.degrees(), 360));
+  return text;
+}
+
 std::string in_words(const Exported& made) {
   if (made.exact()) return "exact";
   if (!made.refitted) return "copied: " + in_words(made.loss);
@@ -326,7 +322,20 @@ std::span<const Program> programs() {
        .run_here = false,
        .conventions = {"widths are alphas; colours are linear; the tangent is dPdu, rotated about N"},
        .targets = {{osl_microfacet{}}, {osl_ward{}}, {osl_phong{}}, {osl_oren_nayar{}}},
-       .write = write_osl}};
+       .write = write_osl},
+      {.name = "radiance",
+       .title = "Radiance (normal.c 2.83, aniso.c 2.67), light that comes directly from sources",
+       .most = 1,
+       .most_lobe = 1,
+       .adds = true,
+       .run_here = false,
+       .conventions =
+           {"roughness is alpha; colours are linear, as Radiance's red, green and blue",
+            "on a flat surface Radiance adds omega/(4 pi) of a source of solid angle omega to alpha^2",
+            "sampled rays (ambient light, other surfaces) have weights of their own",
+            "plastic2, metal2: the tangent is the x axis of the scene for a surface in its xy plane"},
+       .targets = {{radiance_wgmd{}, {}, true, true}},
+       .write = write_radiance}};
   return all;
 }
 
@@ -334,6 +343,12 @@ const Program* find_program(std::string_view name) {
   for (const Program& program : programs())
     if (program.name == name) return &program;
   return nullptr;
+}
+
+Limits limits_of(const Program& program) {
+  Limits limits{program.name, program.most, program.most_lobe, program.adds};
+  for (const TargetRules& rules : program.targets) limits.targets.push_back(rules.target);
+  return limits;
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {

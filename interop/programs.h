@@ -44,6 +44,12 @@ std::span<const Program> programs();
 // Returns the program with this name, or null if there is no such program.
 const Program* find_program(std::string_view name);
 
+// Returns the limits of the program's files.
+Limits limits_of(const Program& program);
+
+// Returns a projected term as options of other verbs: "--form NAME --set ...".
+std::string as_command(const Term& term, Angle tangent = {});
+
 // A target that was refused, with the reason.
 struct Refusal {
   std::string target, reason;

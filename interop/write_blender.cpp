@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "interop/blender_script.h"
 #include "interop/reading.h"
 
 namespace brdf::interop {
@@ -7,35 +8,6 @@ namespace {
 
 // Cycles treats alpha_x alpha_y <= 1e-7 as a mirror.
 constexpr double kLeastAlpha = 3.17e-4;
-
-// Statements of the Python function that makes the nodes.
-class Script {
- public:
-  // Adds a node with its enum properties.
-  void node(const std::string& variable, const std::string& type, const std::string& properties = "") {
-    line(variable + " = tree.nodes.new(\"ShaderNode" + type + "\")");
-    if (!properties.empty()) line(variable + "." + properties);
-  }
-  void set(const std::string& variable, const std::string& input, double value) {
-    line(variable + ".inputs[\"" + input + "\"].default_value = " + number(value));
-  }
-  void set(const std::string& variable, const std::string& input, const Colour& colour) {
-    line(variable + ".inputs[\"" + input + "\"].default_value = (" + numbers(colour) + ", 1)");
-  }
-  void link(const std::string& from, const std::string& to, const std::string& input) {
-    line("tree.links.new(" + from + ".outputs[0], " + to + ".inputs[" + input + "])");
-  }
-  void line(const std::string& statement) { text_ += "    " + statement + "\n"; }
-  // Links the tangent vector to a node that turns the vector by `degrees` about the normal.
-  void tangent(const std::string& variable, const std::string& rotation, double degrees) {
-    line("tree.links.new(tangent_of(tree, tangent), " + variable + ".inputs[\"Tangent\"])");
-    set(variable, rotation, degrees / 360 - std::floor(degrees / 360));
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
 
 constexpr const char* kTangent = R"(
 def tangent_of(tree, tangent):

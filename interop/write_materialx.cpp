@@ -2,39 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "interop/materialx_graph.h"
 #include "interop/reading.h"
 #include "io/files/error.h"
 
 namespace brdf::interop {
 namespace {
-
-// The nodes of the document. Each follows the nodes that it uses.
-class Graph {
- public:
-  explicit Graph(const Written& w) : name_(identifier(w.name)) {}
-
-  void begin(const char* node, const char* type, const std::string& name) {
-    node_ = node;
-    text_ += "  <" + node_ + " name=\"" + named(name) + "\" type=\"" + type + "\">\n";
-  }
-  void value(const char* input, const char* type, const std::string& text) {
-    put(input, type, "value", text);
-  }
-  void link(const char* input, const char* type, const std::string& from) {
-    put(input, type, "nodename", named(from));
-  }
-  void end() { text_ += "  </" + node_ + ">\n"; }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string named(const std::string& part) const { return part.empty() ? name_ : name_ + "_" + part; }
-  void put(const char* input, const char* type, const char* attribute, const std::string& text) {
-    text_ += "    <input name=\"" + std::string(input) + "\" type=\"" + type + "\" " + attribute + "=\"" +
-             text + "\"/>\n";
-  }
-
-  std::string name_, node_, text_;
-};
 
 void diffuse_node(const Reading& r, Graph& graph, const std::string& name) {
   graph.begin("oren_nayar_diffuse_bsdf", "BSDF", name);
@@ -73,15 +46,6 @@ void lobe_node(const Reading& r, Graph& graph, const std::string& number_of) {
   graph.value("distribution", "string", "ggx");
   graph.value("scatter_mode", "string", "R");
   graph.end();
-}
-
-// Returns the document around nodes of which the last one is the surface.
-std::string document(const Written& w, Graph& graph) {
-  graph.begin("surfacematerial", "material", "");
-  graph.link("surfaceshader", "surfaceshader", "surface");
-  graph.end();
-  return "<?xml version=\"1.0\"?>\n" + xml_header(w.header) +
-         "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n" + graph.text() + "</materialx>\n";
 }
 
 // A surface node: its name in MaterialX, and its inputs.
@@ -172,7 +136,7 @@ std::string write_node(const Written& w, SurfaceNode (*node_of)(const Reading&))
   r.check_widths(1e-4, 1e4, "nothing");
   r.check_wider_along("the node");
   const SurfaceNode node = node_of(r);
-  Graph graph(w);
+  Graph graph(w.name);
   const bool turned = node.tangent && r.turn() != 0;
   if (turned) tangent_nodes(r, graph, "");
   graph.begin(node.node, "surfaceshader", "surface");
@@ -180,10 +144,18 @@ std::string write_node(const Written& w, SurfaceNode (*node_of)(const Reading&))
   for (const auto& [input, value] : node.colours) graph.value(input, "color3", numbers(value));
   if (turned) graph.link(node.tangent, "vector3", "turned");
   graph.end();
-  return document(w, graph);
+  return document(w.header, graph);
 }
 
 }  // namespace
+
+std::string document(const std::vector<std::string>& header, Graph& graph) {
+  graph.begin("surfacematerial", "material", "");
+  graph.link("surfaceshader", "surfaceshader", "surface");
+  graph.end();
+  return "<?xml version=\"1.0\"?>\n" + xml_header(header) +
+         "<materialx version=\"1.39\" colorspace=\"lin_rec709\">\n" + graph.text() + "</materialx>\n";
+}
 
 std::string write_open_pbr_surface(const Written& w) {
   return write_node(w, open_pbr_node);
@@ -202,7 +174,7 @@ std::string write_disney_principled(const Written& w) {
 }
 
 std::string write_materialx(const Written& w) {
-  Graph graph(w);
+  Graph graph(w.name);
   std::string last;
   const auto add = [&](const std::string& node) {
     if (last.empty()) {
@@ -231,7 +203,7 @@ std::string write_materialx(const Written& w) {
   graph.begin("surface", "surfaceshader", "surface");
   graph.link("bsdf", "BSDF", last);
   graph.end();
-  return document(w, graph);
+  return document(w.header, graph);
 }
 
 }  // namespace brdf::interop

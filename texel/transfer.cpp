@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "io/colour/srgb.h"
 #include "io/files/text.h"
 
 namespace brdf::texel {
 
 double Transfer::decoded(double x) const {
-  const double linear = !srgb          ? std::pow(x, gamma)
-                        : x <= 0.04045 ? x / 12.92
-                                       : std::pow((x + 0.055) / 1.055, 2.4);
-  return white * linear;
+  return white * (srgb ? io::srgb_decoded(x) : std::pow(x, gamma));
 }
 
 std::optional<Transfer> transfer_named(const std::string& word) {

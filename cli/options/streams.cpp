@@ -32,8 +32,8 @@ bool holds(const std::array<std::string_view, N>& list, std::string_view name) {
 }
 
 bool writes(std::string_view name) {
-  return holds(kOutputs, name) || name == "--save-as" || name == "--screenshot" || name == "--junit" ||
-         name == "--sarif";
+  return holds(kOutputs, name) || name == "--save-as" || name == "--screenshot" || name == "--loss-map" ||
+         name == "--junit" || name == "--sarif";
 }
 
 // Replaces `-` by the name of the stream. Returns the fault, or an empty string. `taken`: the option that

@@ -124,13 +124,26 @@ void set_quiet() {
   quiet = true;
 }
 
+namespace {
+
+// Called in destructors, which must not throw.
+void print_line(std::string_view text) {
+  try {
+    erase_progress();
+    std::cerr << io::printable(text) << '\n';
+  } catch (const std::bad_alloc&) {
+    std::cerr << "brdf: a message is lost, because there is no memory for it\n";
+  }
+}
+
+}  // namespace
+
 Warning::~Warning() {
-  erase_progress();
-  std::cerr << io::printable(str()) << '\n';
+  print_line(view());
 }
 
 Note::~Note() {
-  if (!is_quiet()) Warning() << str();
+  if (!is_quiet()) print_line(view());
 }
 
 int descriptor_of(TextStream stream) {

@@ -27,6 +27,7 @@
 #include "io/material/glsl.h"
 #include "io/material/material_json.h"
 #include "io/material/shader_texts.h"
+#include "maps/textures/written.h"
 #include "measured/cells.h"
 #include "measured/on_sphere.h"
 #include "synth/instrument.h"
@@ -36,7 +37,7 @@ namespace {
 
 struct ExportCall {
   MaterialOptions material;
-  std::string measured, to, output, name, kernels = "own", table_layout = "brdf";
+  std::string measured, maps, loss_map, to, output, name, kernels = "own", table_layout = "brdf";
   bool include = false, naive = false, json = false, is_positional = false;
   std::optional<double> max_loss;
   io::Supplied supplied;
@@ -45,6 +46,11 @@ struct ExportCall {
 };
 
 constexpr const char *kMerl = "merl", *kRgl = "rgl";
+
+std::vector<std::string> textured_names() {
+  const std::vector<std::string_view> names = maps::textured_programs();
+  return {names.begin(), names.end()};
+}
 
 // Additional content of --json, and the exit code.
 struct Made {
@@ -240,7 +246,50 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   return {to_json(program, made), judged_loss(o, made.loss)};
 }
 
+// Throws for options that maps do not take.
+void check_maps(const ExportCall& o, const interop::Program* program) {
+  if (!o.measured.empty() || !o.material.form.empty() || !o.material.set.empty() ||
+      !o.material.material.empty() || !o.material.shader.file.empty())
+    throw InputError("--maps: is the only input; leave out the material, its options and --measured");
+  if (!program)
+    throw InputError("--maps --to " + o.to + ": textures are written for " + io::joined(textured_names()));
+  if (o.naive) throw InputError("--naive: --maps always copies the parameters of each texel");
+  const std::filesystem::path suffix(maps::suffix_of(*program));
+  if (o.output.empty() || std::filesystem::path(o.output).extension() != suffix)
+    throw InputError("--maps --to " + o.to + ": needs -o NAME" + suffix.string());
+  std::vector<io::Target> targets{{"--loss-map", o.loss_map}};
+  for (const std::filesystem::path& path : maps::possible_files(*program, o.output))
+    targets.push_back({"-o", path});
+  io::check_targets(targets, {o.maps});
+}
+
+Made export_maps(const ExportCall& o, const interop::Program* program) {
+  check_maps(o, program);
+  const maps::TexelMaterials texels(o.maps);
+  const maps::Carried carried = maps::carry(texels, *program, progress_line("brdf export: rows of texels"));
+  const std::string name = o.name.empty() ? std::filesystem::path(o.maps).stem().string() : o.name;
+  const std::vector<std::filesystem::path> files = write_textures(carried, texels, o.output, name);
+  if (!o.loss_map.empty()) texel::write_planes(o.loss_map, loss_planes(carried, texels));
+  erase_progress();
+  for (const std::string& sentence : sentences(carried, texels)) Note() << "brdf export: " << sentence;
+  Made made{{{"kind", "maps"},
+             {"target", info(carried.target).name},
+             {"program", program->title},
+             {"files", io::Json::array()},
+             {"maps", to_json(carried, texels)}}};
+  for (const std::filesystem::path& file : files) made.json["files"].push_back(file.string());
+  if (const double largest = maps::summary_of(carried.losses.rms).largest;
+      o.max_loss && largest > *o.max_loss) {
+    Warning() << "brdf export: the loss of a texel, " << io::short_number(largest) << ", is above --max-loss "
+              << io::short_number(*o.max_loss);
+    made.exit = Exit::failed;
+  }
+  return made;
+}
+
 Made made_by(const ExportCall& o, const interop::Program* program) {
+  if (!o.maps.empty()) return export_maps(o, program);
+  if (!o.loss_map.empty()) throw InputError("--loss-map: applies to --maps only");
   if (!o.measured.empty()) check_measured(o);
   if (o.measured.empty() && o.supplied != io::Supplied())
     throw InputError("--quantity, --mirror-side, --layout: apply to --measured only");
@@ -350,6 +399,11 @@ void add_export(CLI::App& app) {
           "or a program")
       ->required()
       ->check(CLI::IsMember(target_names()));
+  verb->add_option(
+      "--maps", options->maps,
+      "Fitted maps to export as textures: maps.exr of brdf fit STACK, for " + io::joined(textured_names()));
+  verb->add_option("--loss-map", options->loss_map,
+                   "OpenEXR image to write with the losses of every texel of --maps");
   verb->add_option("-o,--output", options->output, "File to write (default: stdout)");
   verb->add_option("--kernels", options->kernels,
                    "exp, log and similar functions: own (of the library, bit for bit) or builtin (of the "
@@ -398,6 +452,7 @@ void add_export(CLI::App& app) {
       "          brdf export --form cook_torrance --to dfg --table-layout filament -o dfg.exr\n"
       "          brdf export --form cook_torrance_beckmann --to ltc -o ltc.exr\n"
       "          brdf export copper.json --measured copper.csv --to merl -o copper.binary\n"
+      "          brdf export --maps maps/maps.exr --to gltf --loss-map loss.exr -o painting.glb\n"
       "          brdf export plane.csv --quantity BRF --mirror-side negative --to merl -o "
       "plane.binary");
   on_run(*verb, [options, verb] {

@@ -22,4 +22,9 @@ S srgb_encoded(const S& x) {
   return select(S(0.0031308) < x, curve, S(12.92) * x);
 }
 
+// Decodes one channel in [0, 1]: the inverse of srgb_encoded().
+inline double srgb_decoded(double x) {
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace brdf::io

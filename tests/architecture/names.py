@@ -24,6 +24,7 @@ EXEMPT = {
     "libbrdf/src/reflectance.cpp": "finding by name",
     "libbrdf/brdf/reflectance_of.h": "finding by name",
     "interop/write_": "other programs' parameters",
+    "maps/textures/": "other programs' parameters",
     "interop/width_parameters.cpp": "whose widths are converted",
     "interop/gloss_numbers.cpp": "whose widths are converted",
     "io/columns/units.cpp": "names of letters",

@@ -5,7 +5,8 @@
 The scene is a plane in z = 0 with tangent +x, a sun of angle 0 and irradiance 1, and an orthographic camera, without
 bounces, so that a pixel is f_r cos_i. Each SCRIPT.py defines make_material(name, tangent). SCRIPT_pairs.csv holds pairs of
 directions (theta_i, phi_i, theta_o, phi_o in degrees, one row per pair); f_r of every pair in red, green and blue is
-written to SCRIPT.csv in the same folder.
+written to SCRIPT.csv in the same folder. A script with make_plane(material) has a plane of its own: SCRIPT_places.csv holds places
+(x, y) on it, SCRIPT_K_pairs.csv the pairs at place K, and SCRIPT_K.csv receives the values.
 """
 import csv
 import math
@@ -79,19 +80,37 @@ def measure(pairs, scene, sun, camera, picture):
         yield [statistics.median(pixels[c::4]) / wi.z for c in range(3)]
 
 
+def read(path):
+    with open(path) as file:
+        return [[float(x) for x in row] for row in csv.reader(file)]
+
+
+def write(path, rows):
+    with open(path, "w") as file:
+        csv.writer(file).writerows(rows)
+
+
 def main():
     scripts = sys.argv[sys.argv.index("--") + 1 :]
     scene, plane, sun, camera = scene_with_plane()
     with tempfile.TemporaryDirectory() as folder:
         for script in map(pathlib.Path, scripts):
-            with open(script.with_name(f"{script.stem}_pairs.csv")) as file:
-                pairs = [[float(x) for x in row] for row in csv.reader(file)]
-            names = {}
+            def measured(name):
+                pairs = read(script.with_name(f"{name}_pairs.csv"))
+                write(script.with_name(f"{name}.csv"), measure(pairs, scene, sun, camera, folder + "/pixel.exr"))
+            names = {"__file__": str(script)}
             exec(compile(script.read_text(), script, "exec"), names)
+            plane.hide_render = "make_plane" in names
+            if plane.hide_render:
+                own = names["make_plane"](names["make_material"]())
+                for k, (x, y) in enumerate(read(script.with_name(f"{script.stem}_places.csv"))):
+                    own.location = (-x, -y, 0)
+                    measured(f"{script.stem}_{k}")
+                bpy.data.objects.remove(own)
+                continue
             plane.data.materials.clear()
             plane.data.materials.append(names["make_material"](script.stem, tangent=(1, 0, 0)))
-            with open(script.with_suffix(".csv"), "w") as file:
-                csv.writer(file).writerows(measure(pairs, scene, sun, camera, folder + "/pixel.exr"))
+            measured(script.stem)
 
 
 main()

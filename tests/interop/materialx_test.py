@@ -2,11 +2,12 @@
 # ctest: interop.materialx label=interop timeout=1800 setup=clients needs=plain @brdf@ @here@/materialx
 """materialx_test.py BRDF FOLDER: tests that exports to MaterialX are well-formed XML (xmllint) with nodes and inputs that
 MaterialX 1.39 declares, each with its type, and that every link leads to an earlier node of the requested type. The stated lobe must
-agree with recorded values of the shader that MaterialX generates (materialx_seen.csv), because MaterialX has no package here."""
+agree with recorded values of the shader that MaterialX generates (materialx_seen.csv, materialx_textured_seen.csv), because MaterialX has no package here."""
 import csv
 import itertools
 import json
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -14,11 +15,12 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 from exported import DARK, Export, summary_of
-from measured import evaluated, write_directions
+from measured import evaluated, rms, unit, write_directions
+from textured import STACKS, exported, fitted_maps
 
 brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 
-# Node: its type, and the type of every input. From libraries/pbrlib/pbrlib_defs.mtlx and libraries/stdlib/stdlib_defs.mtlx of
+# Node: its type or types, and the type of every input. From libraries/pbrlib/pbrlib_defs.mtlx and libraries/stdlib/stdlib_defs.mtlx of
 # MaterialX 1.39.
 NODES = {
     "oren_nayar_diffuse_bsdf": ("BSDF", dict(weight="float", color="color3", roughness="float", normal="vector3",
@@ -45,6 +47,9 @@ NODES = {
                                          displacementshader="displacementshader")),
     "tangent": ("vector3", dict(space="string", index="integer")),
     "normal": ("vector3", dict(space="string")),
+    "image": (("color3", "float", "vector2", "vector3"), dict(file="filename", filtertype="string", uaddressmode="string",
+                                                              vaddressmode="string")),
+    "normalmap": ("vector3", {"in": "vector3"}),
     "rotate3d": ("vector3", {"in": "vector3", "amount": "float", "axis": "vector3"}),
 }
 NUMBERS = {"float": 1, "vector2": 2, "vector3": 3, "color3": 3}
@@ -97,9 +102,10 @@ def check(path):
     assert root.tag == "materialx" and root.get("version") == "1.39" and root.get("colorspace") == "lin_rec709"
     before = {}
     for node in root:
-        kind, inputs = NODES[node.tag]
+        kinds, inputs = NODES[node.tag]
         name = node.get("name")
-        assert node.get("type") == kind and name and name not in before, name
+        kind = node.get("type")
+        assert kind in (kinds if isinstance(kinds, tuple) else (kinds,)) and name and name not in before, name
         for item in node:
             wanted = inputs[item.get("name")]
             assert item.tag == "input" and item.get("type") == wanted, (name, item.attrib)
@@ -107,6 +113,8 @@ def check(path):
             assert (link is None) != (value is None), (name, item.attrib)
             if link:
                 assert before[link] == wanted, (name, link)
+            elif wanted == "filename":
+                assert (path.parent / value).is_file(), value
             elif wanted in NUMBERS:
                 assert len([float(x) for x in value.split(",")]) == NUMBERS[wanted], value
         before[name] = kind
@@ -154,6 +162,66 @@ def compare_with_seen():
     return max(max(case) for case in apart)
 
 
+def biquadratic(c, x, y):
+    return sum(c[k] * x**i * y**j for k, (i, j) in enumerate([(0, 0), (1, 0), (0, 1), (1, 1), (2, 0), (0, 2), (2, 1), (1, 2), (2, 2)]))
+
+
+def white_albedo(x, y):
+    """Returns mx_ggx_dir_albedo_analytic of a white lobe (lib/mx_microfacet_specular.glsl) at the cosine x and the width y."""
+    over = [([0.1003, -0.6303, 9.748, -2.038, 29.34, -8.245, -26.44, 19.99, -5.448],
+             [1, -1.765, 8.263, 11.53, 28.96, -7.507, -36.11, 15.86, 33.37]),
+            ([0.9345, -2.323, 2.229, -3.748, 1.424, -0.7684, 1.436, 0.2913, 0.6286],
+             [1, 0.2281, 15.94, -55.83, 13.08, 41.26, 54.9, 300.2, -285.1])]
+    return sum(min(max(biquadratic(a, x, y) / biquadratic(b, x, y), 0), 1) for a, b in over)
+
+
+def earlier_compensation(words, pairs):
+    """Returns f_r of materialx_schlick with the energy compensation of MaterialX 1.39.4: the Fresnel term at wi.h takes the place of its
+    mean."""
+    named = dict(word.split("=") for word in shlex.split(words) if "=" in word)
+    f0, alpha = [float(x) for x in named["f0"].split(",")], float(named["alpha_x"])
+    directions = write_directions(folder / "seen.csv", pairs)
+    whole, diffuse = (evaluated(brdf, text, directions) for text in (words, words.replace("ks=" + named["ks"], "ks=0")))
+    out = []
+    for pair, all_of_it, without in zip(pairs, whole, diffuse):
+        wi, wo = unit(*pair[:2]), unit(*pair[2:])
+        half = [a + b for a, b in zip(wi, wo)]
+        cosine = sum(a * b for a, b in zip(wi, half)) / sum(x * x for x in half) ** 0.5
+        more = 1 / white_albedo(wo[2], alpha) - 1
+        later, earlier = ([1 + (f + (1 - f) * rise) * more for f in (f0 if len(f0) == 3 else f0 * 3)]
+                          for rise in (1 / 21, (1 - cosine) ** 5))
+        out.append([d + (w - d) * b / a for w, d, a, b in zip(all_of_it, without, later, earlier)])
+    return out
+
+
+def nodes_of(path):
+    """Returns the document without its header."""
+    return re.sub(r"<\?brdf.*?\?>\n", "", path.read_text(), flags=re.S)
+
+
+def compare_textures_with_seen():
+    """Requires that the recorded values of texels are those of the stated parameters, and that the measured documents are written today.
+    Returns the largest relative difference."""
+    here = pathlib.Path(__file__).parent
+    lines = (here / "materialx_textured_seen.csv").read_text().splitlines()
+    words = dict(re.match(r"# (\w+): (--form .*)", line).groups() for line in lines if "--form" in line)
+    rows = list(csv.reader(line for line in lines if not line.startswith(("#", "case"))))
+    apart = 0
+    for case, text in words.items():
+        seen = [[float(x) for x in row[1:]] for row in rows if row[0] == case]
+        assert len(seen) == 16, case
+        for right, row in zip(earlier_compensation(text, [row[:4] for row in seen]), seen):
+            apart = max(apart, *(abs(a / b - 1) for a, b in zip(row[4:], right)))
+    for name in {case.split("_")[0] for case in words}:
+        today, measured = (ElementTree.fromstring(nodes_of(p)) for p in (folder / f"{name}.mtlx", here / f"materialx_textured_{name}.mtlx"))
+        for a, b in itertools.zip_longest(today.iter(), measured.iter()):
+            assert (a.tag, a.keys()) == (b.tag, b.keys()), (a.attrib, b.attrib)
+            for key, value in b.items():
+                assert a.get(key) == value or abs(float(a.get(key)) / float(value) - 1) < 1e-6, (a.attrib, b.attrib)
+    print(f"{len(words)} texels of textures, {len(rows)} values measured before: largest difference {apart:.2g}")
+    return apart
+
+
 def main():
     if not shutil.which("xmllint"):
         sys.exit("no xmllint: tools/setup interop installs it")
@@ -169,12 +237,19 @@ def main():
                 continue
             assert made.returncode == 0, made.stderr
             seen |= set(check(path))
+    for name in STACKS:
+        maps = fitted_maps(brdf, name, folder)
+        for place in exported(brdf, maps, "materialx", folder / f"{name}.mtlx"):
+            wanted, carried = place.values(brdf, folder)
+            print(f"{name}: texel {place.x},{place.y}, rms {rms(wanted, carried, place.pairs):.6f}")
+        seen |= set(check(folder / f"{name}.mtlx"))
     assert seen == set(NODES), set(NODES) - seen
     mitsuba = folder / "paint.xml"
     subprocess.run([brdf, "export", *shlex.split(MATERIALS["metal"]), "--to", "mitsuba", "-o", mitsuba], check=True,
                    capture_output=True)
     subprocess.run(["xmllint", "--noout", mitsuba], check=True)
     assert 6e-7 < compare_with_seen() < 1.5e-6
+    assert 1e-7 < compare_textures_with_seen() < 1.5e-6
     broken = folder / "broken.mtlx"
     broken.write_text((folder / "metal_materialx.mtlx").read_text().replace("color82", "colour82"))
     try:

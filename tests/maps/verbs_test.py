@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-# ctest: maps.verbs label=maps @brdf@
-"""verbs_test.py BRDF: tests `synth --texels` and `fit STACK` from the command line: the written files, the same bytes for any number
+# ctest: maps.verbs label=maps @brdf@ @source@
+"""verbs_test.py BRDF SOURCE: tests `synth --texels` and `fit STACK` from the command line: the written files, the same bytes for any number
 of threads and any memory limit, and the messages of refused calls."""
 import json
 import math
@@ -10,7 +10,13 @@ import subprocess
 import sys
 import tempfile
 
-brdf = pathlib.Path(sys.argv[1]).resolve()
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not installed")
+    sys.exit(77)
+
+brdf, source = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 
 
 def check_page(page, summary):
@@ -78,6 +84,36 @@ with tempfile.TemporaryDirectory() as name:
         red = float(f_r.split("(")[1].split(",")[0])
         assert abs(red * math.pi - (0.1 + 0.5 * share)) < 0.01 * (0.1 + 0.5 * share) + 0.002, (column, row, red * math.pi, share)
     assert "no scene: a sum of forms" in run("fit matt --form lambert+phong -o sum --jobs 2", None).stdout
+
+    # Textures: the same texels in the file's header, in the JSON and in the map of losses; one message for what is no map.
+    run(fit + "-o bounded --fix ks=0.5")
+    export = "export --maps bounded/maps.exr --to gltf -o one.glb"
+    said = run(export + " --loss-map loss.exr").stderr
+    assert "66 x 10 texels of cook_torrance, 660 carried as gltf_metallic_roughness" in said and "at texel" in said, said
+    assert "degrees by which the rounding turns a normal" in said and (folder / "loss.exr").is_file(), said
+    told = json.loads(run(export + " --json").stdout)
+    jsonschema.validate(told, json.loads((source / "docs/export.schema.json").read_text()))
+    rms = told["maps"]["rms"]
+    assert told["maps"]["held"] == 660 and told["maps"]["without_fit"] == 0 and rms["median"] <= rms["percentile_95"] <= rms["largest"]
+    assert [told["maps"]["places"][0][key] for key in ("x", "y", "rms")] == [rms[key] for key in ("x", "y", "largest")], told
+    text = (folder / "one.glb").read_bytes()
+    assert f'at texel {rms["x"]},{rms["y"]}'.encode() in text and text.count(b"\x89PNG") == 4, text[:3000]
+    said = run("export --maps one/maps.exr --to gltf -o many.glb").stderr
+    assert "that the program cannot hold: holes; the first: texel" in said and "--fix ks=1" in said, said
+    assert b'"alphaMode": "MASK"' in (folder / "many.glb").read_bytes()
+    assert "above --max-loss" in run(export + " --max-loss 1e-6", 1).stderr
+    run(export + f" --max-loss {1.01 * rms['largest']}")
+    refused("export --maps one/maps.exr --to hlsl -o x.hlsl", "--to hlsl: textures are written for blender, blender-3.4, gltf, three, materialx")
+    refused("export --maps one/maps.exr --to gltf -o x.gltf", "needs -o NAME.glb")
+    refused("export --maps one/maps.exr --to gltf", "needs -o NAME.glb")
+    refused("export --maps one/maps.exr --form ward --to gltf -o x.glb", "--maps: is the only input")
+    refused("export --maps one/maps.exr --to gltf --naive -o x.glb", "--naive: --maps always copies")
+    refused("export --form ward --to gltf --loss-map x.exr", "--loss-map: applies to --maps only")
+    refused("export --maps stack/image_00000.exr --to gltf -o x.glb", "no attribute 'form'")
+    refused("export --maps stack/lights.csv --to gltf -o x.glb", "lights.csv")
+    assert not (folder / "x.glb").exists()
+    run("fit stack --form ward --per-channel -o channels", None)
+    refused("export --maps channels/maps.exr --to gltf -o x.glb", "a shape for each channel")
 
     # A shared width is the same in every texel, and is refused if no width is fitted.
     run(fit + "--share alpha -o shared --jobs 2")
