@@ -12,6 +12,7 @@
 #include "fit/assess/reported.h"
 #include "fit/assess/verdict.h"
 #include "fit/model/constraints.h"
+#include "fit/solve/cutting_planes.h"
 #include "fit/solve/minima.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
@@ -91,13 +92,36 @@ void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
     keep_in_range(out.ends.back().material);
   }
   judge_energy(options, out);
+  if (s.below_zero.empty()) return;
+  out.findings.insert(out.findings.begin(), s.below_zero);
+  if (usable(out.verdict)) out.verdict = Verdict::misfit;
+}
+
+// Says that the weights of a basis were limited, and how much the fit lost by it.
+void note_limits(const CuttingPlanes& limited, double rms_before, const SampleStream& stream,
+                 const Minimum& best, Solved& s) {
+  if (!limited.open.empty()) s.below_zero = "the weights can be used by no renderer: " + limited.open;
+  if (limited.cuts == 0) return;
+  const auto angle = [](const Vec3<double>& w) {
+    return io::short_number(radians(std::acos(std::clamp(w.z, 0.0, 1.0))).degrees(), 3);
+  };
+  std::string text = "the weights were bounded in " + io::plural(limited.cuts, "direction") + ", so that ";
+  if (limited.free_value < 0)
+    text += "f is not below 0 (without a bound f reaches " + io::short_number(limited.free_value, 3) +
+            " /sr in " + limited.channel + " at theta_i " + angle(limited.wi) + " and theta_o " +
+            angle(limited.wo) + " degrees)";
+  if (limited.limits_albedo)
+    text += std::string(limited.free_value < 0 ? " and " : "") + "the albedo is not above 1";
+  s.after.push_back(text + ": the rms relative error is " +
+                    io::percent(rms_error(stream.data(), stream.values(best.p))) + " instead of " +
+                    io::percent(rms_before));
 }
 
 Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, const FitOptions& options,
                  std::optional<double> noise) {
-  Solved solved{{}, Model(forms, data.channels, options), chosen_residual(data, options), {}, {}, {}, {}, {},
-                {}};
-  const Model& model = solved.model;
+  Solved solved{
+      {}, Model(forms, data.channels, options), chosen_residual(data, options), {}, {}, {}, {}, {}, {}, {}};
+  Model& model = solved.model;
   Residual& residual = solved.residual;
   SearchResult search = find_minima(data, model, residual, options);
   FormFit& out = solved.fit;
@@ -115,6 +139,9 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   residual.loss.scale = out.loss_scale = search.loss_scale;
   const SampleStream stream(data, model, residual, options.resolved_aperture());
   Minimum& best = search.minima[0];
+  const double rms_before = model.is_signed() ? rms_error(data, stream.values(best.p)) : 0;
+  if (const auto limited = keep_within_limits(data, model, residual, options, best))
+    note_limits(*limited, rms_before, stream, best, solved);
   drop_negligible_lobes(stream, best);
   solved.p = best.p;
   solved.minimum = best;
@@ -165,7 +192,10 @@ Solved fit_physical(const FitData& data, const std::vector<Reflectance>& forms, 
                     std::optional<double> noise) {
   FitOptions options = given;
   const Constraints constraints = resolve(forms, data.channels, options);
-  if (!can_be_dielectric(forms, constraints)) {
+  // The weights of a basis are no shares of the light, so that no sum with one is divided like a dielectric.
+  const bool has_basis =
+      std::ranges::any_of(forms, [](const Reflectance& form) { return form.info().basis != nullptr; });
+  if (has_basis || !can_be_dielectric(forms, constraints)) {
     options.physical = Physical::bounded;
     return fit_model(data, forms, options, noise);
   }

@@ -23,6 +23,7 @@ struct Solved {
   std::vector<std::vector<double>> other_minima;  // in the solver's parameters
   std::vector<std::string> before, after;         // findings in addition to the findings of the uncertainty
   Misfit misfit;
+  std::string below_zero;  // the reason why f may be below 0 for these weights; empty if f is not
 };
 
 // Fits the models and returns the solutions in the order of the models. If the run is interrupted, only the

@@ -12,6 +12,7 @@
 #include "fit/model/constraints.h"
 #include "fit/model/model.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {
@@ -50,6 +51,8 @@ struct Stage {
   const char* adds;
   std::vector<Forms> candidates;
   std::vector<NamedValues> start = {};  // of one of its starts, unless the user gives starts
+  // For special surfaces: unless it is kept, the result is that of the other steps alone.
+  bool is_special = false;
 };
 
 // Returns whether the slope distribution of the microfacets has a parameter in addition to its widths.
@@ -91,6 +94,53 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
+// Returns the forms of a basis with as many weights as this many lights can decide: with four lights five
+// weights, with five eight, with six fourteen.
+Forms bases(std::size_t lights) {
+  const int most = lights <= 4 ? 2 : lights == 5 ? 3 : lights < 8 ? 4 : 5;
+  return fittable_forms([&](const ReflectanceInfo& f) { return f.basis && f.basis->order <= most; });
+}
+
+Stage matt_surface(std::size_t lights) {
+  Stage stage{"a matt basis", {}, {}, true};
+  for (const Reflectance& form : bases(lights)) stage.candidates.push_back({form});
+  return stage;
+}
+
+// Proposes a basis as the body under the lobes of the model or, if the model is a basis, a lobe on it.
+Stage matt_body(const Forms& model, std::size_t lights) {
+  Stage stage{"a matt body", {}, {}, true};
+  if (info(model.front()).basis) {
+    stage.adds = "a lobe on a matt body";
+    for (const Reflectance& form : lobes())
+      if (is_sound(info(form))) stage.candidates.push_back({model.front(), form});
+    return stage;
+  }
+  Forms sum;
+  for (const Reflectance& form : model)
+    if (has_lobe(info(form))) sum.push_back(form);
+  if (sum.empty()) return stage;
+  for (const Reflectance& form : bases(lights)) {
+    stage.candidates.push_back({form});
+    stage.candidates.back().insert(stage.candidates.back().end(), sum.begin(), sum.end());
+  }
+  return stage;
+}
+
+// Proposes a lobe about the light, alone or together with a first lobe about its mirror image.
+Stage retroreflective_lobe(const Forms& model) {
+  Stage stage{"a retroreflective lobe", {}, {}, true};
+  for (const Reflectance& back : fittable_forms([](const ReflectanceInfo& f) { return f.about_light; })) {
+    Forms sum = model;
+    sum.push_back(back);
+    stage.candidates.push_back(std::move(sum));
+    if (has_lobe(info(model.back()))) continue;
+    for (const Reflectance& form : lobes())
+      if (is_sound(info(form))) stage.candidates.push_back({form, back});
+  }
+  return stage;
+}
+
 // Returns the options for a stage. f0 is one value for all channels, as for a dielectric; colours of f0
 // that differ from lobe to lobe cannot be identified. Every start of a sum is tried again with each lobe at
 // every width, so a few starts suffice, while a grid would take minutes.
@@ -113,17 +163,20 @@ FitOptions options_for(const Stage& stage, std::size_t channels, const FitOption
   return out;
 }
 
-// Returns the shapes of the fit as starts of a sum that begins with the same forms.
-std::vector<NamedValues> starts_at(const FormFit& found, const Forms& forms, const FitOptions& options) {
+// Returns the shapes of the fit as starts of a sum that has the same forms from `first` on, each of them
+// `later` places later.
+std::vector<NamedValues> starts_at(const FormFit& found, const Forms& forms, const FitOptions& options,
+                                   std::size_t first = 0, std::size_t later = 0) {
   const Model model(forms, found.material.channels, options);
   std::vector<NamedValues> out;
   for (const Slot& slot : model.slots()) {
-    const bool first = slot.node == 0 && slot.in_group(0);
-    if (slot.kind != Slot::Kind::shape || !first) continue;
+    const bool once = slot.node == 0 && slot.in_group(0);
+    if (slot.kind != Slot::Kind::shape || !once || slot.term < first) continue;
     const ReflectanceInfo& form = info(forms[slot.term]);
     const bool tied = slot.members.size() > 1;
     NamedValues& start = out.emplace_back();
-    start.name = name_in_sum(2, slot.term, tied ? form.tied_name() : form.shape[slot.members[0]].name);
+    start.name =
+        name_in_sum(2, slot.term + later, tied ? form.tied_name() : form.shape[slot.members[0]].name);
     const bool shared = slot.group == kEveryGroup && slot.nodes == 1;
     for (std::size_t group = 0; group < (shared ? 1 : model.groups()); ++group)
       start.values.push_back(found.material.terms[slot.term].shape[group][slot.members[0]]);
@@ -156,10 +209,23 @@ class Stepwise {
     result_.steps.push_back({"a diffuse term", chosen().form, chosen().left_out->value, 0, 0, 1, 1, true});
     decide(first, std::move(tried));
     step(better_diffuse_term(model_));
-    if (!has_lobe(info(model_.back()))) return finished({});
-    Stage second = second_lobe(model_);
-    second.start = starts_at(chosen(), model_, options_);
-    step(second);
+    if (has_lobe(info(model_.back()))) {
+      Stage second = second_lobe(model_);
+      second.start = starts_at(chosen(), model_, options_);
+      step(second);
+    }
+    if (is_too_dark_about_the_light()) {
+      Stage back = retroreflective_lobe(model_);
+      if (has_lobe(info(model_.back()))) back.start = starts_at(chosen(), model_, options_);
+      step(back);
+    }
+    step(matt_surface(groups().size()));
+    Stage body = matt_body(model_, groups().size());
+    // The basis takes the place of a first form without a lobe; otherwise every lobe comes one place later.
+    const bool has_body = !has_lobe(info(model_.front()));
+    if (!body.candidates.empty() && !info(model_.front()).basis)
+      body.start = starts_at(chosen(), model_, options_, has_body ? 1 : 0, has_body ? 0 : 1);
+    step(body);
     return finished({});
   }
 
@@ -167,6 +233,24 @@ class Stepwise {
   const std::vector<RowGroup>& groups() const { return result_.groups.groups; }
 
   const FormFit& chosen() const { return solved_->fit; }
+
+  // Returns whether the samples about the direction of the light are well above the model.
+  bool is_too_dark_about_the_light() const {
+    constexpr double kNearLight = 0.985, kTooDark = 1.25;  // a cosine of 10 degrees
+    constexpr std::size_t kFewestRatios = 4;
+    const FitData& data = prepared_.data;
+    std::vector<double> ratios, f(data.channels.size());
+    for (std::size_t k = 0; k < data.rows(); ++k) {
+      const Vec3<double> wi{data.wi_x[k], data.wi_y[k], data.wi_z[k]},
+          wo{data.wo_x[k], data.wo_y[k], data.wo_z[k]};
+      if (dot(wi, wo) < kNearLight || wi.z > kNearLight)
+        continue;  // near the normal it is the mirror direction too
+      eval(chosen().material, wi, wo, f);
+      for (std::size_t c = 0; c < f.size(); ++c)
+        if (f[c] > 0) ratios.push_back(data.values[c][k] / f[c]);
+    }
+    return ratios.size() >= kFewestRatios && io::median(std::move(ratios)) > kTooDark;
+  }
 
   // Returns the solutions in the order of the candidates; fewer if the run was interrupted.
   std::vector<Solved> try_all(const Stage& stage) {
@@ -214,12 +298,15 @@ class Stepwise {
   }
 
   void decide(const Stage& stage, std::vector<Solved> tried) {
-    if (Solved* simplest = simplest_of(tried)) {
+    Solved* const simplest = simplest_of(tried);
+    if (stage.is_special && !simplest) return;
+    if (simplest) {
       const FormFit& next = simplest->fit;
       const double p = std::min(1.0, chance(chosen(), next) * double(tried.size()));
       const double error =
           paired_test(groups(), chosen().left_out->by_group, next.left_out->by_group).standard_error;
       const bool kept = value(next) < (1 - kLeastGain) * value(chosen()) && p < kSignificant;
+      if (stage.is_special && !kept) return;
       result_.steps.push_back({stage.adds, next.form, next.left_out->value,
                                chosen().left_out->value - next.left_out->value, error, p, tried.size(),
                                kept});

@@ -10,6 +10,11 @@ namespace brdf::fit {
 // second lobe. A step is kept only if the held-out objective falls significantly (FitResult::steps gives
 // the amount).
 //
+// Three more steps are for special surfaces. A retroreflective lobe is tried if the samples about the
+// direction of the light are a quarter above the model. A matt basis is tried in place of the whole model,
+// then as the body under its lobes, or a lobe on the basis. With four lights a basis has at most five
+// weights, with five eight, with six fourteen. Unless such a step is kept, it leaves no trace in the result.
+//
 // Each step tries every candidate of its kind. The step takes the candidate with the fewest parameters that
 // is as good as the best one: within 10 % and not worse by paired_ratio_test. The p-value of this test for
 // the fall is multiplied by the number of candidates (Bonferroni). Steps with p below 5 % that lower the

@@ -21,6 +21,7 @@
 #include "io/files/numbers.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
+#include "io/material/below_zero.h"
 
 namespace brdf::interop {
 
@@ -352,6 +353,7 @@ Limits limits_of(const Program& program) {
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
+  io::require_not_below_zero(material, "--to " + std::string(program.name));
   const std::vector<Wanted> parts = wanted(material, limits_of(program));
   Attempt attempt{program, parts, Comparison(sum_of(parts)), name};
   std::optional<Exported> copy = attempt.best(true);

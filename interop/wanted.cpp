@@ -63,6 +63,10 @@ void check_properties(const Term& term, const Asked& asked) {
 
 void check_term(Term& term, const Asked& asked) {
   const ReflectanceInfo& form = info(term.form);
+  if (form.about_light)
+    asked.refuse(
+        std::string(form.name) +
+        " is a lobe about the direction of the light, and no formula of the program has such a lobe");
   check_properties(term, asked);
   if (!has_one_shape(term))
     asked.refuse(std::string(form.name) +

@@ -3,10 +3,12 @@
 #include <functional>
 #include <limits>
 
+#include "brdf/least_of_matt.h"
 #include "io/files/numbers.h"
 #include "io/files/parallel.h"
 #include "io/files/shell.h"
 #include "io/files/text.h"
+#include "io/samples/degrees.h"
 #include "prove/energy/energy.h"
 #include "prove/largest_albedo.h"
 #include "prove/rounding_proof.h"
@@ -16,7 +18,54 @@ namespace {
 
 constexpr double kHalfWidth = 1e-3;  // of the interval of the largest albedo
 
-void at_parameters(Proof& p, const Channel& c, const Options& options) {
+// Returns the pair of directions at which a term with weights of either sign is below 0.
+std::optional<LeastOfMatt> below_zero(const Channel& c) {
+  const MattBasis* basis = c.term.form.info().basis;
+  if (!basis) return std::nullopt;
+  const LeastOfMatt least = least_of_matt(*basis, c.weights(), 0);
+  return least.value < 0 ? std::optional(least) : std::nullopt;
+}
+
+// Returns the witness if the sum of the terms is negative at that pair of directions.
+std::optional<Witness> negative_at(const Channels& terms, const LeastOfMatt& least, const std::string& file) {
+  const auto angle = [](double radian) { return radians(radian).degrees(); };
+  const double theta_i = angle(std::acos(std::clamp(least.wi.z, 0.0, 1.0))),
+               theta_o = angle(std::acos(std::clamp(least.wo.z, 0.0, 1.0))),
+               phi_o = angle(std::atan2(least.wo.y, least.wo.x));
+  const Vec3<double> wi = io::unit_vector(theta_i, 0), wo = io::unit_vector(theta_o, phi_o);
+  double sum = 0;
+  for (const Channel& c : terms) {
+    double f = 0;
+    eval_batch(c.term, c.index, one_pair(wi, wo), &f);
+    sum += f;
+  }
+  if (!(sum < 0)) return std::nullopt;
+  return Witness{{},
+                 {{"theta_i", theta_i}, {"phi_i", 0}, {"theta_o", theta_o}, {"phi_o", phi_o}},
+                 sum,
+                 "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(theta_i) + ",0," +
+                     io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval " +
+                     io::shell_file(file) + " -"};
+}
+
+// Refutes a sum with a term whose weights of either sign make the sum negative.
+void refute_negative(Proof& p, const Channels& terms, const std::string& file) {
+  for (const Channel& c : terms)
+    if (const auto least = below_zero(c))
+      if (auto witness = negative_at(terms, *least, file)) {
+        p.verdict = Verdict::refuted;
+        p.statement = "f is negative";
+        p.low = -std::numeric_limits<double>::infinity();
+        p.high = witness->value;  // an upper bound of the least value
+        p.witness = std::move(witness);
+        return;
+      }
+}
+
+void at_parameters(Proof& p, const Channel& c, const Options& given) {
+  Options options = given;
+  const auto negative = p.claim.property == Property::non_negative ? below_zero(c) : std::nullopt;
+  if (negative) options.search.leaves = 1;  // no division of the domain can prove it
   p.domain = domain_at(c, p.claim);
   p.arithmetic = arithmetic_of(p.claim);
   p.cover = cover(
@@ -27,8 +76,11 @@ void at_parameters(Proof& p, const Channel& c, const Options& options) {
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
   p.statement = statement_of(p.claim.property);
   if (p.cover.open > 0)
-    p.statement =
-        std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is undecided" : " boxes are undecided");
+    p.statement = negative
+                      ? "this term is below 0 at some directions (" + io::short_number(negative->value, 3) +
+                            " /sr), and whether the sum of the terms is has not been examined elsewhere"
+                      : std::to_string(p.cover.open) +
+                            (p.cover.open == 1 ? " box is undecided" : " boxes are undecided");
 }
 
 // Returns a direction for which the integrals of `brdf albedo` exceed 1 by more than their error bounds.
@@ -155,6 +207,7 @@ std::vector<Proof> prove(const Material& material, const std::string& file, cons
       parts.push_back(of_term(c, {catalogue_index(c.term.form), property, precision}, options));
     Proof p = of_sum(std::move(parts));
     if (property == Property::energy) largest_albedo(p, terms, file, options);
+    if (property == Property::non_negative) refute_negative(p, terms, file);
     p.material = file;
     if (property != Property::reciprocity) p.channel = material.channels[channel];
     p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -6,6 +6,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
+#include "io/material/below_zero.h"
 #include "io/material/material_json.h"
 #include "render/frames.h"
 #include "render/gpu/held.h"
@@ -37,6 +38,7 @@ void check_usage(const Job& job) {
 std::pair<std::string, Material> load_material(const std::filesystem::path& file, bool* named = nullptr) {
   io::MaterialFile read = io::read_material_file(file);
   require_colours(read.material.channels, file.string());
+  io::require_not_below_zero(read.material, file.string());
   if (named) *named = !read.name.empty();
   return {read.name.empty() ? file.stem().string() : read.name, std::move(read.material)};
 }

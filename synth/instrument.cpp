@@ -15,6 +15,7 @@
 #include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
+#include "io/material/below_zero.h"
 #include "io/material/material_json.h"
 #include "synth/patch_means.h"
 #include "synth/random.h"
@@ -161,6 +162,7 @@ std::vector<double> usual_azimuths(const Material& material) {
 io::SampleTable measure(const Material& material, const Instrument& instrument,
                         const io::Progress& progress) {
   check(instrument);
+  io::require_not_below_zero(material, "the material");
   io::SampleTable table = make_grid(instrument.grid);
   table.set_channels(material.channels);
   read_out(material, instrument, progress, table);

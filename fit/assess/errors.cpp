@@ -24,4 +24,17 @@ RelativeErrors relative_errors(const FitData& data, const std::vector<std::vecto
   return {io::median(errors), io::quantile(errors, 0.9), off / all};
 }
 
+double rms_error(const FitData& data, const std::vector<std::vector<double>>& model) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < data.rows(); ++k) {
+      const double f = model[c][k], g = data.values[c][k];
+      if (!(g > 0)) continue;
+      sum += (f - g) * (f - g) / (g * g);
+      ++count;
+    }
+  return count == 0 ? 0 : std::sqrt(sum / double(count));
+}
+
 }  // namespace brdf::fit

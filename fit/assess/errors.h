@@ -13,4 +13,7 @@ namespace brdf::fit {
 RelativeErrors relative_errors(const FitData& data, const std::vector<std::vector<double>>& model,
                                const RowRange& range);
 
+// Returns the root mean square of (model - value)/value over all rows with measured values above 0.
+double rms_error(const FitData& data, const std::vector<std::vector<double>>& model);
+
 }  // namespace brdf::fit

@@ -34,7 +34,8 @@ struct Target {
 };
 
 bool all_diffuse(const ReflectanceInfo& info) {
-  return std::ranges::all_of(info.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; });
+  return info.basis ||
+         std::ranges::all_of(info.weights, [](const ParameterInfo& p) { return p.role == Role::diffuse; });
 }
 
 // Returns the constraint of the table. A parameter with a range of a single value is held there.

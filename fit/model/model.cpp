@@ -16,10 +16,22 @@ Model::Model(std::vector<Reflectance> forms, std::vector<std::string> channels, 
   constraints_ = resolve(forms, channels_, options);
   normal_start_ = options.normal;
   add_shape_slots(options.anisotropic);
-  if (NaturalWeights::asked_for(constraints_, options.physical))
-    add_natural_slots(forms, options.physical);
+  limits_albedo_ = options.physical != Physical::off && is_signed();
+  const Physical physical = limits_albedo_ ? Physical::off : options.physical;
+  if (NaturalWeights::asked_for(constraints_, physical))
+    add_natural_slots(forms, physical);
   else
     add_linear_slots();
+}
+
+double Cut::shortfall(std::span<const double> weights) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < lobes.size(); ++k) sum += lobes[k] * weights[k];
+  return std::max(least - sum, 0.0);
+}
+
+bool Model::is_signed() const {
+  return std::ranges::any_of(terms_, [](const TermModel& term) { return term.info->basis != nullptr; });
 }
 
 double WeightMap::lobe(std::span<const double> p, std::size_t k) const {

@@ -34,6 +34,17 @@ struct WeightMap {
   Gradient gradient(std::span<const double> by_lobe) const;
 };
 
+// A limit of the weights of one channel that a basis of both signs needs: the sum of `lobes` times the
+// weights of all lobes is at least `least`. A pass over the samples adds half of `stiffness` times the square
+// of the shortfall to the cost.
+struct Cut {
+  std::size_t channel = 0;
+  std::vector<double> lobes;
+  double least = 0, stiffness = 0;
+
+  double shortfall(std::span<const double> weights) const;
+};
+
 struct TermModel {
   Reflectance form;
   const ReflectanceInfo* info = nullptr;
@@ -116,6 +127,14 @@ class Model {
     return natural_ ? natural_->bounded_sum(p) : NaturalWeights::Sum();
   }
 
+  // Returns whether a term has weights of either sign.
+  bool is_signed() const;
+  // Returns whether --physical limits the albedo itself, because a term has weights of either sign.
+  bool limits_albedo() const { return limits_albedo_; }
+  // The limits of the weights, and one more limit.
+  const std::vector<Cut>& cuts() const { return cuts_; }
+  void add_cut(Cut cut) { cuts_.push_back(std::move(cut)); }
+
   // Return the lower and the upper bounds of the solver's parameters.
   std::vector<double> low() const, high() const;
   // Returns the initial values of the tables. Linear unknowns are 0, clipped to their bounds.
@@ -156,6 +175,8 @@ class Model {
   std::optional<std::array<double, 2>> normal_start_;  // std::nullopt: the normal is not fitted
   std::optional<NaturalWeights> natural_;
   std::optional<SmoothBasis> smooth_;
+  bool limits_albedo_ = false;
+  std::vector<Cut> cuts_;
 };
 
 }  // namespace brdf::fit

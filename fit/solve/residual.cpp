@@ -23,14 +23,15 @@ BRDF_CLONES void slopes_at_values(const ResidualInputs& b, double offset, double
 }
 
 // Computes ln((f c + u)/(g c + u)) without cancellation. If linearised, computes its first order in f - g.
+// Below f = 0, which only weights of either sign reach, the logarithm continues as its tangent.
 template <bool kWithCosO, bool kLinearised, bool kKnown>
 BRDF_CLONES void log_residuals(const ResidualInputs& b, double offset, double* __restrict r,
                                double* __restrict d) {
   for (std::size_t j = 0; j < b.rows; ++j) {
     const double measured = kKnown ? b.value_slope[j] : slope_at_value<kWithCosO>(b, offset, j);
-    const double x = (b.f[j] - b.g[j]) * measured;
-    r[j] = kLinearised ? x : math::log1p(x);
+    const double at = kLinearised || b.f[j] >= 0 ? b.f[j] : 0, x = (at - b.g[j]) * measured;
     d[j] = kLinearised ? measured : measured / (1 + x);
+    r[j] = kLinearised ? x : math::log1p(x) + (b.f[j] - at) * d[j];
   }
 }
 

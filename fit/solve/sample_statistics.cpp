@@ -71,6 +71,7 @@ void SampleStream::add_scores(std::span<const double> p, const Leverage& leverag
   }
   spare_->give(std::move(own));
   for (std::size_t c = 0; bread && c < channels; ++c) add_mapped(map[c], raw[c], *bread);
+  if (bread) add_cuts(p, *bread);
   if (meat) mirror(*meat);
 }
 

@@ -258,7 +258,34 @@ NormalEquations SampleStream::normal_equations(std::span<const double> p, Beside
     for (std::vector<double>& channel : besides->values) channel.resize(data_.rows());
     besides->expected_meat = Matrix(model_.size(), model_.size());
   }
-  return mapped(accumulate(p, lobe_weights(p), residual_, true, besides), p);
+  NormalEquations out = mapped(accumulate(p, lobe_weights(p), residual_, true, besides), p);
+  add_cuts(p, out);
+  return out;
+}
+
+void SampleStream::add_cuts(std::span<const double> p, NormalEquations& to) const {
+  std::vector<double> weights(model_.lobes());
+  for (const Cut& cut : model_.cuts()) {
+    model_.lobe_weights(p, cut.channel, weights);
+    const double shortfall = cut.shortfall(weights);
+    to.cost += 0.5 * cut.stiffness * shortfall * shortfall;
+    if (shortfall == 0) continue;
+    for (const WeightSlope& w : model_.weight_slopes(p, cut.channel))
+      to.gradient[w.slot] -= cut.stiffness * shortfall * cut.lobes[w.lobe] * w.value;
+  }
+  add_cuts(p, to.hessian);
+}
+
+void SampleStream::add_cuts(std::span<const double> p, Matrix& hessian) const {
+  std::vector<double> weights(model_.lobes());
+  for (const Cut& cut : model_.cuts()) {
+    model_.lobe_weights(p, cut.channel, weights);
+    if (cut.shortfall(weights) == 0) continue;
+    const std::vector<WeightSlope> slopes = model_.weight_slopes(p, cut.channel);
+    for (const WeightSlope& a : slopes)
+      for (const WeightSlope& b : slopes)
+        hessian(a.slot, b.slot) += cut.stiffness * cut.lobes[a.lobe] * a.value * cut.lobes[b.lobe] * b.value;
+  }
 }
 
 NormalEquations SampleStream::linearised_weights(std::span<const double> p) const {

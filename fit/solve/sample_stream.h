@@ -187,6 +187,9 @@ class SampleStream {
   };
   ChannelSums accumulate(std::span<const double> p, const Matrix& weights, const Residual& residual,
                          bool derivatives, Besides* besides = nullptr) const;
+  // Add what the limits of the weights that are not met contribute.
+  void add_cuts(std::span<const double> p, NormalEquations& to) const;
+  void add_cuts(std::span<const double> p, Matrix& hessian) const;
   NormalEquations mapped(const ChannelSums& sums, std::span<const double> p) const;
   Matrix lobe_weights(std::span<const double> p) const;  // [channel][lobe]
 

@@ -98,7 +98,11 @@ constexpr double kMarginInside = 0.02;
 
 // Returns the best weights with every lobe free, in the order of the tables.
 WeightTable free_weights(const Model& model, const LobeQuadratic& q) {
-  const std::vector<double> low(model.lobes(), 0), high(model.lobes(), kWeightMax);
+  std::vector<double> low(model.lobes(), 0);
+  const std::vector<double> high(model.lobes(), kWeightMax);
+  for (const TermModel& term : model.terms())
+    for (std::size_t k = 0; k < term.lobes; ++k)
+      low[term.first_lobe + k] = std::min(term.info->weights[term.info->lobes[k].weight].min, 0.0);
   WeightTable out(model.terms().size());
   for (std::size_t c = 0; c < q.hessian.size(); ++c) {
     const std::vector<double> lobes =

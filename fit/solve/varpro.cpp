@@ -116,7 +116,7 @@ void add_channel(const Model& model, const LobeGram& g, std::size_t member, std:
 
 bool projects(const SampleStream& stream) {
   const Model& model = stream.model();
-  if (!model.linear()) return false;
+  if (!model.linear() || !model.cuts().empty()) return false;
   if (stream.residual().metric != Metric::cosine_l2 ||
       stream.residual().loss.kind != LossFunction::Kind::none || !stream.data().sigma.empty())
     return false;

@@ -6,8 +6,8 @@
 
 namespace brdf::fit {
 
-// Returns whether the cost is linear least squares in non-negative weights, with equal row weights for all
-// channels.
+// Returns whether the cost is linear least squares in weights that have no limits but their bounds, with
+// equal row weights for all channels.
 bool projects(const SampleStream& stream);
 
 // Fills the linear unknowns of `p` with the best ones for its shapes. Returns cost, gradient and

@@ -49,6 +49,17 @@ struct ClosedAlbedo {
   std::string_view source;
 };
 
+// The numbers of one function s_nml of a matt basis (brdf/matt_basis.h).
+struct MattIndex {
+  int n, m, l;
+};
+// The lobes of a form are such a basis: polynomials of both signs, with weights of either sign. Whether f is
+// negative somewhere is then a property of the weights.
+struct MattBasis {
+  int order;                           // the largest n, at most 5
+  std::span<const MattIndex> indices;  // of the weights, in the order of their table
+};
+
 // The distribution of microfacets behind a form, as functions of the shape parameters. Slopes (p, q) belong
 // to the half vector h = (p, q, 1).
 struct FacetFacts {

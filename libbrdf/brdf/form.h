@@ -16,6 +16,8 @@
 //   kink                 a Kink; without it integrals use bisection
 //   albedos              an array of ClosedAlbedo
 //   Facets               the distribution and masking of its microfacets (brdf/facets.h)
+//   basis                a MattBasis: lobes and weights of either sign
+//   about_light          true: the lobe lies about the direction of the light, not about its mirror image
 //   Sampler              the sampler of its specular lobe (brdf/samplers.h)
 #pragma once
 

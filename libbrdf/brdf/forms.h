@@ -20,7 +20,9 @@ using AnyForm =
                  ward, ward_duer, ward_bounded, ward_as_coded,
                  cook_torrance, cook_torrance_beckmann, cook_torrance_student, cook_torrance_dielectric, cook_torrance_conductor,
                  cook_torrance_vcavity, cook_torrance_1982, cook_torrance_schlick_ggx, cook_torrance_as_printed,
-                 cook_torrance_as_coded>;
+                 cook_torrance_as_coded,
+                 matt_2, matt_5, matt_8, matt_14, matt_20,
+                 retro, retro_beckmann>;
 // clang-format on
 
 inline constexpr std::size_t kFormCount = std::variant_size_v<AnyForm>;

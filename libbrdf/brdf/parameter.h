@@ -82,6 +82,11 @@ inline double nearest_value(const ParameterInfo& p, double x) {
   return p.whole ? std::floor(x + 0.5) : x;
 }
 
+// Returns the lower end of sliders and random tests. A range of both signs is used symmetrically.
+constexpr double usual_min(const ParameterInfo& p) {
+  return p.min < -p.usual_max ? -p.usual_max : p.min;
+}
+
 // Returns the position in a table, by name or role, or -1 if there is no such parameter.
 constexpr int parameter_index(std::span<const ParameterInfo> table, std::string_view name) {
   for (std::size_t k = 0; k < table.size(); ++k)

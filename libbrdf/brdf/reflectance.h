@@ -74,6 +74,8 @@ struct ReflectanceInfo {
   bool all_round = false;  // for such code: symmetry between the two halves of the azimuth is not assumed
   const Accuracy* accuracy = nullptr;  // null: not measured
   const FacetFacts* facets = nullptr;  // null: not based on a distribution of facets
+  const MattBasis* basis = nullptr;    // null: the lobes are not a basis of both signs
+  bool about_light = false;            // the lobe lies about the fixed direction, not about its mirror image
   std::span<const ClosedAlbedo> albedos{};
 
   bool fittable() const { return !lobes.empty(); }

@@ -170,6 +170,8 @@ struct FormFacts {
     if constexpr (requires { F::accuracy; }) r.accuracy = &F::accuracy;
     if constexpr (requires { typename F::Facets; }) r.facets = &F::Facets::facts;
     if constexpr (requires { F::albedos; }) r.albedos = F::albedos;
+    if constexpr (requires { F::basis; }) r.basis = &F::basis;
+    if constexpr (requires { F::about_light; }) r.about_light = F::about_light;
     return r;
   }
 };

@@ -12,7 +12,7 @@ std::optional<Domain> domain_of(const Claim& claim) {
   switch (claim.property) {
     case Property::finite:
     case Property::non_negative:
-      return domain_of(claim.form);
+      return value_domain_of(claim.form);
     case Property::energy:
       if (const EnergyMethod* method = energy_method(claim.form)) return method->domain;
       return std::nullopt;

@@ -5,6 +5,7 @@
 #include "prove/energy/albedo_of_facets.h"
 #include "prove/energy/majorants.h"
 #include "prove/scalar/cosine_lobes.h"
+#include "prove/scalar/matt_box.h"
 #include "prove/scalar/on_box.h"
 #include "prove/scalar/recorded_form.h"
 
@@ -212,11 +213,79 @@ Bounds enclose_ward_bounded(std::span<const Bounds> box) {
   return {r.lo, r.hi};
 }
 
+// A lobe about the direction of the light. Half a turn of the view about the normal maps the hemisphere to
+// itself and keeps cosines and solid angles, so that the reasons and the albedo of the lobe hold unchanged.
+template <class F, class Majorant>
+std::optional<EnergyMethod> retroreflective(F form) {
+  const bool its = is_written_as(form, [](const auto& shape, const auto& g) {
+    return std::array{Majorant::lobe(shape, turned_back(g))};
+  });
+  if (!its) return std::nullopt;
+  EnergyMethod m;
+  m.why = "G2/G1 weighted by the density of visible normals, with the view turned";
+  for (const auto& field : F::template Shape<double>::fields())
+    add(m.domain, field.info, std::string(field.info.name));
+  add_directions(m.domain);
+  m.enclose = enclose_facets<F, Majorant>;
+  m.albedo = [](std::span<const Bounds> shape, std::span<const Bounds> weights, const Views& views,
+                double accuracy) -> std::optional<AlbedoBounds> {
+    std::size_t at = 0;
+    const auto s = parameters_from<typename F::template Shape<Exactly>, Exactly>(shape, at);
+    const std::array w{Exactly(0), lobe_weights<F>(weights)[0]};
+    const auto cells = []<class W>(const W&) {
+      return [](const FacetView& view) { return typename Majorant::template Cell<W>(view); };
+    };
+    return albedo_with<F>(s, square(s.alpha_x), square(s.alpha_y), w, cells, w[1], views, accuracy);
+  };
+  m.stretch = stretch_of<F>;
+  return m;
+}
+
+// Returns the sum of the albedos of a matt basis over the views, from Bernstein's coefficients in 1 - cos.
+template <class F>
+std::optional<AlbedoBounds> albedo_of_matt(std::span<const Bounds>, std::span<const Bounds> weights,
+                                           const Views& views, double) {
+  I cosine, sine;
+  circle(views.turn, cosine, sine);
+  const auto w = lobe_weights<F>(weights);
+  // A polynomial of x = 1 - cos: at most of degree 2, because the order is at most 5. Its coefficients follow
+  // from its values at 0, 1/2 and 1, which are exact for each function.
+  I c0(0), c1(0), c2(0);
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    const auto at = [&](double x) { return matt_albedo(F::basis.indices[k], I(x)); };
+    const I start = at(0), middle = at(0.5), end = at(1);
+    c0 = c0 + w[k] * start;
+    c1 = c1 + w[k] * (I(4) * middle - I(3) * start - end);
+    c2 = c2 + w[k] * (I(2) * start - I(4) * middle + I(2) * end);
+  }
+  const double low = std::clamp(1 - cosine.hi, 0.0, 1.0), high = std::clamp(1 - cosine.lo, 0.0, 1.0);
+  const I a = I::widened(low, low), b = I::widened(high, high);
+  const I first = c0 + a * (c1 + a * c2), last = c0 + b * (c1 + b * c2),
+          between = c0 + I(0.5) * (a + b) * c1 + a * b * c2;
+  const I all = hull(hull(first, last), between) * I::of(kPiBounds.lo, kPiBounds.hi) * I(1 / kPi);
+  return of_turns(all);
+}
+
+template <class F>
+std::optional<EnergyMethod> matt(F form) {
+  const bool its =
+      is_written_as(form, [](const auto&, const auto& g) { return matt_lobes<F::basis.order, Recorded>(g); });
+  if (!its) return std::nullopt;
+  EnergyMethod m;
+  m.albedo = albedo_of_matt<F>;
+  return m;
+}
+
 template <Form F>
 std::optional<EnergyMethod> method_of(F form) {
   if constexpr (LinearForm<F>) {
     using Shape = typename F::template Shape<double>;
-    if constexpr (lobe_count<F> == 1) {
+    if constexpr (MattForm<F>) {
+      return matt(form);
+    } else if constexpr (requires { F::about_light; } && std::is_same_v<Shape, Roughness<double>>) {
+      for (const auto& found : {retroreflective<F, GgxSmith>(form), retroreflective<F, BeckmannSmith>(form)})
+        if (found) return found;
+    } else if constexpr (lobe_count<F> == 1) {
       if (is_written_as(form, [](const auto&, const auto&) { return std::array{Recorded(1 / kPi)}; }))
         return EnergyMethod{"f is constant", {}, enclose_constant, albedo_of_one_lobe<F>};
       if constexpr (std::is_same_v<Shape, SlopeDeviation<double>>) {

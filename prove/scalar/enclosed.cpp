@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "brdf/forms.h"
+#include "prove/scalar/matt_box.h"
 
 namespace brdf::prove {
 namespace {
@@ -18,7 +19,10 @@ void add_parameters(Domain& domain, const std::string& prefix, bool weight) {
 
 }  // namespace
 
-Domain domain_of(int place) {
+namespace {
+
+// Returns the parameters of a form, without the directions.
+Domain parameters_of(int place) {
   Domain domain;
   with_form(place, [&](auto form) {
     using F = decltype(form);
@@ -27,10 +31,27 @@ Domain domain_of(int place) {
     if constexpr (!LinearForm<F>)
       add_parameters<typename F::template Weights<double>>(domain, "first.", true);
   });
+  return domain;
+}
+
+}  // namespace
+
+Domain domain_of(int place) {
+  Domain domain = parameters_of(place);
   for (const char* w : {"i", "o"}) {
     domain.variables.push_back({std::string("cos_") + w, 0, 1, Variable::Cut::cosine});
     domain.variables.push_back({std::string("turn_") + w, -2, 2, Variable::Cut::middle});
   }
+  return domain;
+}
+
+Domain value_domain_of(int place) {
+  bool is_basis = false;
+  with_form(place, [&](auto form) { is_basis = MattForm<decltype(form)>; });
+  if (!is_basis) return domain_of(place);
+  Domain domain = parameters_of(place);
+  for (const char* name : {"r_i", "r_o"}) domain.variables.push_back({name, 0, 1, Variable::Cut::middle});
+  domain.variables.push_back({"cos_dphi", -1, 1, Variable::Cut::middle});
   return domain;
 }
 

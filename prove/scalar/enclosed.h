@@ -36,7 +36,11 @@ struct Domain {
 
 // Returns the domain of a form. `form` is an index in the catalogue.
 Domain domain_of(int form);
-// Encloses all values of f and of f cos_i on the box (low and high of each variable), rounded or exact.
+// Returns the domain on which values are enclosed: the same, except for a matt basis. Its directions are r_i,
+// r_o (0 to 1) and the cosine of the difference of the azimuths, in which f is a polynomial.
+Domain value_domain_of(int form);
+// Encloses all values of f and of f cos_i on a box of value_domain_of (low and high of each variable),
+// rounded or exact.
 // lo = -inf if some intermediate value may leave the range of that precision.
 Bounds enclose_value(int form, Precision precision, std::span<const Bounds> box);
 

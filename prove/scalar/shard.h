@@ -1,6 +1,7 @@
 // The catalogue in parts that take about the same time to compile.
 #pragma once
 
+#include "prove/scalar/matt_box.h"
 #include "prove/scalar/on_box.h"
 #include "prove/scalar/on_rounding.h"
 
@@ -26,7 +27,13 @@ Bounds enclose_of_shard(int place, Precision precision, std::span<const Bounds> 
   Bounds result{};
   with_form_of_shard<kShard>(place, [&](auto form) {
     using F = decltype(form);
-    result = precision == Precision::float_type ? enclose<F, float>(box) : enclose<F, double>(box);
+    const auto value = [&]<class Base>(Base) {
+      if constexpr (MattForm<F>)
+        return enclose_matt<F, Base>(box);
+      else
+        return enclose<F, Base>(box);
+    };
+    result = precision == Precision::float_type ? value(float()) : value(double());
   });
   return result;
 }

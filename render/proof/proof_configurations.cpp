@@ -23,7 +23,7 @@ std::array<float, 4> rounded(const Vec3<double>& w) {
 
 float random_value(Engine& random, const ParameterInfo& p) {
   if (p.whole) return float(std::min(std::floor(uniform(random, p.min, p.usual_max + 1)), p.usual_max));
-  if (!p.log_scale) return float(uniform(random, p.min, p.usual_max));
+  if (!p.log_scale) return float(uniform(random, usual_min(p), p.usual_max));
   return float(log_uniform(random, p.min > 0 ? p.min : 1e-3, p.max));
 }
 
@@ -87,7 +87,7 @@ std::vector<ProofConfiguration> extreme_configurations(const Reflectance& form) 
     }
     for (std::size_t k = 0; k < about.weights.size(); ++k) {
       const ParameterInfo& p = about.weights[k];
-      c.weights[k] = {float(p.min), float(p.usual_max), float(p.initial)};
+      c.weights[k] = {float(usual_min(p)), float(p.usual_max), float(p.initial)};
     }
     for (const auto& wi : extreme_directions()) {
       c.wi = wi;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/files/installed.h"
+#include "io/material/below_zero.h"
 #include "io/material/material_json.h"
 #include "render/light/formula.h"
 
@@ -93,11 +94,13 @@ void read_material_of(Object& object, const JsonPlace& place, const std::filesys
   if (place.value().is_string()) {
     const std::filesystem::path file = folder / place.text();
     io::MaterialFile read = io::read_material_file(file);
+    io::require_not_below_zero(read.material, file.string());
     object.material = std::move(read.material);
     object.material_name = read.name.empty() ? file.stem().string() : read.name;
     return;
   }
   io::MaterialFile read = io::material_from_json(place);
+  io::require_not_below_zero(read.material, place.path());
   object.material = std::move(read.material);
   object.material_name = !read.name.empty() ? read.name
                          : object.material.terms.size() == 1

@@ -84,7 +84,7 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
                       const SliderMarks& marks) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID place = ImGui::GetID((label + "/end").c_str());
-  const double low = p.min, high = upper_end(p, value, marks, storage.GetFloat(place, 0));
+  const double low = usual_min(p), high = upper_end(p, value, marks, storage.GetFloat(place, 0));
   const bool logarithmic = p.log_scale && low > 0;
   double shown = value;
   const float width = ImGui::CalcItemWidth();  // before the slider consumes it

@@ -106,6 +106,8 @@ inline Material random_material(const Reflectance& form, std::mt19937_64& random
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const std::string_view name = f.weights[k].name;
       weights[k] = name == "f0" ? uniform(0.02, 0.9) : uniform(name == "kd" ? 0.02 : 0.05, 1);
+      // The other functions of a basis together stay below the constant.
+      if (f.basis) weights[k] = k == 0 ? uniform(0.5, 1) : uniform(-0.45, 0.45) / double(weights.size());
     }
   return m;
 }

@@ -50,7 +50,7 @@ P random_parameters(unsigned seed) {
     const ParameterInfo& info = field.info;
     p.*(field.member) = scalar_of<P>(info.log_scale && info.min > 0
                                          ? std::exp(between(random, std::log(info.min), std::log(info.max)))
-                                         : between(random, info.min, info.usual_max));
+                                         : between(random, usual_min(info), info.usual_max));
   }
   return p;
 }

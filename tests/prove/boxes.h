@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
+#include <utility>
 
 #include "brdf/reflectance.h"
 #include "prove/scalar/enclosed.h"
@@ -65,7 +67,17 @@ struct Parts {
 inline Parts parts_of(const ReflectanceInfo& form, const Domain& domain) {
   const std::size_t shape = form.shape.size(), weights = form.weights.size();
   const bool own = domain.variables.size() == shape + 2 * weights + 4;
-  return {0, shape, own ? shape + weights : shape, domain.variables.size() - 4};
+  return {0, shape, own ? shape + weights : shape, domain.variables.size() - (form.basis ? 3 : 4)};
+}
+
+// Returns the directions at a point of value_domain_of(form): cosines and turns or, for a basis, r_i, r_o and
+// the cosine of the difference of the azimuths.
+template <class T>
+std::pair<Vec3<T>, Vec3<T>> pair_in(Engine& e, const ReflectanceInfo& form, std::span<const double> at) {
+  if (!form.basis) return {direction_of<T>(e, at[0], at[1]), direction_of<T>(e, at[2], at[3])};
+  const double cosine = at[2], sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+  const double turn = cosine >= 0 ? sine / (sine + cosine) : 1 - cosine / (sine - cosine);
+  return {direction_of<T>(e, 1 - at[0] * at[0], 0), direction_of<T>(e, 1 - at[1] * at[1], turn)};
 }
 
 }  // namespace brdf::prove

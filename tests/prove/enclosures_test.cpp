@@ -20,7 +20,7 @@ struct Outside {
 template <class T>
 Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned seed) {
   const Reflectance& reflectance = catalogue()[std::size_t(form)];
-  const Domain domain = domain_of(form);
+  const Domain domain = value_domain_of(form);
   const Parts parts = parts_of(reflectance.info(), domain);
   Engine e(seed + unsigned(form));
   Outside<T> found;
@@ -41,7 +41,7 @@ Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned
       }
       if (!inside) continue;  // rounded to T, the point is no longer in the box
       const std::size_t d = parts.directions;
-      const Vec3<T> wi = direction_of<T>(e, at[d], at[d + 1]), wo = direction_of<T>(e, at[d + 2], at[d + 3]);
+      const auto [wi, wo] = pair_in<T>(e, reflectance.info(), std::span(at).subspan(d));
       const std::span<const T> all(values);
       const auto info = reflectance.info();
       const ParameterValues<T> p{all.subspan(parts.weights, info.weights.size()),

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "brdf/integrals.h"
+#include "brdf/least_of_matt.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "validate/form/checks.h"
@@ -26,6 +27,40 @@ Material lobe_at(const Subject& subject, std::span<const double> x) {
   return m;
 }
 
+// Compares the albedo of a matt basis, a polynomial of the cosine, with the integral at a cover of weights.
+Finding albedo_of_basis(const Subject& subject, const CheckOptions& options, Finding finding) {
+  constexpr double kTheta = 90;
+  const MattBasis& basis = *info(*subject.of_form()).basis;
+  const std::size_t cover = options.effort == Effort::full ? 60 : 12;
+  std::vector<double> albedos(basis.indices.size());
+  finding.value = -1;
+  for (std::size_t k = 0; k < cover; ++k) {
+    std::vector<double> x = cover_point(k, subject.dimensions() + 1, options.seed);
+    const double theta = kTheta * x.back();
+    x.pop_back();
+    const Material m = subject.at(x);
+    const AlbedoResult r = directional_albedo(m.terms.front(), 0, degrees(theta), {}, {.tolerance = 1e-10});
+    matt_albedos(basis, std::cos(in_radians(theta)), albedos);
+    double expected = 0, size = 0;
+    for (std::size_t j = 0; j < albedos.size(); ++j) {
+      expected += m.terms.front().weights[0][j] * albedos[j];
+      size += std::abs(m.terms.front().weights[0][j] * albedos[j]);
+    }
+    const double error = std::max(std::abs(r.value - expected) - r.error_bound, 0.0) / size;
+    finding.evaluations += r.evaluations;
+    if (error == finding.value || !is_worst(error, finding.value)) continue;
+    finding.value = error;
+    finding.witness =
+        Witness{subject.parameters(m),
+                {{"theta", theta}, {"phi", 0}},
+                {},
+                subject.command("albedo", m, "--theta " + io::to_text(theta) + " --tolerance 1e-10")};
+  }
+  const std::string source = "the polynomial of the cosine";
+  finding.conclude(!(finding.value > finding.bound), "agrees with " + source, "differs from " + source);
+  return finding;
+}
+
 }  // namespace
 
 Finding check_albedo(const Subject& subject, const CheckOptions& options) {
@@ -33,6 +68,8 @@ Finding check_albedo(const Subject& subject, const CheckOptions& options) {
       subject.of_form() ? info(*subject.of_form()).albedos : std::span<const ClosedAlbedo>{};
   Finding finding = not_applicable(subject.name(), "albedo", "no closed form to compare with");
   finding.bound = 1e-8;
+  if (subject.of_form() && info(*subject.of_form()).basis)
+    return albedo_of_basis(subject, options, std::move(finding));
   if (albedos.empty()) return finding;
   finding.value = -1;
   const std::size_t cover = options.effort == Effort::full ? 60 : 12;

@@ -35,6 +35,32 @@ struct WorstAlbedo {
   bool is_known() const { return std::isfinite(value) && std::isfinite(bound); }
 };
 
+// Returns the corners of the domain of a form's weights at which the albedo may be largest. The weights of a
+// basis are independent, so that the sign of each function's albedo decides.
+std::vector<std::vector<double>> worst_corners(const Subject& subject, std::span<const AlbedoResult> lobes) {
+  const ReflectanceInfo& f = info(*subject.of_form());
+  std::vector<std::vector<double>> corners;
+  if (f.basis) {
+    std::vector<double>& w = corners.emplace_back();
+    for (std::size_t k = 0; k < f.weights.size(); ++k) {
+      const ParameterInfo weight = within_unit(f.weights[k]);
+      w.push_back(lobes[k].value > lobes[k].error_bound    ? weight.max
+                  : lobes[k].value < -lobes[k].error_bound ? weight.min
+                                                           : 0);
+    }
+    return corners;
+  }
+  for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
+    std::vector<double> w;
+    for (std::size_t k = 0; k < f.weights.size(); ++k)
+      w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
+    double shared = 0;
+    for (const std::size_t k : subject.shared_weights()) shared += w[k];
+    if (!(shared > 1)) corners.push_back(std::move(w));
+  }
+  return corners;
+}
+
 // Largest albedo over the weights that a form may have. The albedo is linear in each weight, so the worst
 // weights are corners of their domain.
 WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, double theta, double phi,
@@ -42,13 +68,7 @@ WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, 
   WorstAlbedo worst;
   const auto lobes = lobe_albedos(*subject.of_form(), shape, radians(theta), radians(phi), options);
   const ReflectanceInfo& f = info(*subject.of_form());
-  for (std::size_t corner = 0; corner < std::size_t{1} << f.weights.size(); ++corner) {
-    std::vector<double> w;
-    for (std::size_t k = 0; k < f.weights.size(); ++k)
-      w.push_back(corner >> k & 1 ? std::min(f.weights[k].max, 1.0) : f.weights[k].min);
-    double shared = 0;
-    for (const std::size_t k : subject.shared_weights()) shared += w[k];
-    if (shared > 1) continue;
+  for (std::vector<double> w : worst_corners(subject, lobes)) {
     if (subject.is_restricted()) {
       Material at = make_material(*subject.of_form(), subject.channels());
       at.terms.front().shape.front().assign(shape.begin(), shape.end());
@@ -64,7 +84,7 @@ WorstAlbedo over_weights(const Subject& subject, std::span<const double> shape, 
     if (value > worst.value) {
       worst.value = value;
       worst.bound = bound;
-      worst.weights = w;
+      worst.weights = std::move(w);
     }
   }
   worst.converged = worst.bound <= options.tolerance * std::abs(worst.value);

@@ -74,6 +74,7 @@ std::vector<std::vector<double>> extreme_shapes(const ReflectanceInfo& form) {
 }
 
 std::vector<std::vector<double>> extreme_weights(const ReflectanceInfo& form) {
+  if (form.basis) return {lobe_alone(form)};
   const int f0 = form.weight_index(Role::f0);
   std::vector<std::vector<double>> sets{lobe_alone(form)};
   if (f0 >= 0) {
@@ -94,6 +95,11 @@ std::vector<double> lobe_alone(const ReflectanceInfo& form) {
   const auto counts = [](const ParameterInfo& p) { return p.role != Role::diffuse && p.role != Role::f0; };
   const bool has_lobe = std::ranges::any_of(form.weights, counts);
   std::vector<double> weights;
+  if (form.basis) {  // the constant, and so little of every other function that f stays above 0
+    weights.assign(form.weights.size(), 0.5 / double(form.weights.size()));
+    weights[std::size_t(form.weight_index(Role::diffuse))] = 1;
+    return weights;
+  }
   for (const ParameterInfo& p : form.weights)
     weights.push_back(p.role == Role::diffuse && has_lobe ? p.min : std::min(p.max, 1.0));
   return weights;

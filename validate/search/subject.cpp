@@ -10,6 +10,12 @@
 
 namespace brdf::validate {
 
+ParameterInfo within_unit(ParameterInfo weight) {
+  weight.min = std::max(weight.min, -1.0);
+  weight.max = std::min(weight.max, 1.0);
+  return weight;
+}
+
 double parameter_value(const ParameterInfo& p, double x, double max) {
   if (x <= 0) return p.min;
   if (x >= 1) return max;
@@ -70,8 +76,10 @@ Material Subject::at(std::span<const double> point) const {
   std::size_t k = 0;
   for (std::size_t j = 0; j < f.shape.size(); ++j)
     term.shape[0][j] = parameter_value(f.shape[j], point[k++], f.shape[j].max);
-  for (std::size_t j = 0; j < f.weights.size(); ++j)
-    term.weights[0][j] = parameter_value(f.weights[j], point[k++], std::min(f.weights[j].max, 1.0));
+  for (std::size_t j = 0; j < f.weights.size(); ++j) {
+    const ParameterInfo weight = within_unit(f.weights[j]);
+    term.weights[0][j] = parameter_value(weight, point[k++], weight.max);
+  }
   // The first coordinate is the sum of the weights that share the light. Each further coordinate is the
   // fraction that the preceding weight leaves to the remaining weights.
   auto& w = term.weights[0];

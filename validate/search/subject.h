@@ -125,6 +125,9 @@ class Subject {
 // name of the axis along the tangent.
 std::string tied_name(const ReflectanceInfo& form);
 
+// Returns the table's entry of a weight with the range that checks search: at most 1 of either sign.
+ParameterInfo within_unit(ParameterInfo weight);
+
 // Returns the value of a parameter at x in [0, 1] of its range from info.min to `max`.
 double parameter_value(const ParameterInfo& info, double x, double max);
 

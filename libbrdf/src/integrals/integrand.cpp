@@ -125,6 +125,7 @@ void Integrand::look() {
   features_.root_at_horizon = measured_root();
   features_.oriented =
       f.all_round || (f.kink == Kink::unplaced && f.axes().across < 0 && measured_orientation());
+  features_.is_polynomial = f.basis != nullptr;
   features_.mirror_lobe = f.kink == Kink::mirror_edge;
   // x^n at the edge of a narrow lobe is smooth to a higher order than a rule can resolve.
   features_.kink = features_.mirror_lobe && features_.width_x <= 0.08 ? Kink::none : f.kink;
@@ -169,9 +170,12 @@ std::vector<double> Integrand::weigh(std::vector<double> columns) const {
 
 void Integrand::evaluate(const Vec3<double>& fixed, std::size_t n, const double* x, const double* y,
                          const double* z, double* out) const {
+  // A lobe about the fixed direction is moved to its mirror image, where the rules place their points: the
+  // integral is the same.
+  const double side = info(form_).about_light ? -1 : 1;
   std::array<double, kBlock> fixed_x, fixed_y, fixed_z;
-  std::fill_n(fixed_x.begin(), n, fixed.x);
-  std::fill_n(fixed_y.begin(), n, fixed.y);
+  std::fill_n(fixed_x.begin(), n, side * fixed.x);
+  std::fill_n(fixed_y.begin(), n, side * fixed.y);
   std::fill_n(fixed_z.begin(), n, fixed.z);
   const bool light_fixed = fixed_ == Fixed::light;
   const double* f[] = {fixed_x.data(), fixed_y.data(), fixed_z.data()};

@@ -24,6 +24,7 @@ struct Features {
   double width_x = 1, width_y = 1;  // of the lobe, in the half vector's slope
   bool root_at_horizon = false;     // f cos behaves as sqrt(cos) there
   bool mirror_lobe = false;         // about the mirror direction, not about the half vector
+  bool is_polynomial = false;       // of both directions: without any lobe
   // Apart from constants, the integrand is negligible beyond kReach widths. This holds for an exponential
   // tail, which the rules cut off at that distance.
   bool compact = false;
@@ -32,7 +33,7 @@ struct Features {
   bool anisotropic() const { return oriented || width_x != width_y; }
   // Returns true if the slopes of the half vector are suitable variables.
   bool about_half_vector() const {
-    return !mirror_lobe && kink != Kink::azimuth && kink != Kink::mirror_edge;
+    return !mirror_lobe && !is_polynomial && kink != Kink::azimuth && kink != Kink::mirror_edge;
   }
 };
 

@@ -147,6 +147,27 @@ E lambda_beckmann(const Case& c, const Vec3<E>& w) {
   const E a = 1 / alpha_tan(c, w);
   return (boost::math::erf(a) - 1) / 2 + exp(-a * a) / (2 * a * sqrt(pi()));
 }
+// --- Zernike's radial polynomials, with factorials as printed
+E radial(int n, int l, const E& r) {
+  const auto factorial = [](int k) { return boost::math::factorial<E>(unsigned(k)); };
+  E sum = 0;
+  for (int k = 0; k <= (n - l) / 2; ++k)
+    sum += (k % 2 ? -1 : 1) * factorial(n - k) /
+           (factorial(k) * factorial((n + l) / 2 - k) * factorial((n - l) / 2 - k)) * pow(r, n - 2 * k);
+  return sum;
+}
+E matt_printed(const Case& c) {
+  const E ri = sqrt(E(2)) * sin(acos(c.ni) / 2), ro = sqrt(E(2)) * sin(acos(c.no) / 2);
+  const E dphi = atan2(c.o.y, c.o.x) - atan2(c.i.y, c.i.x);
+  E sum = 0;
+  for (const auto& [name, weight] : c.p) {  // w, then the digits of n, m and l
+    const int n = name[1] - '0', m = name[2] - '0', l = name[3] - '0';
+    sum += weight * (radial(n, l, ri) * radial(m, l, ro) + radial(m, l, ri) * radial(n, l, ro)) / 2 *
+           cos(l * dphi);
+  }
+  return sum / pi();
+}
+
 // Ribardiere et al. 2017, with sigma = alpha.
 E d_student(const Case& c) {
   const E gamma = c["gamma"];
@@ -191,6 +212,13 @@ E conductor(const Case& c) {
 }
 E microfacet(const Case& c, const E& d, const E& f, const E& g, const E& four = 4) {
   return diffuse(c) + c["ks"] * d * f * g / (four * c.ni * c.no);
+}
+// The lobe seen with the view turned by half a turn about the normal, with a Fresnel reflectance of 1.
+E retro_printed(const Case& c, E (*d)(const Case&), E (*lambda)(const Case&, const Vec3<E>&)) {
+  Case back = make_case(c.i, {-c.o.x, -c.o.y, c.o.z});
+  back.p = c.p;
+  const E g = smith(lambda(back, back.i), lambda(back, back.o));
+  return c["kr"] * d(back) * g / (4 * c.ni * c.no);
 }
 E k_direct(const E& a) {
   return (a + 1) * (a + 1) / 8;
@@ -289,6 +317,13 @@ const std::map<std::string, std::function<E(const Case&)>, std::less<>>& textboo
                            g_schlick(k_direct(sqrt(c["alpha_x"] * c["alpha_y"])), c));
        }},
       {"cook_torrance_as_coded", cook_torrance_listing},
+      {"matt_2", matt_printed},
+      {"matt_5", matt_printed},
+      {"matt_8", matt_printed},
+      {"matt_14", matt_printed},
+      {"matt_20", matt_printed},
+      {"retro", [](const Case& c) { return retro_printed(c, d_ggx, lambda_ggx); }},
+      {"retro_beckmann", [](const Case& c) { return retro_printed(c, d_beckmann, lambda_beckmann); }},
   };
   return equations;
 }
@@ -296,13 +331,15 @@ const std::map<std::string, std::function<E(const Case&)>, std::less<>>& textboo
 // The constants of the forms (1/pi, 8 pi, ...) are doubles, hence 2e-15. The masking of
 // cook_torrance_student is a polynomial; the accuracy of this polynomial sets the bound 2e-9.
 double tolerance(std::string_view form) {
+  // The terms of a basis have both signs, so that their sum may be far smaller than they are.
+  if (form.starts_with("matt_")) return 1e-12;
   return form == "cook_torrance_student" ? 2e-9 : 2e-15;
 }
 
 // Returns a value inside the usual range of the parameter.
 double draw(const ParameterInfo& p, std::mt19937_64& random) {
   const double u = std::uniform_real_distribution<double>(0, 1)(random);
-  const double low = p.log_scale ? std::max(p.min, 0.03) : p.min + 0.01 * (p.usual_max - p.min);
+  const double low = p.log_scale ? std::max(p.min, 0.03) : usual_min(p) + 0.01 * (p.usual_max - usual_min(p));
   const double high = p.role == Role::exponent ? 200 : p.usual_max;
   return p.log_scale ? low * std::pow(high / low, u) : low + (high - low) * u;
 }
