@@ -31,6 +31,7 @@ void add_study(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_validate(CLI::App& app);
 void add_models(CLI::App& app);
+void add_doctor(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_render(CLI::App& app);
 void add_lobes(CLI::App& app);

@@ -63,6 +63,28 @@ std::string zsh_spec(const OptionSurface& o) {
   return (o.repeats ? "\\*" : "'(" + joined(o.names, " ") + ")'") + "{" + joined(o.names, ",") + "}'" + rest;
 }
 
+// Quotes a text for fish.
+std::string fish_text(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\\' || c == '\'') out += '\\';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out + "'";
+}
+
+// Returns the arguments of fish's complete for the values of an option. A file is offered by fish itself.
+std::string fish_values(const OptionSurface& o) {
+  std::string out;
+  if (const auto words = words_for(o); !words.empty()) out += " -a " + fish_text(joined(words, " "));
+  if (o.takes == Value::folder) return out + " -a '(__fish_complete_directories)'";
+  if (!is_file(o.takes)) return out + " -f";
+  std::string patterns;
+  for (const std::string_view suffix : suffixes_of(o.takes))
+    patterns += " (__fish_complete_suffix ." + std::string(suffix) + ")";
+  return out + (patterns.empty() ? " -F" : " -k -a '" + patterns.substr(1) + "'");
+}
+
 }  // namespace
 
 std::string bash_completion(const CLI::App& app) {
@@ -120,6 +142,25 @@ std::string zsh_completion(const CLI::App& app) {
     out << " ;;\n";
   }
   out << "esac\n";
+  return out.str();
+}
+
+std::string fish_completion(const CLI::App& app) {
+  std::ostringstream out;
+  out << "# fish completion of brdf " BRDF_VERSION ", written by `brdf describe fish`\ncomplete -c brdf -f\n";
+  for (const VerbSurface& verb : surface_of(app)) {
+    out << "complete -c brdf -n __fish_use_subcommand -a " << verb.name << " -d "
+        << fish_text(verb.description) << '\n';
+    for (const OptionSurface& o : verb.options) {
+      out << "complete -c brdf -n '__fish_seen_subcommand_from " << verb.name << "'";
+      for (const std::string& name : o.names)
+        if (!o.positional)
+          out << (name.starts_with("--") ? " -l " : " -s ") << name.substr(name.find_first_not_of('-'));
+      if (!o.flag) out << (o.positional ? "" : " -r") << fish_values(o);
+      if (!o.positional) out << " -d " << fish_text(o.description);
+      out << '\n';
+    }
+  }
   return out.str();
 }
 

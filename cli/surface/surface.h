@@ -32,14 +32,15 @@ struct VerbSurface {
 std::vector<VerbSurface> surface_of(const CLI::App& app);
 
 // The description of the program as text: a man(7) page for every verb and one for the program, scripts for
-// two shells, and JSON.
+// three shells, and JSON.
 struct Page {
   std::string name, text;  // "brdf-fit.1" for example
 };
-// Return the man pages, the completion scripts of bash and zsh, and the list in JSON.
+// Return the man pages, the completion scripts of bash, zsh and fish, and the list in JSON.
 std::vector<Page> man_pages(const CLI::App& app);
 std::string bash_completion(const CLI::App& app);
 std::string zsh_completion(const CLI::App& app);
+std::string fish_completion(const CLI::App& app);
 std::string surface_json(const CLI::App& app);
 
 }  // namespace brdf::cli

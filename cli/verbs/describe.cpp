@@ -17,9 +17,9 @@ void add_describe(CLI::App& app) {
   auto options = std::make_shared<DescribeCall>();
   CLI::App* verb = app.add_subcommand("describe", "Describe the command line for other programs");
   verb->group("");
-  verb->add_option("AS", options->as, "json, completion for bash or zsh, or man pages")
+  verb->add_option("AS", options->as, "json, completion for bash, zsh or fish, or man pages")
       ->required()
-      ->check(CLI::IsMember({"json", "bash", "zsh", "man"}));
+      ->check(CLI::IsMember({"json", "bash", "zsh", "fish", "man"}));
   verb->add_option("-o,--output", options->folder, "Folder of the man pages")->default_str(".");
   verb->footer("Example: brdf describe bash");
   on_run(*verb, [options, &app] {
@@ -30,6 +30,7 @@ void add_describe(CLI::App& app) {
     } else {
       std::cout << (options->as == "json"   ? surface_json(app)
                     : options->as == "bash" ? bash_completion(app)
+                    : options->as == "fish" ? fish_completion(app)
                                             : zsh_completion(app));
     }
     return Exit::good;

@@ -26,9 +26,7 @@ std::filesystem::path chart_file() {
 }
 
 std::string chart_library() {
-  std::ifstream file(chart_file(), std::ios::binary);
-  if (!file)
-    throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
+  std::ifstream file(chart_file_for_reports(), std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   // Remove the scheme of the addresses in the licence comments. A report refers to nothing outside the
   // file, and a search for addresses can then prove it.
@@ -47,6 +45,13 @@ std::string turning(const Figure& figure) {
 }
 
 }  // namespace
+
+std::filesystem::path chart_file_for_reports() {
+  std::filesystem::path file = chart_file();
+  if (!std::filesystem::is_regular_file(file))
+    throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
+  return file;
+}
 
 void HtmlReport::heading(std::string_view text) {
   body_ += "<h2>" + html_escaped(text) + "</h2>\n";

@@ -8,6 +8,7 @@
 // at the document's event "scheme".
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,6 +21,9 @@
 #include "io/page/marks.h"
 
 namespace brdf::io {
+
+// Returns the file of Chart.js that reports embed. Throws EnvironmentError if there is no such file.
+std::filesystem::path chart_file_for_reports();
 
 // A line of a plot. Points with a value that is not finite, or not positive on a logarithmic axis, are
 // gaps.

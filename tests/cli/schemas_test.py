@@ -44,6 +44,7 @@ with tempfile.TemporaryDirectory() as folder:
         return json.loads(done.stdout) if done.stdout else None
 
     check("models", said("models", "--json"))
+    check("doctor", said("doctor", "--json"))
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "-o", "m.json", "--json"))
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "--bootstrap", "3", "--json"))
     check("fit", said("fit", synthetic / "ward_anisotropic.csv", "--form", "ward+lambert", "--anisotropic", "--fix",

@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -40,7 +41,7 @@ commands = {v["name"]: " ".join(re.findall(rf"brdf {v['name']} (.*)", v["footer"
 with tempfile.TemporaryDirectory() as folder:
     run(brdf, "describe", "man", "-o", folder)
     pages = {p.name: p.read_text().replace("\\-", "-") for p in pathlib.Path(folder).iterdir()}
-    scripts = {shell: pathlib.Path(folder) / f"{shell}.complete" for shell in ("bash", "zsh")}
+    scripts = {shell: pathlib.Path(folder) / f"{shell}.complete" for shell in ("bash", "zsh", "fish")}
     for shell, path in scripts.items():
         path.write_text(run(brdf, "describe", shell))
         if shutil.which(shell):
@@ -70,7 +71,16 @@ with tempfile.TemporaryDirectory() as folder:
         expect({"studio", "sky.hdr"} == set(complete("brdf", "render", "--environment", "s")) - {"sky"},
                "completion of words and files")
 
-    zsh = scripts["zsh"].read_text()
+    zsh, fish = scripts["zsh"].read_text(), scripts["fish"].read_text()
+    if shutil.which("fish"):
+        def offered_by_fish(line):
+            said = run("fish", "--no-config", "-c", f"source {scripts['fish']}; complete -C {shlex.quote(line)}", cwd=folder)
+            return [row.split("\t")[0] for row in said.splitlines()]
+
+        expect(offered_by_fish("brdf val") == ["validate"], "fish: verbs")
+        expect(offered_by_fish("brdf fit --fo") == ["--form"], "fish: options")
+        expect(set(offered_by_fish("brdf eval --form ")) == set(forms), "fish: forms")
+        expect("samples.csv" in offered_by_fish("brdf fit sam"), "fish: files")
     expect(f"brdf-{verbs[0]['name']} (1)" in pages["brdf.1"], "brdf.1")
     for verb in verbs:
         name = verb["name"]
@@ -97,6 +107,8 @@ with tempfile.TemporaryDirectory() as folder:
             for n in option["names"]:
                 expect(n in offered, f"{what}: bash completion")
                 expect(part and n in part[1], f"{what}: zsh completion")
+                kind = "-l" if n.startswith("--") else "-s"
+                expect(re.search(rf"__fish_seen_subcommand_from {name}'.* {kind} {n.lstrip('-')}(?![\w-])", fish), f"{what}: fish")
             # An older spelling of a positional argument needs no example.
             if first != "--help" and not re.fullmatch("[Tt]he same as [A-Z]+", option["description"]):
                 shared = sharers[tuple(option["names"]), option["description"]]

@@ -68,6 +68,7 @@ STACK = ["stack/lights.csv"] + [f"stack/image_{k:05d}.exr" for k in range(4)]
 PLAN = ["plan", "fit", "samples.csv", "more.csv", "--form", "lambert", "--no-pictures", "-o", "job"]
 CASES = [
     Case("models", ["models"], short=True),
+    Case("doctor", ["doctor"]),
     Case("models --json", ["models", "ward", "--json"]),
     Case("eval", ["eval", "--material", "material.json", "directions.csv", "-o", "values.csv"], ["values.csv"],
          ["material.json", "directions.csv"], short=True),

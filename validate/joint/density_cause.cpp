@@ -89,8 +89,8 @@ std::string of_a_measure(const Trio& trio, Rows rows) {
   return "";
 }
 
-// How often the claimed density counts the two groups of lobes between which one random number chooses: below and
-// above a border.
+// How often the claimed density counts the two groups of lobes between which one random number chooses:
+// below and above a border.
 struct Counts {
   std::size_t number;
   double least, most;  // the border lies between these values
@@ -98,8 +98,8 @@ struct Counts {
   std::ptrdiff_t explained;  // rows
 };
 
-// Solves for the counts by least squares. A row for which one lobe was not found is an outlier: repeated solutions
-// leave out the rows that fit worst.
+// Solves for the counts by least squares. A row for which one lobe was not found is an outlier: repeated
+// solutions leave out the rows that fit worst.
 std::optional<Counts> counts_with(Rows rows, std::size_t number, double least, double most) {
   constexpr double kExplained = 0.7;  // of the rows; each fits to kNear, which no row does by chance
   constexpr int kTrims = 4;
