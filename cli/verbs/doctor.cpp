@@ -32,6 +32,8 @@ struct Part {
   std::string remedy = {};
 };
 
+[[maybe_unused]] constexpr const char* kOwnBuild = "build it with all packages of tools/setup build";
+
 // Calls `look`, which returns a phrase on the thing that it found, and reports its absence by an exception.
 template <class Look>
 Part part(std::string name, std::string enables, std::string remedy, const Look& look) {
@@ -61,7 +63,6 @@ std::string in_path(const std::string& program) {
 
 std::vector<Part> parts() {
   std::vector<Part> out;
-  const char* const own_build = "build it with all packages of ./build";
 #ifdef BRDF_HAS_RENDER
   out.push_back(part("Vulkan driver", "render, lobes, parity, validate --gpu, view",
                      "install a driver; mesa-vulkan-drivers has one without hardware",
@@ -72,7 +73,7 @@ std::vector<Part> parts() {
   }));
 #else
   out.push_back({"Vulkan driver", "render, lobes, parity, validate --gpu, view", false,
-                 "this program was built without the renderer", own_build});
+                 "this program was built without the renderer", kOwnBuild});
 #endif
 #ifdef BRDF_HAS_VIEWER
   out.push_back(part("display", "windows of view; view --screenshot works without one",
@@ -82,7 +83,7 @@ std::vector<Part> parts() {
                      }));
 #else
   out.push_back(
-      {"display", "windows of view", false, "this program was built without the viewer", own_build});
+      {"display", "windows of view", false, "this program was built without the viewer", kOwnBuild});
 #endif
   out.push_back(part("Chart.js", "HTML reports of study, fit, validate and trade", "install libjs-chart.js",
                      [] { return io::chart_file_for_reports().string(); }));
@@ -90,7 +91,7 @@ std::vector<Part> parts() {
   out.push_back({"shader compiler", "--shader and check-shader", true, "part of this program"});
 #else
   out.push_back({"shader compiler", "--shader and check-shader", false,
-                 "this program was built without a compiler of shaders", own_build});
+                 "this program was built without a compiler of shaders", kOwnBuild});
 #endif
   for (const auto& [name, enables, program, package] :
        {std::tuple{"Blender", "scripts of export --to blender", "blender", "blender"},
