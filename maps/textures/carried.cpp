@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <stdexcept>
 
 #include "brdf/frame.h"
 #include "brdf/targets/parts.h"

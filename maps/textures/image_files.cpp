@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "io/files/output.h"
 #include "io/files/provenance.h"
 #include "maps/textures/written.h"

@@ -14,8 +14,8 @@ std::string number(double x) {
 
 std::string in_words(const TexelLoss& loss, const TexelMaterials& maps) {
   if (loss.largest == 0) return "0 in every texel";
-  return "median " + number(loss.median) + ", 95 % of the texels below " + number(loss.most) + ", largest " +
-         number(loss.largest) + " at " + maps.place(loss.where);
+  return "median " + number(loss.median) + ", 95 % of the texels at most " + number(loss.most) +
+         ", largest " + number(loss.largest) + " at " + maps.place(loss.where);
 }
 
 std::string inputs_of(const Carried& carried, Storage storage) {

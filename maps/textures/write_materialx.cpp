@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "interop/materialx_graph.h"
 #include "maps/textures/written.h"
 

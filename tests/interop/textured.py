@@ -16,6 +16,9 @@ STACKS = {
     "metal": ("--form cook_torrance --set kd=0 --set ks=1 --set f0=0.9,0.6,0.3 --vary alpha=0.15:0.5 --vary f0=0.3:0.9",
               "--form cook_torrance --fix kd=0 --fix ks=1"),
 }
+# From one viewpoint ks and f0 cannot be distinguished, and some ks are above 1.
+AMBIGUOUS = {"ambiguous": ("--form cook_torrance --set kd=0.3,0.2,0.1 --set ks=0.8 --set f0=0.05 --vary alpha=0.1:0.5 --noise 0.02",
+                           "--form cook_torrance")}
 SIZE = (8, 6)
 STEEPEST = 60  # degrees between a direction and the normal of the texel
 
@@ -28,7 +31,7 @@ def made(brdf, words, **options):
 
 def fitted_maps(brdf, name, folder):
     """Returns maps.exr of a synthetic stack of this name."""
-    synth, fit = STACKS[name]
+    synth, fit = (STACKS | AMBIGUOUS)[name]
     stack = folder / f"{name}_stack"
     made(brdf, ["synth", *shlex.split(synth), "--texels", "{}x{}".format(*SIZE), "--lights", 80, "--seed", 5, "-o", stack])
     made(brdf, ["fit", stack, *shlex.split(fit), "-o", folder / f"{name}_maps"])
