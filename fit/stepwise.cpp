@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "fit/assess/paired.h"
 #include "fit/assess/select.h"
@@ -94,9 +95,10 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
-// Returns the forms of a basis with as many weights as this many lights can decide: with four lights five
-// weights, with five eight, with six fourteen.
+// Returns the forms of a basis with as many weights as this many lights can decide: with three or four lights
+// five weights, with five eight, with six fourteen. Fewer lights decide none.
 Forms bases(std::size_t lights) {
+  if (lights < 3) return {};
   const int most = lights <= 4 ? 2 : lights == 5 ? 3 : lights < 8 ? 4 : 5;
   return fittable_forms([&](const ReflectanceInfo& f) { return f.basis && f.basis->order <= most; });
 }
@@ -219,8 +221,8 @@ class Stepwise {
       if (has_lobe(info(model_.back()))) back.start = starts_at(chosen(), model_, options_);
       step(back);
     }
-    step(matt_surface(groups().size()));
-    Stage body = matt_body(model_, groups().size());
+    step(matt_surface(lights()));
+    Stage body = matt_body(model_, lights());
     // The basis takes the place of a first form without a lobe; otherwise every lobe comes one place later.
     const bool has_body = !has_lobe(info(model_.front()));
     if (!body.candidates.empty() && !info(model_.front()).basis)
@@ -233,6 +235,14 @@ class Stepwise {
   const std::vector<RowGroup>& groups() const { return result_.groups.groups; }
 
   const FormFit& chosen() const { return solved_->fit; }
+
+  // Returns the number of angles of incidence, to whole degrees.
+  std::size_t lights() const {
+    std::set<long> angles;
+    for (const double z : prepared_.data.wi_z)
+      angles.insert(std::lround(radians(std::acos(std::clamp(z, 0.0, 1.0))).degrees()));
+    return angles.size();
+  }
 
   // Returns whether the samples about the direction of the light are well above the model.
   bool is_too_dark_about_the_light() const {

@@ -338,7 +338,11 @@ const Program* find_program(std::string_view name) {
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
-  io::require_not_below_zero(material, "--to " + std::string(program.name));
+  try {
+    io::require_not_below_zero(material, "--to " + std::string(program.name));
+  } catch (const InputError& error) {
+    throw Refused(error.what());
+  }
   const std::vector<Wanted> parts = wanted(material, limits_of(program));
   Attempt attempt{program, parts, Comparison(sum_of(parts)), name};
   std::optional<Exported> copy = attempt.best(true);
