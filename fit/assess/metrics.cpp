@@ -107,7 +107,7 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
     if (!excess || !(*excess > std::max(kRetro, five_times))) return {};
     return {true, "retroreflection: near the direction of incidence measured values are " +
                       io::to_text(std::round(10 * std::exp(*excess)) / 10) + " times the fitted ones" +
-                      cannot};
+                      cannot + "; `--form auto` tries a lobe about the light"};
   };
   if (all_near(data, model, factor, far)) return retro_reflects();
   double off = 0, all = 0;
