@@ -40,7 +40,7 @@ Json form_json(const ReflectanceInfo& form) {
     for (const ParameterInfo& p : colour ? form.weights : form.shape)
       parameters.push_back({{"symbol", p.name},
                             {"name", p.doc},
-                            {"low", p.min},
+                            {"low", usual_min(p)},
                             {"high", std::min(p.max, p.usual_max)},
                             {"default", p.initial},
                             {"colour", colour}});

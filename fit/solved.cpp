@@ -122,6 +122,9 @@ Solved fit_model(const FitData& data, const std::vector<Reflectance>& forms, con
   Solved solved{
       {}, Model(forms, data.channels, options), chosen_residual(data, options), {}, {}, {}, {}, {}, {}, {}};
   Model& model = solved.model;
+  if (model.size() == 0)
+    throw InputError("--fix: every parameter of " + model.name() +
+                     " is held, so that nothing is left to fit");
   Residual& residual = solved.residual;
   SearchResult search = find_minima(data, model, residual, options);
   FormFit& out = solved.fit;

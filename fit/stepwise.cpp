@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "fit/assess/paired.h"
 #include "fit/assess/select.h"
@@ -94,21 +95,26 @@ Stage second_lobe(const Forms& model) {
   return stage;
 }
 
-// Returns the forms of a basis with as many weights as this many lights can decide: with four lights five
-// weights, with five eight, with six fourteen.
-Forms bases(std::size_t lights) {
+// Returns the forms of a basis with as many weights as this many lights can decide: with three or four lights
+// five weights, with five eight, with six fourteen. Fewer lights decide none. Many channels leave out the
+// longer ones, because the time of a fit grows with the square of all weights.
+Forms bases(std::size_t lights, std::size_t channels) {
+  constexpr std::size_t kMostWeights = 200;
+  if (lights < 3) return {};
   const int most = lights <= 4 ? 2 : lights == 5 ? 3 : lights < 8 ? 4 : 5;
-  return fittable_forms([&](const ReflectanceInfo& f) { return f.basis && f.basis->order <= most; });
+  return fittable_forms([&](const ReflectanceInfo& f) {
+    return f.basis && f.basis->order <= most && f.weights.size() * channels <= kMostWeights;
+  });
 }
 
-Stage matt_surface(std::size_t lights) {
+Stage matt_surface(std::size_t lights, std::size_t channels) {
   Stage stage{"a matt basis", {}, {}, true};
-  for (const Reflectance& form : bases(lights)) stage.candidates.push_back({form});
+  for (const Reflectance& form : bases(lights, channels)) stage.candidates.push_back({form});
   return stage;
 }
 
 // Proposes a basis as the body under the lobes of the model or, if the model is a basis, a lobe on it.
-Stage matt_body(const Forms& model, std::size_t lights) {
+Stage matt_body(const Forms& model, std::size_t lights, std::size_t channels) {
   Stage stage{"a matt body", {}, {}, true};
   if (info(model.front()).basis) {
     stage.adds = "a lobe on a matt body";
@@ -120,7 +126,7 @@ Stage matt_body(const Forms& model, std::size_t lights) {
   for (const Reflectance& form : model)
     if (has_lobe(info(form))) sum.push_back(form);
   if (sum.empty()) return stage;
-  for (const Reflectance& form : bases(lights)) {
+  for (const Reflectance& form : bases(lights, channels)) {
     stage.candidates.push_back({form});
     stage.candidates.back().insert(stage.candidates.back().end(), sum.begin(), sum.end());
   }
@@ -219,8 +225,8 @@ class Stepwise {
       if (has_lobe(info(model_.back()))) back.start = starts_at(chosen(), model_, options_);
       step(back);
     }
-    step(matt_surface(groups().size()));
-    Stage body = matt_body(model_, groups().size());
+    step(matt_surface(lights(), result_.channels.size()));
+    Stage body = matt_body(model_, lights(), result_.channels.size());
     // The basis takes the place of a first form without a lobe; otherwise every lobe comes one place later.
     const bool has_body = !has_lobe(info(model_.front()));
     if (!body.candidates.empty() && !info(model_.front()).basis)
@@ -233,6 +239,14 @@ class Stepwise {
   const std::vector<RowGroup>& groups() const { return result_.groups.groups; }
 
   const FormFit& chosen() const { return solved_->fit; }
+
+  // Returns the number of angles of incidence, to whole degrees.
+  std::size_t lights() const {
+    std::set<long> angles;
+    for (const double z : prepared_.data.wi_z)
+      angles.insert(std::lround(radians(std::acos(std::clamp(z, 0.0, 1.0))).degrees()));
+    return angles.size();
+  }
 
   // Returns whether the samples about the direction of the light are well above the model.
   bool is_too_dark_about_the_light() const {

@@ -353,7 +353,11 @@ Limits limits_of(const Program& program) {
 }
 
 Exported export_to(const Program& program, const Material& material, const std::string& name, bool naive) {
-  io::require_not_below_zero(material, "--to " + std::string(program.name));
+  try {
+    io::require_not_below_zero(material, "--to " + std::string(program.name));
+  } catch (const InputError& error) {
+    throw Refused(error.what());
+  }
   const std::vector<Wanted> parts = wanted(material, limits_of(program));
   Attempt attempt{program, parts, Comparison(sum_of(parts)), name};
   std::optional<Exported> copy = attempt.best(true);

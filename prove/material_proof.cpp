@@ -55,7 +55,7 @@ void refute_negative(Proof& p, const Channels& terms, const std::string& file) {
       if (auto witness = negative_at(terms, *least, file)) {
         p.verdict = Verdict::refuted;
         p.statement = "f is negative";
-        p.low = -std::numeric_limits<double>::infinity();
+        p.low = terms.size() == 1 ? least->bound : -std::numeric_limits<double>::infinity();
         p.high = witness->value;  // an upper bound of the least value
         p.witness = std::move(witness);
         return;

@@ -105,8 +105,8 @@ struct Mean {
 // Integrates one pair of patches.
 class PairIntegral {
  public:
-  PairIntegral(const Material& material, const Lobe& mirror, const Lobe& retro, bool is_turnable)
-      : material_(material), mirror_(mirror), retro_(retro), dimensions_(is_turnable ? 3 : 4) {}
+  PairIntegral(const Material& material, const Lobe& mirror, const Lobe& backward, bool is_turnable)
+      : material_(material), mirror_(mirror), backward_(backward), dimensions_(is_turnable ? 3 : 4) {}
 
   Mean mean(const Patch& light, const Patch& viewer) {
     light_ = light;
@@ -252,7 +252,7 @@ class PairIntegral {
       };
       return is_within(widths.narrow) || is_within(widths.wide);
     };
-    return is_at(mirror_, 180) || is_at(retro_, 0) ? widest : dimensions_;
+    return is_at(mirror_, 180) || is_at(backward_, 0) ? widest : dimensions_;
   }
 
   // Computes f_r of all channels at the first `count` nodes.
@@ -330,7 +330,7 @@ class PairIntegral {
   }
 
   const Material& material_;
-  const Lobe &mirror_, &retro_;
+  const Lobe &mirror_, &backward_;
   const std::size_t dimensions_;
   Patch light_{}, viewer_{};
   std::vector<double> total_, scale_;
@@ -344,7 +344,7 @@ class PairIntegral {
 PatchMeans patch_means(const Material& material, const io::Progress& progress) {
   const std::vector<Patch> patches = io::klems::patches_of(io::klems::known_bases().front().rings);
   const PatchSymmetry symmetry = symmetry_of(material);
-  const Lobe mirror(material, true, symmetry.turn), retro(material, false, symmetry.turn);
+  const Lobe mirror(material, true, symmetry.turn), backward(material, false, symmetry.turn);
   std::vector<std::pair<std::size_t, std::size_t>> jobs;  // light, viewer
   std::map<PatchSymmetry::Class, std::size_t> known;
   std::vector<std::size_t> job_of;
@@ -359,7 +359,7 @@ PatchMeans patch_means(const Material& material, const io::Progress& progress) {
   std::mutex mutex;
   int done = 0;
   io::parallel_for(jobs.size(), [&](std::size_t k) {
-    means[k] = PairIntegral(material, mirror, retro, symmetry.turn)
+    means[k] = PairIntegral(material, mirror, backward, symmetry.turn)
                    .mean(patches[jobs[k].first], patches[jobs[k].second]);
     const std::lock_guard lock(mutex);
     if (progress) progress(++done, int(jobs.size()));

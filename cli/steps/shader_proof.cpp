@@ -115,8 +115,10 @@ void print_costs(const std::vector<ShaderCost>& costs) {
 
 }  // namespace
 
-Exit validate_gpu(std::span<const Reflectance> forms, std::uint64_t seed, bool json,
+Exit validate_gpu(std::span<const Reflectance> all, std::uint64_t seed, bool json,
                   const LoadedShader* shader) {
+  std::vector<Reflectance> forms;
+  for (const Reflectance& form : all) forms.push_back(render::with_room(form));
   render::Device device;
   const bool software = render::is_software(device);
   const auto progress = progress_line("brdf validate: forms probed");

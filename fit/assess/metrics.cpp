@@ -102,12 +102,12 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
   const std::string cannot =
       (noise ? " (the measurement noise is " + io::percent_to_tenths(*noise) + ")" : "") +
       ": the surface has a property that this form cannot reproduce";
-  const std::optional<double> retro = retro_excess(data, model);
+  const std::optional<double> excess = retro_excess(data, model);
   const auto retro_reflects = [&]() -> Misfit {
-    if (!retro || !(*retro > std::max(kRetro, five_times))) return {};
+    if (!excess || !(*excess > std::max(kRetro, five_times))) return {};
     return {true, "retroreflection: near the direction of incidence measured values are " +
-                      io::to_text(std::round(10 * std::exp(*retro)) / 10) + " times the fitted ones" +
-                      cannot};
+                      io::to_text(std::round(10 * std::exp(*excess)) / 10) + " times the fitted ones" +
+                      cannot + "; `--form auto` tries a lobe about the light"};
   };
   if (all_near(data, model, factor, far)) return retro_reflects();
   double off = 0, all = 0;

@@ -21,8 +21,9 @@ void require_not_below_zero(const Material& material, const std::string& name) {
       if (!(least.value < 0)) continue;
       eval(material, least.wi, least.wo, f);
       if (f[c] < 0)
-        throw InputError(name + ": f of " + material.channels[c] + " is " + short_number(f[c], 3) +
-                         " /sr at theta_i " + angle(least.wi) + " and theta_o " + angle(least.wo) +
+        throw InputError(name + ": f is " + short_number(f[c], 3) + " /sr in channel " +
+                         material.channels[c] + " at theta_i " + angle(least.wi) + " and theta_o " +
+                         angle(least.wo) +
                          " degrees, and must not be below 0: fit the weights with `brdf fit`, which bounds "
                          "them");
     }

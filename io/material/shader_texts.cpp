@@ -22,7 +22,7 @@ std::string hlsl(std::string text) {
 // Returns the line of a slider: type, name and range.
 std::string slider(const ParameterInfo& p, bool weight, const std::vector<double>& of_channels) {
   if (!weight)
-    return "float " + std::string(p.name) + " " + to_text(p.min) + " " + to_text(p.usual_max) + " " +
+    return "float " + std::string(p.name) + " " + to_text(usual_min(p)) + " " + to_text(p.usual_max) + " " +
            to_text(of_channels[0]) + "\n";
   std::string line = "color " + std::string(p.name);
   for (std::size_t c = 0; c < 3; ++c) line += " " + to_text(of_channels[of_channels.size() == 1 ? 0 : c]);

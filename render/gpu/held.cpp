@@ -37,17 +37,20 @@ class Held final : public ReflectanceModel, public io::StandsFor {
   }
   using ReflectanceModel::eval;
   void eval(const ParameterValues<double>& p, const Directions<double>& d, double* out) const override {
-    // The given values may be longer than the table, because a shader has a fixed number of slots.
-    const auto filled = [](std::span<const double> given, std::size_t count, std::vector<double> all) {
-      std::copy_n(given.begin(), std::min(given.size(), count), all.begin());
-      return all;
-    };
-    const std::size_t free = info_.weights.size();
-    const std::vector<double> weights =
-                                  filled(p.weights, free, weights_[std::min(p.channel, weights_.size() - 1)]),
-                              first = filled(p.first, free, weights_.front()),
-                              shape = filled(p.shape, info_.shape.size(), shape_);
-    inner_->eval({weights, first, shape, p.channel}, d, out);
+    const Filled<double> all(*this, p);
+    inner_->eval(all.view(), d, out);
+  }
+  // The catalogue's forms have the bits of their shaders in float; code outside it is evaluated in double.
+  void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
+    if (catalogue_index(inner_) < 0) return ReflectanceModel::eval(p, d, out);
+    const Filled<float> all(*this, p);
+    inner_->eval(all.view(), d, out);
+  }
+  using ReflectanceModel::eval_cos;
+  void eval_cos(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
+    if (catalogue_index(inner_) < 0) return ReflectanceModel::eval_cos(p, d, out);
+    const Filled<float> all(*this, p);
+    inner_->eval_cos(all.view(), d, out);
   }
   std::string glsl(const GlslOptions& options) const override {
     // Renames the functions of the formula, and adds functions with this form's name that call them.
@@ -81,6 +84,27 @@ class Held final : public ReflectanceModel, public io::StandsFor {
   }
 
  private:
+  // The given values followed by the held ones. The given values may be longer than the table, because a
+  // shader has a fixed number of slots.
+  template <class T>
+  struct Filled {
+    Filled(const Held& held, const ParameterValues<T>& p) : channel(p.channel) {
+      const std::size_t free = held.info_.weights.size();
+      fill(p.weights, free, held.weights_[std::min(p.channel, held.weights_.size() - 1)], weights);
+      fill(p.first, free, held.weights_.front(), first);
+      fill(p.shape, held.info_.shape.size(), held.shape_, shape);
+    }
+    static void fill(std::span<const T> given, std::size_t count, const std::vector<double>& held,
+                     std::vector<T>& out) {
+      out.assign(held.begin(), held.end());
+      std::copy_n(given.begin(), std::min(given.size(), count), out.begin());
+    }
+    ParameterValues<T> view() const { return {weights, first, shape, channel}; }
+
+    std::vector<T> weights, first, shape;
+    std::size_t channel;
+  };
+
   Reflectance inner_;
   std::vector<double> shape_;
   std::vector<std::vector<double>> weights_;
@@ -100,6 +124,14 @@ Material with_room(Material material) {
     term.form = held;
   }
   return material;
+}
+
+Reflectance with_room(const Reflectance& form) {
+  Material material{{"f"}, {make_term(form, 1)}};
+  std::vector<double>& weights = material.terms.front().weights.front();
+  for (std::size_t k = kMostWeights; k < weights.size(); ++k)
+    weights[k] = (k % 2 ? 1.0 : -1.0) * double(k) / 256;
+  return with_room(std::move(material)).terms.front().form;
 }
 
 }  // namespace brdf::render

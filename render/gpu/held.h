@@ -12,6 +12,9 @@ namespace brdf::render {
 // most_shape() shape parameters (gpu_layout.h) remain parameters; the others become constants of the term's
 // formula. Other terms stay unchanged.
 Material with_room(Material material);
+// Returns a reflectance with room for the proofs of shaders: the form itself or, if it has too many weights,
+// the form with the others held at values of both signs that float represents.
+Reflectance with_room(const Reflectance& form);
 
 // Applies with_room() to all materials of a viewer state (compare/state.h).
 template <class ViewState>

@@ -12,6 +12,12 @@ std::vector<NumberedReflectance> numbered_catalogue() {
   return list;
 }
 
+std::vector<Reflectance> drawable_forms() {
+  std::vector<Reflectance> forms;
+  for (const NumberedReflectance& entry : numbered_catalogue()) forms.push_back(entry.reflectance);
+  return forms;
+}
+
 std::string shader_obstacle(const ReflectanceInfo& info) {
   if (!info.has_glsl) return "has no GLSL";
   const std::size_t shape = most_shape(info.weights.size());

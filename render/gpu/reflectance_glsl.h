@@ -12,6 +12,8 @@ namespace brdf::render {
 // Returns the reflectances of the catalogue that the shaders have room for, numbered by their index. A
 // specialisation constant selects one of them, so that the driver keeps a single case.
 std::vector<NumberedReflectance> numbered_catalogue();
+// Returns the same reflectances without their numbers: the forms that can be drawn with all their parameters.
+std::vector<Reflectance> drawable_forms();
 // Returns the reason why shaders cannot evaluate this reflectance, worded to follow its name; empty if they
 // can.
 std::string shader_obstacle(const ReflectanceInfo& info);

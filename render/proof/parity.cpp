@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/gpu/held.h"
 #include "render/gpu/renderer.h"
 #include "render/reference/reference.h"
 
@@ -52,7 +53,7 @@ std::vector<ParityRow> parity(Device& device, const std::vector<Reflectance>& fo
     Material material = make_material(form);
     for (const bool narrowed : {false, true}) {
       if (narrowed && !narrow(material.terms[0])) continue;
-      Scene sphere = material_scene({{std::string(info(form).name), material}});
+      Scene sphere = material_scene({{std::string(info(form).name), with_room(material)}});
       sphere.camera.width = sphere.camera.height = size;
       const PreparedScene scene = prepare(std::move(sphere));
       const Picture reference = render_reference(scene);

@@ -7,6 +7,7 @@
 
 #include "io/files/error.h"
 #include "render/gpu/fragment_code.h"
+#include "render/gpu/held.h"
 #include "render/gpu/reflectance_glsl.h"
 #include "render/gpu/shader_code.h"
 #include "render/vulkan/resource.h"
@@ -215,7 +216,7 @@ std::vector<ProofRow> shader_proof(Device& device, std::span<const Reflectance> 
   ProofMachine machine(device, options.shader.empty() ? shader_code::proof : options.shader);
   std::vector<ProofRow> rows;
   for (const Reflectance& form : forms) {
-    rows.push_back(proof_of(machine, form, options));
+    rows.push_back(proof_of(machine, with_room(form), options));
     if (report) report(rows.back());
   }
   return rows;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "io/files/json.h"
+#include "render/gpu/reflectance_glsl.h"
 #include "render/light/formula.h"
 
 namespace brdf::render {
@@ -19,14 +20,15 @@ constexpr int kControl = GLFW_MOD_CONTROL, kShift = GLFW_MOD_SHIFT;
 constexpr std::string_view kWrites = "writes a file", kWindow = "belongs to the window, not to the state";
 
 void next_form(Session& session, const Whereabouts&) {
-  const std::span<const Reflectance> forms = catalogue();
+  const std::vector<Reflectance> forms = drawable_forms();
   const Term& term = session.state().scene.objects[session.state().selected].material.terms.front();
-  session.switch_form(0, forms[std::size_t(catalogue_index(term.form) + 1) % forms.size()]);
+  const auto own = std::ranges::find(forms, term.form);
+  session.switch_form(0, own == forms.end() || own + 1 == forms.end() ? forms.front() : own[1]);
 }
 
 void next_family(Session& session, const Whereabouts&) {
   const Term& term = session.state().scene.objects[session.state().selected].material.terms.front();
-  const std::vector<std::vector<Reflectance>> groups = families();
+  const std::vector<std::vector<Reflectance>> groups = families(drawable_forms());
   const auto own = std::ranges::find_if(groups, [&](const std::vector<Reflectance>& group) {
     return std::ranges::find(group, term.form) != group.end();
   });

@@ -8,6 +8,7 @@
 
 #include "io/colour/channel_colours.h"
 #include "io/page/glossary.h"
+#include "render/gpu/reflectance_glsl.h"
 #include "render/viewer/sliders.h"
 
 namespace brdf::render {
@@ -31,7 +32,7 @@ namespace {
 // family of one.
 void form_panel(Session& session, std::size_t place) {
   const Term& term = session.state().scene.objects[session.state().selected].material.terms[place];
-  std::vector<std::vector<Reflectance>> groups = families();
+  std::vector<std::vector<Reflectance>> groups = families(drawable_forms());
   if (catalogue_index(term.form) < 0) groups.push_back({term.form});
   std::vector<std::string> names, forms;
   std::size_t family = 0, form = 0;

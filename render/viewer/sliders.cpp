@@ -25,6 +25,11 @@ double upper_end(const ParameterInfo& p, double value, const SliderMarks& marks,
   return std::min(end, p.max);
 }
 
+// Returns the lower end of the slider: the usual minimum, or a multiple of a value below it.
+double lower_end(const ParameterInfo& p, double value) {
+  return value < usual_min(p) ? std::max(p.min, kBeyond * value) : usual_min(p);
+}
+
 // Returns the position of a value along the slider, from 0 to 1.
 float along(double value, double low, double high, bool logarithmic) {
   const double t = logarithmic ? std::log(std::max(value, low) / low) / std::log(high / low)
@@ -84,7 +89,7 @@ bool parameter_slider(const std::string& label, const ParameterInfo& p, double& 
                       const SliderMarks& marks) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID place = ImGui::GetID((label + "/end").c_str());
-  const double low = usual_min(p), high = upper_end(p, value, marks, storage.GetFloat(place, 0));
+  const double low = lower_end(p, value), high = upper_end(p, value, marks, storage.GetFloat(place, 0));
   const bool logarithmic = p.log_scale && low > 0;
   double shown = value;
   const float width = ImGui::CalcItemWidth();  // before the slider consumes it

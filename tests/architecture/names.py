@@ -60,6 +60,7 @@ HOMONYMS = {
     ("cli/steps/stack_scene.cpp", "albedo"): "a texture map",
     ("cli/steps/stack_scene.cpp", "roughness"): "a texture map",
     ("render/scene/scene.h", "phong"): "a shading",
+    ("micro/theory_reflectance.cpp", "retro"): "a direction",
     ("io/columns/angle_names.cpp", "gamma"): "a column of a table",
     ("io/formats/optical_constants.cpp", "n"): "a column of a table",
     ("io/formats/optical_constants.cpp", "k"): "a column of a table",

@@ -20,7 +20,10 @@ double worst_parameter(const Material& fitted, const Material& truth) {
 TEST(Recovery, NoiseFreeDefaultsOfEveryForm) {
   for (const Reflectance& form : catalogue()) {
     if (!info(form).fittable()) continue;
-    const Material truth = make_material(form);
+    Material truth = make_material(form);
+    for (std::vector<double>& weights : truth.terms[0].weights)
+      for (double& w : weights)
+        if (w == 0) w = 0.02;  // of a basis: an error relative to 0 has no meaning
     const FormFit f = fit(measured(truth), {{form}}, without_cross_validation()).ranking.front();
     EXPECT_LT(worst_parameter(f.material, truth), 1e-8) << f.form;
     // Some forms at their defaults reflect more than they receive.

@@ -43,8 +43,8 @@ inline Box random_box(Engine& e, const Domain& domain) {
   return box;
 }
 
-// Returns a direction with this cosine and turn, rounded to T. A component is sometimes moved by one unit
-// in the last place.
+// Returns a direction with this cosine and turn, rounded to T. A component that is not 0 is sometimes moved
+// by one unit in the last place.
 template <class T>
 Vec3<T> direction_of(Engine& e, double cosine, double turn) {
   const long double t = turn, z = cosine;
@@ -53,7 +53,7 @@ Vec3<T> direction_of(Engine& e, double cosine, double turn) {
   const auto stored = [&](long double c) {
     T r = T(c);
     const double kind = uniform(e, 0, 1);
-    if (kind < 0.1) r = std::nextafter(r, T(2));
+    if (kind < 0.1 && r != 0) r = std::nextafter(r, T(2));
     if (kind > 0.9 && r > 0) r = std::nextafter(r, T(0));
     return r;
   };
@@ -67,7 +67,8 @@ struct Parts {
 inline Parts parts_of(const ReflectanceInfo& form, const Domain& domain) {
   const std::size_t shape = form.shape.size(), weights = form.weights.size();
   const bool own = domain.variables.size() == shape + 2 * weights + 4;
-  return {0, shape, own ? shape + weights : shape, domain.variables.size() - (form.basis ? 3 : 4)};
+  return {0, shape, own ? shape + weights : shape,
+          domain.variables.size() - (domain.variables.back().name == "cos_dphi" ? 3 : 4)};
 }
 
 // Returns the directions at a point of value_domain_of(form): cosines and turns or, for a basis, r_i, r_o and

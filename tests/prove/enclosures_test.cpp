@@ -51,9 +51,12 @@ Outside<T> sample(int form, Precision precision, int boxes, int points, unsigned
       T f = 0, f_cos = 0;
       reflectance->eval(p, directions, &f);
       reflectance->eval_cos(p, directions, &f_cos);
-      for (const T value : {f, f_cos}) {
+      for (const bool times_cosine : {false, true}) {
+        const T value = times_cosine ? f_cos : f;
         ++found.points;
-        if (bounds.lo <= double(value) && double(value) <= bounds.hi) continue;
+        // The bounds of a basis are those of f; f cos_i lies between them and 0.
+        const double low = info.basis && times_cosine ? std::min(bounds.lo, 0.0) : bounds.lo;
+        if (low <= double(value) && double(value) <= bounds.hi) continue;
         if (found.beyond++ == 0) {
           std::ostringstream text;
           text.precision(17);

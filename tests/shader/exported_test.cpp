@@ -30,7 +30,7 @@ struct Drawn {
 Drawn draw(const ReflectanceInfo& info, Random& random) {
   Drawn d;
   for (const ParameterInfo& p : info.weights)
-    d.weights.push_back(float(random.uniform(p.min, std::min(p.max, 1.0))));
+    d.weights.push_back(float(random.uniform(std::max(p.min, -1.0), std::min(p.max, 1.0))));
   for (const ParameterInfo& p : info.shape)
     d.shape.push_back(float(p.log_scale && p.min > 0 ? random.log_uniform(p.min, p.usual_max)
                                                      : random.uniform(p.min, p.usual_max)));

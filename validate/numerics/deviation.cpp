@@ -138,6 +138,11 @@ Truth Deviations<T, Truth>::scale_of(const Vec3<T>& wi, const Vec3<T>& wo, const
                                      std::size_t set, double peak) const {
   using std::abs;
   const Truth size = abs(truths[set]);
+  if (info_.basis) {  // a sum of terms of both signs
+    Truth terms = size;
+    for (const Truth& w : weights_[set]) terms = terms + abs(w) / Truth(kPi);
+    return terms;
+  }
   if (signed_)  // a direct term that changes sign
     return size + (diffuse_ >= 0 ? Truth(weights_[set][std::size_t(diffuse_)] / Truth(kPi)) : Truth(peak));
   if (f0_ >= 0) return larger(size, Truth(Truth(kLeastLobe) * abs(truths[sets_ + set])));

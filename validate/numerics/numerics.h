@@ -22,8 +22,8 @@ namespace brdf::validate {
 //
 // If a value is the difference of larger terms, the error is relative to these terms: to a hundredth of the
 // lobe at f0 = 1 if the Fresnel term is less than that; to |f| + the diffuse weight over pi for a form that
-// declares negative values, because its terms change sign; to the lobe's peak if the cosine r.o of the
-// mirror lobe is below 1/2.
+// declares negative values, because its terms change sign; to |f| + the sizes of the weights over pi for a
+// basis; to the lobe's peak if the cosine r.o of the mirror lobe is below 1/2.
 //
 // Where the mirror lobe ends, the lobe may be steep; for exponent 0 it is a step. There, every value that
 // results from r.o within 4 ulp is correct. Nothing is promised about values below 1e-30.

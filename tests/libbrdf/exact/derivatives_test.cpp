@@ -13,7 +13,7 @@
 namespace brdf::validate {
 namespace {
 
-constexpr int kMost = 6;  // parameters of a form
+constexpr int kMost = 20;  // parameters of any form
 
 template <class S>
 S variable(double value, int k);

@@ -5,6 +5,7 @@
 #include "brdf/trace.h"
 #include "io/files/base64.h"
 #include "io/files/json.h"
+#include "render/gpu/held.h"
 #include "render/proof/shader_proof.h"
 
 namespace {
@@ -56,6 +57,6 @@ io::Json entry(const Reflectance& form) {
 int main() {
   io::Json forms = io::Json::array();
   for (const Reflectance& form : catalogue())
-    if (info(form).has_glsl) forms.push_back(entry(form));
+    if (info(form).has_glsl) forms.push_back(entry(render::with_room(form)));
   std::cout << io::to_line({{"side", kSide}, {"one_set", kOneSet}, {"forms", forms}}) << '\n';
 }

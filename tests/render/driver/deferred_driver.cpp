@@ -6,6 +6,7 @@
 
 #include "brdf/reflectance.h"
 #include "io/files/error.h"
+#include "render/gpu/held.h"
 #include "render/gpu/renderer.h"
 #include "render/proof/parity.h"
 #include "render/reference/reference.h"
@@ -60,7 +61,7 @@ TEST(Deferred, SeveralFormsAndPointLightsShareOnePicture) {
   for (std::size_t first = 0; first < catalogue().size(); first += kInOnePicture) {
     std::vector<std::pair<std::string, Material>> row;
     for (std::size_t k = first; k < std::min(first + kInOnePicture, catalogue().size()); ++k)
-      row.emplace_back(info(catalogue()[k]).name, make_material(catalogue()[k]));
+      row.emplace_back(info(catalogue()[k]).name, with_room(make_material(catalogue()[k])));
     Scene scene = material_scene(row);
     scene.camera.width = 512;
     scene.camera.height = 128;

@@ -7,6 +7,7 @@
 
 #include "brdf/reflectance.h"
 #include "io/material/material_file.h"
+#include "render/gpu/held.h"
 #include "render/gpu/renderer.h"
 #include "render/light/formula.h"
 #include "render/reference/reference.h"
@@ -205,7 +206,7 @@ TEST(Silhouette, NoPixelOfAMaterialIsBlackWhereLightFallsOnIt) {
   }
   for (std::size_t k = 0; k < catalogue().size(); k += thorough() ? 1 : 5) {
     const Reflectance& form = catalogue()[k];
-    expect_lit(device, scene_of(std::string(info(form).name), make_material(form), {200, 200}),
+    expect_lit(device, scene_of(std::string(info(form).name), with_room(make_material(form)), {200, 200}),
                std::string(info(form).name));
   }
 }

@@ -8,6 +8,7 @@
 
 #include "io/files/error.h"
 #include "io/material/material_json.h"
+#include "render/gpu/reflectance_glsl.h"
 #include "render/job.h"
 #include "render/viewer/commands.h"
 
@@ -114,7 +115,7 @@ TEST(Session, OnceRoundAllFormsBringsTheValuesBack) {
   for (double& w : first_term(session).weights[0]) w = 0.123456789;
   for (double& s : first_term(session).shape[0]) s = 0.0314;
   const Term before = first_term(session);
-  for (std::size_t k = 0; k < catalogue().size(); ++k) command("next form").edit(session, {});
+  for (std::size_t k = 0; k < drawable_forms().size(); ++k) command("next form").edit(session, {});
   EXPECT_EQ(first_term(session), before);
 }
 
