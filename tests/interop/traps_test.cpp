@@ -69,7 +69,7 @@ std::vector<Trap> traps() {
         {"gltf", clamped},
         {"three", clamped},
         {"materialx", clamped},
-         {"radiance", clamped}}},
+        {"radiance", clamped}}},
       {"coloured ks", made("cook_torrance", {"kd=0.1", "ks=0.6,0.4,0.2", "f0=0.5", "alpha=0.3"}), {}},
       {"a tangent of 30 degrees",
        made("cook_torrance", {"kd=0", "ks=1", "f0=0.9", "alpha_x=0.4", "alpha_y=0.2", "tangent_phi=30"}),
