@@ -103,8 +103,8 @@ class Attempt {
   }
 
   // Chooses one index for all texels. If the target has a tint, the index is the largest and the tints of the
-  // texels carry the smaller reflectances; otherwise the index is the median. An index of 1 belongs to a texel
-  // that reflects nothing along the normal.
+  // texels carry the smaller reflectances; otherwise the index is the median. A texel that reflects nothing
+  // along the normal has the index 1.
   void share_index() {
     if (index_ < 0) return;
     std::vector<double> indices;
