@@ -99,17 +99,17 @@ class Attempt {
   }
   bool is_dielectric(std::size_t texel) const {
     const auto metallic = std::ranges::find(textured_.inputs, true, &Input::metallic);
-    return out_.held[texel] && raw_[std::size_t(metallic - textured_.inputs.begin())][0][texel] < 1 &&
-           etas_[texel] > 1;
+    return out_.held[texel] && raw_[std::size_t(metallic - textured_.inputs.begin())][0][texel] < 1;
   }
 
   // Chooses one index for all texels. If the target has a tint, the index is the largest and the tints of the
-  // texels carry the smaller reflectances; otherwise the index is the median.
+  // texels carry the smaller reflectances; otherwise the index is the median. A texel that reflects nothing
+  // along the normal has the index 1.
   void share_index() {
     if (index_ < 0) return;
     std::vector<double> indices;
     for (std::size_t texel = 0; texel < maps_.size(); ++texel)
-      if (is_dielectric(texel)) indices.push_back(etas_[texel]);
+      if (is_dielectric(texel) && etas_[texel] > 1) indices.push_back(etas_[texel]);
     const ParameterInfo& p = info(rules_.target).shape[std::size_t(index_)];
     const std::size_t tint = place_of(Role::tint);
     const bool has_tint = tint < textured_.inputs.size();

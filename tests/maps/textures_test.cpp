@@ -92,6 +92,18 @@ TEST(Textures, AllTexelsShareOneIndexAndKeepTheirReflectance) {
   }
 }
 
+TEST(Textures, ATexelWithoutReflectanceAlongTheNormalKeepsIt) {
+  texel::Planes planes = small_maps();
+  for (const char* name : {"f0.r", "f0.g", "f0.b"}) plane(planes, name)[0] = 0;
+  const Written file(planes);
+  const maps::TexelMaterials maps = file.read();
+  const maps::Carried carried = carried_to(maps);
+  const Term term = maps::carried_material(carried, maps, 0).terms[0];
+  EXPECT_EQ(term.shape[0][std::size_t(info(term.form).shape_index(Role::tint))], 0);
+  EXPECT_GT(*carried.index, 1.5);
+  EXPECT_LT(carried.losses.of_formula[0], 0.01);
+}
+
 TEST(Textures, TheLossOfATexelIsThatOfTheRoundedParameters) {
   const Written file(small_maps());
   const maps::TexelMaterials maps = file.read();
