@@ -16,8 +16,9 @@ template <class F>
 concept MattForm = requires { F::basis; };
 
 // Returns a bound of the error of pi f as computed in Base, for weights within these bounds. One function
-// s_nml takes at most kSteps operations, none of which is larger than the sums of the sizes of both radial
-// coefficients. The stored directions may differ from unit vectors by 2 units, which the steps include.
+// s_nml takes fewer than kSteps operations, none of which is larger than the product of the sums of the sizes
+// of both radial coefficients. The stored directions may differ from unit vectors by 2 units, which the steps
+// include. An error of q_i.q_o changes r_i^l r_o^l cos(l dphi) by at most l^2 times as much (Markov).
 template <class Base>
 double matt_rounding(const MattBasis& basis, std::span<const Interval<double>> weights) {
   constexpr double kSteps = 64;
@@ -29,9 +30,10 @@ double matt_rounding(const MattBasis& basis, std::span<const Interval<double>> w
   double sum = 0;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const auto [n, m, l] = basis.indices[k];
-    sum += weights[k].magnitude() * size(n, l) * size(m, l);
+    sum += weights[k].magnitude() * size(n, l) * size(m, l) *
+           (kSteps * double(1 + l * l) + double(weights.size()));
   }
-  return Interval<Base>::kUnit * (kSteps + double(weights.size())) * sum + Interval<Base>::kTiny;
+  return Interval<Base>::kUnit * sum + Interval<Base>::kTiny;
 }
 
 // Encloses f on a box of value_domain_of(form), as rounded in Base. f cos_i has the sign of f and is not

@@ -34,8 +34,8 @@ class Draw {
 
 Material drawn_material(Draw& draw) {
   std::vector<Reflectance> forms;
-  for (const Reflectance& form : catalogue())
-    if (info(form).fittable()) forms.push_back(form);
+  for (const Reflectance& form : catalogue())  // random weights of a basis may give a negative f
+    if (info(form).fittable() && !info(form).basis && !info(form).about_light) forms.push_back(form);
   const Reflectance& form = forms[draw.below(forms.size())];
   const ReflectanceInfo& f = info(form);
   Material m = make_material(
