@@ -5,15 +5,16 @@
 
 #include "brdf/least_of_matt.h"
 #include "fit/solve/equivalence.h"
+#include "fit/solve/nearby.h"
 #include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {
 
 constexpr int kMostRounds = 100;
-constexpr double kCutStiffness = 1e6;  // relative to the samples' own
+constexpr double kCutStiffness = 1e4;  // relative to the samples' own
 constexpr double kMarginAtCut = 1e-3;  // of the median of the samples: f at a limit
-constexpr double kAlbedoRoom = 1e-6;
+constexpr double kAlbedoRoom = 1e-5;
 constexpr int kAlbedoSteps = 64;
 
 double median_value(const FitData& data, std::size_t channel) {
@@ -124,7 +125,10 @@ class Limits {
     const SampleStream stream(data_, model_, residual_, options_.resolved_aperture());
     SolveOptions solver;
     solver.interrupted = options_.interrupted;
-    Solution s = refine(stream, best.p, solver);
+    // The start is near. These steps solve the quadratic itself, and therefore bear the stiff limits.
+    const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };
+    Solution s = solve_nearby(objective, best.p, model_.low(), model_.high(), solver);
+    if (s.termination != Termination::converged) s = refine(stream, s.p, solver);
     Minimum next{std::move(s.p),        s.cost,        best.basin,
                  std::move(s.at_bound), s.termination, std::move(s.message)};
     canonicalise(model_, next);
