@@ -30,6 +30,13 @@ double Cut::shortfall(std::span<const double> weights) const {
   return std::max(least - sum, 0.0);
 }
 
+bool Cut::is_reached(std::span<const double> weights) const {
+  constexpr double kNear = 1e-4;  // of the limit
+  Cut nearly = *this;
+  nearly.least += kNear * std::abs(least);
+  return nearly.shortfall(weights) > 0;
+}
+
 bool Model::is_signed() const {
   return std::ranges::any_of(terms_, [](const TermModel& term) { return term.info->basis != nullptr; });
 }

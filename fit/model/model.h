@@ -43,6 +43,8 @@ struct Cut {
   double least = 0, stiffness = 0;
 
   double shortfall(std::span<const double> weights) const;
+  // Returns whether the weights are at the limit or beyond it.
+  bool is_reached(std::span<const double> weights) const;
 };
 
 struct TermModel {

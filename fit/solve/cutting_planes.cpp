@@ -5,6 +5,7 @@
 
 #include "brdf/least_of_matt.h"
 #include "fit/solve/equivalence.h"
+#include "fit/solve/limited.h"
 #include "fit/solve/nearby.h"
 #include "io/files/numbers.h"
 
@@ -56,8 +57,10 @@ class Limits {
 
   void keep_above_zero(std::span<const double> p, std::size_t channel, const TermModel& term,
                        std::span<const double> weights) {
-    const LeastOfMatt least = least_of_matt(*term.info->basis, weights, 0);
-    if (least.bound >= 0) return;
+    // A fifth of the margin is left to the proofs, which add the rounding of the evaluation.
+    const double margin = kMarginAtCut * median_value(data_, channel), floor = 0.2 * margin;
+    const LeastOfMatt least = least_of_matt(*term.info->basis, weights, floor);
+    if (least.bound >= floor || (done_.cuts == 0 && least.bound >= 0)) return;
     if (open_.empty())
       open_ = "f of " + std::string(term.info->name) + " reaches " + io::short_number(least.value, 3) +
               " /sr in " + model_.channels()[channel];
@@ -69,7 +72,7 @@ class Limits {
     }
     std::vector<double> values(term.lobes);
     matt_values(*term.info->basis, least.wi, least.wo, values);
-    Cut cut{channel, std::vector<double>(model_.lobes(), 0), kMarginAtCut * median_value(data_, channel)};
+    Cut cut{channel, std::vector<double>(model_.lobes(), 0), margin};
     std::ranges::copy(values, cut.lobes.begin() + std::ptrdiff_t(term.first_lobe));
     add(p, std::move(cut));
   }
@@ -125,10 +128,11 @@ class Limits {
     const SampleStream stream(data_, model_, residual_, options_.resolved_aperture());
     SolveOptions solver;
     solver.interrupted = options_.interrupted;
-    // The start is near. These steps solve the quadratic itself, and therefore bear the stiff limits.
+    Solution s = solve_limited(stream, best.p, solver);
+    // From there the penalties of the limits are solved too, as in every later pass over the samples.
     const Objective objective = [&](std::span<const double> p) { return stream.normal_equations(p); };
-    Solution s = solve_nearby(objective, best.p, model_.low(), model_.high(), solver);
-    if (s.termination != Termination::converged) s = refine(stream, s.p, solver);
+    Solution near = solve_nearby(objective, s.p, model_.low(), model_.high(), solver);
+    if (near.termination == Termination::converged) s = std::move(near);
     Minimum next{std::move(s.p),        s.cost,        best.basin,
                  std::move(s.at_bound), s.termination, std::move(s.message)};
     canonicalise(model_, next);

@@ -263,6 +263,10 @@ NormalEquations SampleStream::normal_equations(std::span<const double> p, Beside
   return out;
 }
 
+NormalEquations SampleStream::without_cuts(std::span<const double> p) const {
+  return mapped(accumulate(p, lobe_weights(p), residual_, true), p);
+}
+
 void SampleStream::add_cuts(std::span<const double> p, NormalEquations& to) const {
   std::vector<double> weights(model_.lobes());
   for (const Cut& cut : model_.cuts()) {
@@ -280,7 +284,7 @@ void SampleStream::add_cuts(std::span<const double> p, Matrix& hessian) const {
   std::vector<double> weights(model_.lobes());
   for (const Cut& cut : model_.cuts()) {
     model_.lobe_weights(p, cut.channel, weights);
-    if (cut.shortfall(weights) == 0) continue;
+    if (!cut.is_reached(weights)) continue;
     const std::vector<WeightSlope> slopes = model_.weight_slopes(p, cut.channel);
     for (const WeightSlope& a : slopes)
       for (const WeightSlope& b : slopes)

@@ -112,6 +112,8 @@ class SampleStream {
 
   // `besides`, if not null, receives additional results of the same pass, over all rows of the pass.
   NormalEquations normal_equations(std::span<const double> p, Besides* besides = nullptr) const;
+  // Returns the same without what the limits of the weights contribute.
+  NormalEquations without_cuts(std::span<const double> p) const;
   // Returns the normal equations at linear weights 0 for the residual linearised at the measurement: a
   // quadratic in the weights.
   NormalEquations linearised_weights(std::span<const double> p) const;
