@@ -3,6 +3,8 @@
 
 #include "brdf/directions.h"
 #include "brdf/random.h"
+#include "io/files/error.h"
+#include "render/gpu/reflectance_glsl.h"
 #include "render/proof/shader_proof.h"
 
 namespace brdf::render {
@@ -56,10 +58,18 @@ std::vector<std::array<float, 4>> extreme_directions() {
   return w;
 }
 
+// Throws InputError if the form has more parameters than a configuration holds.
+void require_room(const Reflectance& form) {
+  const ProofConfiguration room;
+  if (info(form).weights.size() > room.weights.size() || info(form).shape.size() > room.shape.size())
+    throw InputError(std::string(info(form).name) + " " + shader_obstacle(info(form)));
+}
+
 }  // namespace
 
 std::vector<ProofConfiguration> random_configurations(const Reflectance& form, std::size_t count,
                                                       std::uint64_t seed) {
+  require_room(form);
   Engine random(seed * 1000003 + std::uint64_t(catalogue_index(form)));
   const ReflectanceInfo& about = info(form);
   std::vector<ProofConfiguration> configurations(count);
@@ -74,6 +84,7 @@ std::vector<ProofConfiguration> random_configurations(const Reflectance& form, s
 }
 
 std::vector<ProofConfiguration> extreme_configurations(const Reflectance& form) {
+  require_room(form);
   const ReflectanceInfo& about = info(form);
   std::size_t corners = 1;
   for (std::size_t k = 0; k < about.shape.size(); ++k) corners *= 3;
