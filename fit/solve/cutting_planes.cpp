@@ -12,7 +12,7 @@
 namespace brdf::fit {
 namespace {
 
-constexpr int kMostRounds = 100;
+constexpr int kMostRounds = 40;
 constexpr double kCutStiffness = 1e4;  // relative to the samples' own
 constexpr double kMarginAtCut = 1e-3;  // of the median of the samples: f at a limit
 constexpr double kAlbedoRoom = 1e-5;
@@ -59,8 +59,8 @@ class Limits {
                        std::span<const double> weights) {
     // A fifth of the margin is left to the proofs, which add the rounding of the evaluation.
     const double margin = kMarginAtCut * median_value(data_, channel), floor = 0.2 * margin;
-    const LeastOfMatt least = least_of_matt(*term.info->basis, weights, floor);
-    if (least.bound >= floor || (done_.cuts == 0 && least.bound >= 0)) return;
+    const LeastOfMatt least = least_of_matt(*term.info->basis, weights, floor, 4000);
+    if (least.bound >= floor || (least.bound >= 0 && (done_.cuts == 0 || least.value >= floor))) return;
     if (open_.empty())
       open_ = "f of " + std::string(term.info->name) + " reaches " + io::short_number(least.value, 3) +
               " /sr in " + model_.channels()[channel];
@@ -127,6 +127,7 @@ class Limits {
   void solve_again(Minimum& best) const {
     const SampleStream stream(data_, model_, residual_, options_.resolved_aperture());
     SolveOptions solver;
+    solver.max_iterations = 100;
     solver.interrupted = options_.interrupted;
     Solution s = solve_limited(stream, best.p, solver);
     // From there the penalties of the limits are solved too, as in every later pass over the samples.

@@ -13,6 +13,7 @@ namespace {
 constexpr double kDampingAtFirst = 1e-8, kDampingAtMost = 1e8;
 // Of the cost. Limits that nearly depend on each other leave this much rounding in a step.
 constexpr double kPrecise = 1e-9;
+constexpr int kMostSteps = 50;
 constexpr double kMet = 1e-5;  // of the limit: a shortfall that counts as none
 
 // The conditions of a step: rows times the step are at least `least`.
@@ -52,28 +53,55 @@ Conditions conditions_at(const Model& model, std::span<const double> p) {
   return out;
 }
 
+using Factors = Eigen::LDLT<Eigen::MatrixXd>;
+
+// Returns the change of the free step that brings it to these conditions, by the dual: a quadratic in
+// multipliers that are not negative.
+Eigen::VectorXd towards_conditions(const Factors& solver, const Eigen::VectorXd& free,
+                                   const Conditions& conditions, const std::vector<Eigen::Index>& of) {
+  const std::size_t count = of.size();
+  RowMatrix rows(Eigen::Index(count), free.size());
+  std::vector<double> gradient(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    rows.row(Eigen::Index(k)) = conditions.rows.row(of[k]);
+    gradient[k] = rows.row(Eigen::Index(k)).dot(free) - conditions.least(of[k]);
+  }
+  const Eigen::MatrixXd back = solver.solve(Eigen::MatrixXd(rows.transpose()));
+  const RowMatrix dual = rows * back;
+  Matrix quadratic{count, count};
+  std::copy(dual.data(), dual.data() + dual.size(), quadratic.a.begin());
+  // Conditions may depend on each other.
+  for (std::size_t k = 0; k < count; ++k) quadratic(k, k) *= 1 + 1e-10;
+  const std::vector<double> zero(count, 0.0), any(count, std::numeric_limits<double>::max());
+  const std::vector<double> multipliers = box_quadratic(quadratic, gradient, zero, any);
+  return back * Eigen::Map<const Eigen::VectorXd>(multipliers.data(), Eigen::Index(count));
+}
+
 // Returns the step that minimises the damped quadratic under these conditions.
 Eigen::VectorXd limited_step(const NormalEquations& n, const Conditions& conditions, double damping) {
   const Eigen::Index size = Eigen::Index(n.gradient.size()), count = conditions.least.size();
   RowMatrix h = Eigen::Map<const RowMatrix>(n.hessian.a.data(), size, size);
   const double most = h.diagonal().maxCoeff();
   h.diagonal() += damping * h.diagonal() + Eigen::VectorXd::Constant(size, 1e-14 * most);
-  const Eigen::LDLT<Eigen::MatrixXd> solver{Eigen::MatrixXd(h)};
+  const Factors solver{Eigen::MatrixXd(h)};
   const Eigen::VectorXd free = -solver.solve(Eigen::Map<const Eigen::VectorXd>(n.gradient.data(), size));
-  if (count == 0) return free;
-  const Eigen::MatrixXd back = solver.solve(Eigen::MatrixXd(conditions.rows.transpose()));
-  const RowMatrix dual = conditions.rows * back;
-  const Eigen::VectorXd unmet = conditions.least - conditions.rows * free;
-  Matrix quadratic{std::size_t(count), std::size_t(count)};
-  std::copy(dual.data(), dual.data() + dual.size(), quadratic.a.begin());
-  // Conditions may depend on each other.
-  for (std::size_t k = 0; k < quadratic.rows; ++k) quadratic(k, k) *= 1 + 1e-10;
-  const std::vector<double> gradient(unmet.data(), unmet.data() + count), zero(std::size_t(count), 0.0),
-      any(std::size_t(count), std::numeric_limits<double>::max());
-  std::vector<double> towards(gradient.size());
-  for (std::size_t k = 0; k < towards.size(); ++k) towards[k] = -gradient[k];
-  const std::vector<double> multipliers = box_quadratic(quadratic, towards, zero, any);
-  return free + back * Eigen::Map<const Eigen::VectorXd>(multipliers.data(), count);
+  // Only conditions that a step breaks are solved for, so that many conditions cost little.
+  constexpr int kMostAdditions = 20;
+  Eigen::VectorXd step = free;
+  std::vector<Eigen::Index> broken;
+  std::vector<bool> added(std::size_t(count), false);
+  for (int addition = 0; addition < kMostAdditions; ++addition) {
+    const std::size_t before = broken.size();
+    const Eigen::VectorXd values = conditions.rows * step;
+    for (Eigen::Index k = 0; k < count; ++k)
+      if (!added[std::size_t(k)] && conditions.least(k) - values(k) > kMet * std::abs(conditions.least(k))) {
+        broken.push_back(k);
+        added[std::size_t(k)] = true;
+      }
+    if (broken.size() == before) break;
+    step = free + towards_conditions(solver, free, conditions, broken);
+  }
+  return step;
 }
 
 double promised_reduction(const NormalEquations& n, const Eigen::VectorXd& step) {
@@ -94,7 +122,7 @@ Solution solve_limited(const SampleStream& stream, std::span<const double> start
   s.passes = 1;
   s.termination = Termination::iteration_limit;
   double damping = kDampingAtFirst;
-  for (; s.iterations < options.max_iterations; ++s.iterations) {
+  for (; s.iterations < std::min(options.max_iterations, kMostSteps); ++s.iterations) {
     const Conditions conditions = conditions_at(model, s.p);
     const bool met = conditions.shortfall <= kMet;
     const Eigen::VectorXd step = limited_step(here, conditions, damping);
