@@ -111,11 +111,11 @@ std::optional<Counts> counts_with(Rows rows, std::size_t number, double least, d
   const auto error = [&](const Eigen::RowVector2d& row) { return std::abs(row.dot(times) - 1); };
   std::size_t kept = parts.size();
   for (int trim = 0; trim < kTrims; ++trim) {
-    Eigen::MatrixX2d system(Eigen::Index(kept), 2);
-    for (std::size_t k = 0; k < kept; ++k) system.row(Eigen::Index(k)) = parts[k];
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixX2d> qr(system);
+    Eigen::MatrixX2d equations(Eigen::Index(kept), 2);
+    for (std::size_t k = 0; k < kept; ++k) equations.row(Eigen::Index(k)) = parts[k];
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixX2d> qr(equations);
     if (std::abs(qr.matrixQR()(1, 1)) < 1e-3 * qr.maxPivot()) return {};
-    times = qr.solve(Eigen::VectorXd::Ones(system.rows()));
+    times = qr.solve(Eigen::VectorXd::Ones(equations.rows()));
     std::ranges::sort(parts, {}, error);
     const auto explained = std::ranges::count_if(parts, [&](const auto& row) { return error(row) < kNear; });
     if (double(explained) >= kExplained * double(parts.size()) && times.minCoeff() > 0)
