@@ -81,7 +81,8 @@ TEST(Proofs, EnergyIsProvedWhereAReasonIsKnownAndRefutedWhereDeclared) {
     ++proved;
     EXPECT_LE(p.high, 1 + 1e-15) << p.form;
   }
-  // Two diffuse forms, two cosine lobes, four families of facets, the bounded Ward, two retroreflective lobes.
+  // Two diffuse forms, two cosine lobes, four families of facets, the bounded Ward and two lobes about the
+  // light.
   EXPECT_EQ(proved, 12);
 }
 
