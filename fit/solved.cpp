@@ -101,7 +101,7 @@ void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
 void note_limits(const CuttingPlanes& limited, double rms_before, const SampleStream& stream,
                  const Minimum& best, Solved& s) {
   if (!limited.open.empty()) s.below_zero = "the weights can be used by no renderer: " + limited.open;
-  if (limited.cuts == 0) return;
+  if (limited.cuts == 0 || !limited.open.empty()) return;  // nothing is promised of limits that are not met
   const auto angle = [](const Vec3<double>& w) {
     return io::short_number(radians(std::acos(std::clamp(w.z, 0.0, 1.0))).degrees(), 3);
   };
@@ -110,6 +110,8 @@ void note_limits(const CuttingPlanes& limited, double rms_before, const SampleSt
     text += "f is not below 0 (without a bound f reaches " + io::short_number(limited.free_value, 3) +
             " /sr in " + limited.channel + " at theta_i " + angle(limited.wi) + " and theta_o " +
             angle(limited.wo) + " degrees)";
+  else if (!limited.limits_albedo)
+    text += "f is shown not to be below 0";
   if (limited.limits_albedo)
     text += std::string(limited.free_value < 0 ? " and " : "") + "the albedo is not above 1";
   s.after.push_back(text + ": the rms relative error is " +

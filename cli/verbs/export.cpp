@@ -8,6 +8,7 @@
 #include "cli/options/shader_options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "cli/steps/written_maps.h"
 #include "cli/steps/written_table.h"
 #include "cli/verb.h"
 #include "interop/programs.h"
@@ -27,7 +28,6 @@
 #include "io/material/glsl.h"
 #include "io/material/material_json.h"
 #include "io/material/shader_texts.h"
-#include "maps/textures/written.h"
 #include "measured/cells.h"
 #include "measured/on_sphere.h"
 #include "synth/instrument.h"
@@ -46,11 +46,6 @@ struct ExportCall {
 };
 
 constexpr const char *kMerl = "merl", *kRgl = "rgl";
-
-std::vector<std::string> textured_names() {
-  const std::vector<std::string_view> names = maps::textured_programs();
-  return {names.begin(), names.end()};
-}
 
 // Additional content of --json, and the exit code.
 struct Made {
@@ -246,42 +241,21 @@ Made export_program(const ExportCall& o, const interop::Program& program) {
   return {to_json(program, made), judged_loss(o, made.loss)};
 }
 
-// Throws for options that maps do not take.
-void check_maps(const ExportCall& o, const interop::Program* program) {
+// Writes fitted maps as textures.
+Made export_maps(const ExportCall& o, const interop::Program* program) {
   if (!o.measured.empty() || !o.material.form.empty() || !o.material.set.empty() ||
       !o.material.material.empty() || !o.material.shader.file.empty())
     throw InputError("--maps: is the only input; leave out the material, its options and --measured");
   if (!program)
     throw InputError("--maps --to " + o.to + ": textures are written for " + io::joined(textured_names()));
   if (o.naive) throw InputError("--naive: --maps always copies the parameters of each texel");
-  const std::filesystem::path suffix(maps::suffix_of(*program));
-  if (o.output.empty() || std::filesystem::path(o.output).extension() != suffix)
-    throw InputError("--maps --to " + o.to + ": needs -o NAME" + suffix.string());
-  std::vector<io::Target> targets{{"--loss-map", o.loss_map}};
-  for (const std::filesystem::path& path : maps::possible_files(*program, o.output))
-    targets.push_back({"-o", path});
-  io::check_targets(targets, {o.maps});
-}
-
-Made export_maps(const ExportCall& o, const interop::Program* program) {
-  check_maps(o, program);
-  const maps::TexelMaterials texels(o.maps);
-  const maps::Carried carried = maps::carry(texels, *program, progress_line("brdf export: rows of texels"));
-  const std::string name = o.name.empty() ? std::filesystem::path(o.maps).stem().string() : o.name;
-  const std::vector<std::filesystem::path> files = write_textures(carried, texels, o.output, name);
-  if (!o.loss_map.empty()) texel::write_planes(o.loss_map, loss_planes(carried, texels));
+  const WrittenMaps written = write_maps(*program, {o.maps, o.loss_map, o.output, o.name});
   erase_progress();
-  for (const std::string& sentence : sentences(carried, texels)) Note() << "brdf export: " << sentence;
-  Made made{{{"kind", "maps"},
-             {"target", info(carried.target).name},
-             {"program", program->title},
-             {"files", io::Json::array()},
-             {"maps", to_json(carried, texels)}}};
-  for (const std::filesystem::path& file : files) made.json["files"].push_back(file.string());
-  if (const double largest = maps::summary_of(carried.losses.rms).largest;
-      o.max_loss && largest > *o.max_loss) {
-    Warning() << "brdf export: the loss of a texel, " << io::short_number(largest) << ", is above --max-loss "
-              << io::short_number(*o.max_loss);
+  for (const std::string& sentence : written.sentences) Note() << "brdf export: " << sentence;
+  Made made{written.json};
+  if (o.max_loss && written.largest_loss > *o.max_loss) {
+    Warning() << "brdf export: the loss of a texel, " << io::short_number(written.largest_loss)
+              << ", is above --max-loss " << io::short_number(*o.max_loss);
     made.exit = Exit::failed;
   }
   return made;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "brdf/least_of_matt.h"
 #include "fit/solve/equivalence.h"
@@ -16,7 +17,6 @@ constexpr int kMostRounds = 40;
 constexpr double kCutStiffness = 1e4;  // relative to the samples' own
 constexpr double kMarginAtCut = 1e-3;  // of the median of the samples: f at a limit
 constexpr double kAlbedoRoom = 1e-5;
-constexpr int kAlbedoSteps = 64;
 
 double median_value(const FitData& data, std::size_t channel) {
   std::vector<double> values;
@@ -77,28 +77,38 @@ class Limits {
     add(p, std::move(cut));
   }
 
-  // The albedo of a basis is a polynomial of the cosine, and that of every other lobe is at most its weight.
-  void keep_albedo(std::span<const double> p, std::size_t channel, std::span<const double> weights) {
-    Cut worst;
-    double largest = 1;
-    for (int step = 0; step <= kAlbedoSteps; ++step) {
-      Cut cut{channel, std::vector<double>(model_.lobes(), -1), -(1 - kAlbedoRoom)};
-      for (const TermModel& term : model_.terms()) {
-        if (!term.info->basis) continue;
-        const std::span own = std::span(cut.lobes).subspan(term.first_lobe, term.lobes);
-        matt_albedos(*term.info->basis, double(step) / kAlbedoSteps, own);
-        for (double& albedo : own) albedo = -albedo;
-      }
-      double albedo = 0;
-      for (std::size_t k = 0; k < weights.size(); ++k) albedo -= cut.lobes[k] * weights[k];
-      if (!(albedo > largest)) continue;
-      largest = albedo;
-      worst = std::move(cut);
+  // Returns the limit "the albedo at this cosine is at most 1". The albedo of a basis is a polynomial of the
+  // cosine, and that of every other lobe is at most its weight.
+  Cut limit_at(double cosine, std::size_t channel) const {
+    Cut cut{channel, std::vector<double>(model_.lobes(), -1), -(1 - kAlbedoRoom)};
+    for (const TermModel& term : model_.terms()) {
+      if (!term.info->basis) continue;
+      const std::span own = std::span(cut.lobes).subspan(term.first_lobe, term.lobes);
+      matt_albedos(*term.info->basis, cosine, own);
+      for (double& albedo : own) albedo = -albedo;
     }
-    if (worst.lobes.empty()) return;
+    return cut;
+  }
+
+  // The polynomial is of the second degree at most (orders up to 5), so that its largest value is at an end
+  // or at the vertex of the parabola through three values.
+  void keep_albedo(std::span<const double> p, std::size_t channel, std::span<const double> weights) {
+    const auto albedo_of = [&](const Cut& cut) {
+      return -std::inner_product(weights.begin(), weights.end(), cut.lobes.begin(), 0.0);
+    };
+    std::vector<double> cosines{0, 0.5, 1};
+    double at[3];
+    for (std::size_t k = 0; k < 3; ++k) at[k] = albedo_of(limit_at(cosines[k], channel));
+    const double bend = 2 * (at[0] - 2 * at[1] + at[2]), slope = at[2] - at[0] - bend;
+    if (bend < 0) cosines.push_back(std::clamp(-slope / (2 * bend), 0.0, 1.0));
+    const auto largest =
+        std::ranges::max(cosines, {}, [&](double cosine) { return albedo_of(limit_at(cosine, channel)); });
+    Cut worst = limit_at(largest, channel);
+    const double albedo = albedo_of(worst);
+    if (!(albedo > 1)) return;
     done_.limits_albedo = true;
     if (open_.empty())
-      open_ = "the albedo reaches " + io::short_number(largest, 6) + " in " + model_.channels()[channel];
+      open_ = "the albedo reaches " + io::short_number(albedo, 6) + " in " + model_.channels()[channel];
     add(p, std::move(worst));
   }
 

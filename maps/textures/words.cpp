@@ -82,7 +82,7 @@ std::vector<std::string> sentences(const Carried& carried, const TexelMaterials&
                 in_words(summary_of(carried.losses.rms), maps));
   out.push_back("the same without the rounding of textures: " +
                 in_words(summary_of(carried.losses.of_formula), maps));
-  out.push_back("largest relative difference in a texel: " +
+  out.push_back("largest relative difference over the same pairs of directions: " +
                 in_words(summary_of(carried.losses.largest), maps));
   if (carried.has_normals) {
     const TexelLoss turned = summary_of(carried.losses.turned);
@@ -99,8 +99,7 @@ std::vector<std::string> sentences(const Carried& carried, const TexelMaterials&
   if (carried.has_normals && carried.program->name.starts_with("blender"))
     out.push_back(
         "Cycles darkens the diffuse part if the light is nearer to the horizon of the plane than to that of "
-        "a "
-        "texel's normal, and it bends a normal that mirrors the viewer below the plane; the losses leave "
+        "a texel's normal, and it bends a normal that mirrors the viewer below the plane; the losses leave "
         "this out");
   out.push_back(
       "textures are read at the nearest texel: between texels a filter mixes parameters, and the "

@@ -45,6 +45,10 @@ with tempfile.TemporaryDirectory() as folder:
 
     check("models", said("models", "--json"))
     check("doctor", said("doctor", "--json"))
+    bare = {"PATH": "/nowhere", "VK_DRIVER_FILES": "/nowhere", "VK_ICD_FILENAMES": "/nowhere", "HOME": str(folder)}
+    parts = {p["name"]: p for p in json.loads(subprocess.run([brdf, "doctor", "--json"], env=bare, capture_output=True).stdout)["parts"]}
+    for name in ("Vulkan driver", "display", "Blender", "GNU parallel", "Slurm"):
+        assert not parts[name]["found"] and parts[name]["remedy"], f"doctor finds {name} in an empty environment"
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "-o", "m.json", "--json"))
     check("fit", said("fit", synthetic / "ward.csv", "--form", "ward", "--bootstrap", "3", "--json"))
     check("fit", said("fit", synthetic / "ward_anisotropic.csv", "--form", "ward+lambert", "--anisotropic", "--fix",

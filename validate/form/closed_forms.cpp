@@ -27,6 +27,17 @@ Material lobe_at(const Subject& subject, std::span<const double> x) {
   return m;
 }
 
+// Keeps the largest error of an albedo, with its place.
+void note(Finding& finding, const Subject& subject, const Material& m, double theta, double error) {
+  if (error == finding.value || !is_worst(error, finding.value)) return;
+  finding.value = error;
+  finding.witness =
+      Witness{subject.parameters(m),
+              {{"theta", theta}, {"phi", 0}},
+              {},
+              subject.command("albedo", m, "--theta " + io::to_text(theta) + " --tolerance 1e-10")};
+}
+
 // Compares the albedo of a matt basis, a polynomial of the cosine, with the integral at a cover of weights.
 Finding albedo_of_basis(const Subject& subject, const CheckOptions& options, Finding finding) {
   constexpr double kTheta = 90;
@@ -48,13 +59,7 @@ Finding albedo_of_basis(const Subject& subject, const CheckOptions& options, Fin
     }
     const double error = std::max(std::abs(r.value - expected) - r.error_bound, 0.0) / size;
     finding.evaluations += r.evaluations;
-    if (error == finding.value || !is_worst(error, finding.value)) continue;
-    finding.value = error;
-    finding.witness =
-        Witness{subject.parameters(m),
-                {{"theta", theta}, {"phi", 0}},
-                {},
-                subject.command("albedo", m, "--theta " + io::to_text(theta) + " --tolerance 1e-10")};
+    note(finding, subject, m, theta, error);
   }
   const std::string source = "the polynomial of the cosine";
   finding.conclude(!(finding.value > finding.bound), "agrees with " + source, "differs from " + source);
@@ -87,13 +92,7 @@ Finding check_albedo(const Subject& subject, const CheckOptions& options) {
       const double expected = known.albedo(term.shape_of(0), in_radians(theta));
       const double error = std::max(std::abs(r.value - expected) - r.error_bound, 0.0) / expected;
       finding.evaluations += r.evaluations;
-      if (error == finding.value || !is_worst(error, finding.value)) continue;
-      finding.value = error;
-      finding.witness =
-          Witness{subject.parameters(m),
-                  {{"theta", theta}, {"phi", 0}},
-                  {},
-                  subject.command("albedo", m, "--theta " + io::to_text(theta) + " --tolerance 1e-10")};
+      note(finding, subject, m, theta, error);
     }
   }
   const std::string all = io::joined(sources, "; ");

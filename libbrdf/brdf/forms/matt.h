@@ -23,7 +23,7 @@ struct Matt2Weights {
     return std::array{Field{&W::w000, kMattMean},
                       Field{&W::w111, matt_weight("w111", "R_1^1(r_i) R_1^1(r_o), times cos(dphi)")}};
   }
-  constexpr std::array<T, 2> linear() const { return {w000, w111}; }
+  constexpr auto linear() const { return to_values<T>(*this); }
   static constexpr Matt2Weights from_linear(const std::array<T, 2>& w) {
     return from_values<Matt2Weights>(std::span<const T>(w));
   }
@@ -40,7 +40,7 @@ struct Matt5Weights {
                       Field{&W::w111, matt_weight("w111", "R_1^1(r_i) R_1^1(r_o), times cos(dphi)")},
                       Field{&W::w222, matt_weight("w222", "R_2^2(r_i) R_2^2(r_o), times cos(2 dphi)")}};
   }
-  constexpr std::array<T, 5> linear() const { return {w000, w020, w220, w111, w222}; }
+  constexpr auto linear() const { return to_values<T>(*this); }
   static constexpr Matt5Weights from_linear(const std::array<T, 5>& w) {
     return from_values<Matt5Weights>(std::span<const T>(w));
   }
@@ -61,7 +61,7 @@ struct Matt8Weights {
         Field{&W::w222, matt_weight("w222", "R_2^2(r_i) R_2^2(r_o), times cos(2 dphi)")},
         Field{&W::w333, matt_weight("w333", "R_3^3(r_i) R_3^3(r_o), times cos(3 dphi)")}};
   }
-  constexpr std::array<T, 8> linear() const { return {w000, w020, w220, w111, w131, w331, w222, w333}; }
+  constexpr auto linear() const { return to_values<T>(*this); }
   static constexpr Matt8Weights from_linear(const std::array<T, 8>& w) {
     return from_values<Matt8Weights>(std::span<const T>(w));
   }
@@ -88,9 +88,7 @@ struct Matt14Weights {
         Field{&W::w333, matt_weight("w333", "R_3^3(r_i) R_3^3(r_o), times cos(3 dphi)")},
         Field{&W::w444, matt_weight("w444", "R_4^4(r_i) R_4^4(r_o), times cos(4 dphi)")}};
   }
-  constexpr std::array<T, 14> linear() const {
-    return {w000, w020, w040, w220, w240, w440, w111, w131, w331, w222, w242, w442, w333, w444};
-  }
+  constexpr auto linear() const { return to_values<T>(*this); }
   static constexpr Matt14Weights from_linear(const std::array<T, 14>& w) {
     return from_values<Matt14Weights>(std::span<const T>(w));
   }
@@ -124,10 +122,7 @@ struct Matt20Weights {
         Field{&W::w444, matt_weight("w444", "R_4^4(r_i) R_4^4(r_o), times cos(4 dphi)")},
         Field{&W::w555, matt_weight("w555", "R_5^5(r_i) R_5^5(r_o), times cos(5 dphi)")}};
   }
-  constexpr std::array<T, 20> linear() const {
-    return {w000, w020, w040, w220, w240, w440, w111, w131, w151, w331,
-            w351, w551, w222, w242, w442, w333, w353, w553, w444, w555};
-  }
+  constexpr auto linear() const { return to_values<T>(*this); }
   static constexpr Matt20Weights from_linear(const std::array<T, 20>& w) {
     return from_values<Matt20Weights>(std::span<const T>(w));
   }
