@@ -57,7 +57,7 @@ double midpoint_share(const Material& material, const CosineTransform& transform
 
 // Texels of the table that selfshadow/ltc_code publishes and three.js 0.187 carries as LTC_MAT_1. That table
 // minimises another measure, so that a share may be smaller there by a little.
-TEST(CosineTransforms, MisplaceNoMoreLightThanThePublishedTable) {
+void expect_no_more_misplaced_than_published() {
   struct Published {
     std::size_t x, y;
     CosineTransform transform;
@@ -84,7 +84,7 @@ TEST(CosineTransforms, MisplaceNoMoreLightThanThePublishedTable) {
   }
 }
 
-TEST(CosineTransforms, HaveTheAxesOfTheirLayout) {
+void expect_axes_of_the_layout() {
   // Along the normal the inverse is diagonal with about twice alpha as the last element; towards grazing
   // angles the lobe leans away from the viewer.
   for (const std::size_t k : {4u, 10u, 20u}) {
@@ -98,7 +98,7 @@ TEST(CosineTransforms, HaveTheAxesOfTheirLayout) {
   EXPECT_GT(leaning.density({-sine, 0, cosine}), 100 * leaning.density({sine, 0, cosine}));
 }
 
-TEST(CosineTransforms, StateSharesThatAQuadratureConfirms) {
+void expect_shares_of_a_quadrature() {
   for (const auto& [x, y] : {std::pair{30u, 10u}, {40u, 40u}, {63u, 30u}, {50u, 55u}}) {
     const double u = x / 63.0, v = y / 63.0, cosine = 1 - v * v;
     const CosineTransform& m = table_of_ggx().transforms[y * 64 + x];
@@ -109,7 +109,7 @@ TEST(CosineTransforms, StateSharesThatAQuadratureConfirms) {
   EXPECT_LE(table_of_ggx().between.value, 1);
 }
 
-TEST(CosineTransforms, KeepACosineAndTheAlbedo) {
+void expect_kept_cosine_and_albedo() {
   const CosineTable lambert = cosine_table(chosen_form("lambert"), 8);
   for (const CosineTransform& m : lambert.transforms) {
     EXPECT_NEAR(m.x, 1, 4e-4);
@@ -124,6 +124,14 @@ TEST(CosineTransforms, KeepACosineAndTheAlbedo) {
                                                 {}, {.fixed = Fixed::viewer});
   EXPECT_NEAR(table_of_ggx().white[40 * 64 + 30], white.value, 1e-5);
   EXPECT_GT(table_of_ggx().bias[60 * 64 + 10], table_of_ggx().bias[10 * 64 + 10]);
+}
+
+// One test, because every test is a process of its own, and the table takes seconds.
+TEST(CosineTransforms, OfGgxMisplaceNoMoreLightThanThePublishedTable) {
+  expect_no_more_misplaced_than_published();
+  expect_axes_of_the_layout();
+  expect_shares_of_a_quadrature();
+  expect_kept_cosine_and_albedo();
 }
 
 TEST(CosineTransforms, RefuseWhatATableCannotHold) {
