@@ -7,6 +7,8 @@
 #include "cli/options/shader_options.h"
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
+#include "fit/assess/derived.h"
+#include "fit/report/budget.h"
 #include "io/columns/foreign_json.h"
 #include "io/csv/csv.h"
 #include "io/files/content.h"
@@ -25,7 +27,7 @@ namespace {
 struct EvalCall {
   MaterialOptions material;
   std::string first, directions, output;  // `first`: the first of two positional arguments, or the only one
-  bool cosine = false;
+  bool cosine = false, sigma = false;
 };
 
 // A pipe can be read only once and is not looked into.
@@ -60,6 +62,20 @@ void multiply_by_cosine(io::SampleTable& table) {
   }
 }
 
+// Writes the values of every channel and row one after another, channel by channel.
+std::vector<double> values_of(const Material& material, const Directions<double>& d, bool cosine) {
+  const std::size_t channels = material.channels.size();
+  std::vector<double> out(channels * d.count), values(channels);
+  for (std::size_t k = 0; k < d.count; ++k) {
+    if (cosine)
+      eval_cos(material, d.wi(k), d.wo(k), values);
+    else
+      eval(material, d.wi(k), d.wo(k), values);
+    for (std::size_t c = 0; c < channels; ++c) out[c * d.count + k] = values[c];
+  }
+  return out;
+}
+
 // Adds the material's values as columns f or f_<channel>.
 void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   if (cosine) multiply_by_cosine(table);
@@ -73,15 +89,29 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   }
   table.sigma.resize(table.channels.size());
   const DirectionArrays<double> arrays = io::unit_directions(table);
-  const Directions<double> d = arrays.view();
-  std::vector<double> values(count);
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    if (cosine)
-      eval_cos(material, d.wi(k), d.wo(k), values);
-    else
-      eval(material, d.wi(k), d.wo(k), values);
-    for (std::size_t c = 0; c < count; ++c) table.values[first + c][k] = values[c];
-  }
+  const std::vector<double> values = values_of(material, arrays.view(), cosine);
+  for (std::size_t c = 0; c < count; ++c)
+    std::copy_n(&values[c * table.rows()], table.rows(), table.values[first + c].begin());
+}
+
+// Adds the standard uncertainties of the values from column `first` on, which follow from the covariance of
+// the material's fit.
+void add_sigma(io::SampleTable& table, const io::MaterialFile& file, std::size_t first, bool cosine) {
+  const fit::Knowledge known = fit::knowledge_of(file.fit);
+  const DirectionArrays<double> arrays = io::unit_directions(table);
+  const auto value = [&](const Material& m) { return values_of(m, arrays.view(), cosine); };
+  const std::vector<double> values = value(file.material);
+  const auto found =
+      known.covariance ? fit::combined(file.material, *known.covariance, values, value) : std::nullopt;
+  if (!found)
+    throw InputError(
+        "--sigma-columns: the material holds no covariance of its parameters: use a material that "
+        "brdf fit -o has written");
+  for (std::size_t c = 0; c < file.material.channels.size(); ++c)
+    for (std::size_t k = 0; k < table.rows(); ++k)
+      table.sigma[first + c].push_back((*found)[c * table.rows() + k].standard_uncertainty);
+  table.add_comment("standard uncertainties",
+                    known.has_budget() ? "with the budget of the fit" : fit::kScatterOnly);
 }
 
 // Counts the values from column `first` on that are not finite. Reports the count and the first such row on
@@ -110,21 +140,25 @@ void add_eval(CLI::App& app) {
                    "CSV with theta_i,phi_i,theta_o,phi_o in degrees (required)");
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
   verb->add_flag("--cos", options->cosine, "Print f_r cos_i instead of f_r");
+  verb->add_flag("--sigma-columns", options->sigma,
+                 "Add the standard uncertainty of every value, from the covariance of the material's fit");
   verb->footer(
       "Exit code 1 if a value is not a finite number. All rows are written, with such values as nan, inf or "
       "-inf.\n"
       "Examples: brdf eval --form ward --set alpha=0.1 directions.csv -o values.csv\n"
       "          brdf eval fitted.json --cos directions.csv\n"
+      "          brdf eval fitted.json --sigma-columns directions.csv\n"
       "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
       "--returns f directions.csv");
   on_run(*verb, [options] {
     settle_arguments(*options);
     io::check_targets({{"-o", options->output}},
                       {options->material.material, options->material.shader.file, options->directions});
-    const Material material = choose_material(options->material, "eval");
+    const io::MaterialFile file = choose_material_file(options->material, "eval");
     io::SampleTable table = io::read_directions(options->directions);
     const std::size_t measured = table.channels.size();
-    add_values(table, material, options->cosine);
+    add_values(table, file.material, options->cosine);
+    if (options->sigma) add_sigma(table, file, measured, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
     const std::string_view quantity = options->cosine ? "f_r*cos_i" : "f_r";
     if (options->output.empty())
