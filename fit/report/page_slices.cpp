@@ -225,7 +225,8 @@ void add_slices(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
     report.plot(slice_plot(table, slices, curves, channels[k], k));
   std::string about;
   if (!curves[0].bands.empty())
-    about = "Bands: 95 % confidence bands of the fit, assuming that the form is correct. ";
+    about = std::string("Bands: 95 % confidence bands of the fit, assuming that the form is correct") +
+            (fit.budget ? ", with the budget. " : ", of the scatter only. ");
   if (table.channels.size() > channels.size())
     about += std::to_string(channels.size()) + " of " + std::to_string(table.channels.size()) +
              " channels are shown.";

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "io/files/json.h"
+#include "io/files/output.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {
@@ -49,6 +50,35 @@ TEST_F(Fitted, MaterialsGiveTheirAlbedoWithAnInterval) {
   EXPECT_THAT(run("albedo --material paint.json --set kd=0.1 --theta 0").out, Not(HasSubstr("interval")));
   EXPECT_FALSE(truth[0].contains("low"));
   EXPECT_THAT(file_text(folder_.path() / "paint.html"), HasSubstr("Bands: 95 % confidence bands of the fit"));
+}
+
+TEST_F(Fitted, ABudgetIsInEveryNumberThatFollows) {
+  io::write_file_atomically(folder_.path() / "budget.csv",
+                            "source,standard_uncertainty,unit,shared_by\n"
+                            "reference_standard,0.03,relative,table\n");
+  ASSERT_EQ(run("fit paint.csv --form cook_torrance --budget budget.csv -o certain.json").exit_code, 0);
+  ASSERT_EQ(run("fit paint.csv --form cook_torrance -o plain.json").exit_code, 0);
+  const io::Json row = json_of(run("albedo certain.json --theta 30 --json"))["results"][0],
+                 plain = json_of(run("albedo plain.json --theta 30 --json"))["results"][0];
+  EXPECT_EQ(row["interval_contains"], "scatter and budget");
+  EXPECT_EQ(plain["interval_contains"], "scatter");
+  EXPECT_FALSE(plain.contains("standard_uncertainty"));
+  // The scale of the standard moves the albedo as a whole; the scatter of many rows adds little.
+  EXPECT_NEAR(row["standard_uncertainty"].get<double>() / row["value"].get<double>(), 0.03, 1e-4);
+  EXPECT_THAT(run("albedo plain.json --theta 30").out, HasSubstr("intervals: scatter only"));
+  EXPECT_THAT(run("albedo certain.json --theta 30").out, HasSubstr("reference_standard 100 %"));
+  io::write_file_atomically(folder_.path() / "d.csv", "theta_i,phi_i,theta_o,phi_o\n0,0,45,0\n");
+  const std::string values = run("eval certain.json --sigma-columns d.csv").out;
+  EXPECT_THAT(values, HasSubstr("# standard uncertainties: with the budget of the fit\n"));
+  EXPECT_THAT(values, HasSubstr("sigma_f_r"));
+  EXPECT_THAT(run("eval plain.json --sigma-columns d.csv").out,
+              HasSubstr("# standard uncertainties: scatter only"));
+  const Outcome none = run("eval --form ward --sigma-columns d.csv");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("holds no covariance"));
+  const Outcome bad = run("fit paint.csv --form ward --budget d.csv");
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_THAT(bad.err, HasSubstr("d.csv, line 1: a budget needs the column source"));
 }
 
 TEST_F(Fitted, WeightsMayBeSharedAndPhysical) {
