@@ -103,8 +103,9 @@ class Batch {
 
   void fit_file(BatchRow& row) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint(
-        {batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"), content.bytes});
+    const std::string key =
+        io::fingerprint({batch_.settings + constants_text(options_) + (batch_.spheres ? "" : " no spheres"),
+                         content.bytes, io::stated_budget_text(content)});
     const fs::path report = batch_.folder / (row.name + ".fit.json");
     if (reuse(row, report, key)) return;
     const Samples samples = arranged(

@@ -99,10 +99,11 @@ class Study {
   // Returns false if the run was interrupted.
   bool fill(Row& row, const std::string& name, const Step& step) {
     io::Content content = io::read_content(row.file);
-    const std::string key = io::fingerprint(
-        {options_.settings, fit::constants_text(options_.sample.fit), "\n", row.file,
-         alone() ? "\nalone\n" : "\none of many\n", options_.sample.pictures ? "" : "no pictures\n",
-         tolerance_text(), kRowFormat, has_lobes() ? "" : "no lobes\n", content.bytes});
+    const std::string key =
+        io::fingerprint({options_.settings, fit::constants_text(options_.sample.fit), "\n", row.file,
+                         alone() ? "\nalone\n" : "\none of many\n",
+                         options_.sample.pictures ? "" : "no pictures\n", tolerance_text(), kRowFormat,
+                         has_lobes() ? "" : "no lobes\n", content.bytes, io::stated_budget_text(content)});
     std::optional<Json> earlier = kept(row.folder, key);
     if (earlier) {
       row.json = earlier->at("results").at(0);

@@ -124,8 +124,8 @@ struct FitOptions {
 // options or, if the options leave it open, the width in the table's metadata, otherwise 0.
 double aperture_of(const io::SampleTable& table, const FitOptions& options);
 
-// Returns the contents of the tables of refractive indices and of the layout that the options name, for
-// fingerprints. Empty if the options name no such file.
+// Returns the contents of the tables of refractive indices, of the budget and of the layout that the options
+// name, for fingerprints. Empty if the options name no such file.
 std::string constants_text(const FitOptions& options);
 
 }  // namespace brdf::fit

@@ -159,11 +159,34 @@ Budget read_budget(const std::filesystem::path& path) {
   return read_budget(read_content(path, kLargestBudget));
 }
 
+namespace {
+
+// Returns the path that a comment names, relative to the folder of the table.
+std::filesystem::path path_in(const std::string& table, const std::string& named) {
+  const std::filesystem::path path(named);
+  return path.is_absolute() ? path : std::filesystem::path(table).parent_path() / path;
+}
+
+}  // namespace
+
 std::optional<Budget> stated_budget(const SampleTable& table) {
   const std::optional<std::string> named = table.find_metadata(kBudgetKey);
   if (!named) return std::nullopt;
-  const std::filesystem::path path(*named);
-  return read_budget(path.is_absolute() ? path : std::filesystem::path(table.source).parent_path() / path);
+  return read_budget(path_in(table.source, *named));
+}
+
+std::string stated_budget_text(const Content& table) {
+  LineReader lines(table);
+  for (std::string_view line; lines.next(line) && line.starts_with('#');) {
+    const Comment comment = parse_comment(line.substr(1));
+    if (comment.first != kBudgetKey) continue;
+    try {
+      return read_content(path_in(table.name, comment.second)).bytes;
+    } catch (const std::exception&) {
+      return {};  // the table itself is then refused
+    }
+  }
+  return {};
 }
 
 }  // namespace brdf::io

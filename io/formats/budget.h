@@ -71,5 +71,8 @@ Budget read_budget(const std::filesystem::path& path);
 // Reads the budget that a comment of a table names, a path relative to the folder of the table. Returns
 // std::nullopt if no comment names one. Throws InputError as read_budget() does.
 std::optional<Budget> stated_budget(const SampleTable& table);
+// Returns the content of that file for a table that is not yet parsed, for fingerprints. Empty if the
+// comments at the top name no budget, or if the file cannot be read.
+std::string stated_budget_text(const Content& table);
 
 }  // namespace brdf::io

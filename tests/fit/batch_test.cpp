@@ -67,6 +67,24 @@ TEST_F(BatchOfFiles, RedoesFilesAndSettingsThatChanged) {
 }
 
 // This includes an edited report that has no ranking, no row, no name of the form or no numeric error.
+TEST_F(BatchOfFiles, RedoesAFileWhoseBudgetChanged) {
+  const auto state = [&](const char* uncertainty) {
+    io::write_file_atomically(folder_ / "in" / "budget.csv",
+                              std::string("source,standard_uncertainty,unit,shared_by\nreference_standard,") +
+                                  uncertainty + ",relative,table\n");
+  };
+  state("0.01");
+  std::ifstream in(files_[1]);
+  const std::string rows((std::istreambuf_iterator<char>(in)), {});
+  io::write_file_atomically(files_[1], "# budget: budget.csv\n" + rows);
+  EXPECT_EQ(run()[1].best["intervals_contain"], "scatter and budget");
+  for (const BatchRow& row : run()) EXPECT_TRUE(row.reused);
+  state("0.02");
+  const auto again = run();
+  EXPECT_TRUE(again[0].reused);
+  EXPECT_FALSE(again[1].reused);
+}
+
 TEST_F(BatchOfFiles, RedoesReportsThatWereEdited) {
   run();
   const fs::path report = folder_ / "out" / "s0.fit.json";
