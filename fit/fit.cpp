@@ -100,10 +100,7 @@ FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
 
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
-  Prepared p = prepared(samples.table, options);
-  p.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !options.anisotropic);
-  p.interpolated = samples.sheet.has_failed("invented");
-  FitResult result = fit_prepared(p, samples.table, models, progress, known);
+  FitResult result = fit_prepared(prepared(samples, options), samples.table, models, progress, known);
   result.sheet = samples.sheet;
   return result;
 }

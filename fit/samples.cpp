@@ -20,4 +20,11 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   return samples;
 }
 
+Prepared prepared(const Samples& samples, const FitOptions& asked) {
+  Prepared out = prepared(samples.table, asked);
+  out.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !asked.anisotropic);
+  out.interpolated = samples.sheet.has_failed("invented");
+  return out;
+}
+
 }  // namespace brdf::fit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fit/model/options.h"
+#include "fit/prepared.h"
 #include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 
@@ -17,5 +18,9 @@ struct Samples {
 // scale is divided out, according to the options. Each change is listed in the warnings of the table.
 // Throws InputError under the conditions of io::arrange and io::make_relative.
 Samples arranged(io::SampleTable read, const FitOptions& options);
+
+// Prepares the samples for fits, with what the data sheet knows of their noise. The result refers to
+// `samples`, which must outlive it.
+Prepared prepared(const Samples& samples, const FitOptions& asked);
 
 }  // namespace brdf::fit
