@@ -32,7 +32,10 @@ Exit run_next(const NextCall& o) {
   const TextStream stream = text_stream({{"-o", o.output}}, o.json);  // throws before any file is read
   io::check_targets({{"-o", o.output}}, {o.samples, o.reach});
   const fit::NextModels models = fit::next_models(o.choice.form, o.next);
-  const fit::Samples samples = work::samples_to_fit(o.samples, options, this_program());
+  const io::Supplied supplied = io::supplied_for(options.supplied, options.arrangement);
+  const fit::Samples samples = fit::arranged(io::read_samples(o.samples, supplied), options);
+  for (const std::string& warning : samples.table.warnings)
+    Warning() << "brdf next: " << io::input_name(o.samples) << ": " << warning;
   const io::SampleTable reach = io::read_directions(o.reach);
   for (const std::string& warning : reach.warnings) Warning() << "brdf next: " << o.reach << ": " << warning;
   watch_for_interrupt();
@@ -68,22 +71,18 @@ void add_next(CLI::App& app) {
                    "Table of the directions that the instrument can take: theta_i, phi_i, theta_o, phi_o in "
                    "degrees; values in it are not used")
       ->required();
-  verb->add_option("--rows", o.next.rows, "Number of rows to choose")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t(1), fit::NextOptions::kMostRows));
+  verb->add_option("--rows", o.next.rows, "Number of rows to choose")->capture_default_str();
   add_named_option(
       *verb, "--aim", o.next.aim,
       "Purpose of the rows: the least expected error of the best form over the hemisphere, or to "
       "tell the two best forms apart; auto: forms if two forms are named, or if the two best of "
       "several are within a standard error of each other");
   verb->add_option(
-          "--noise", o.next.noise,
-          "Relative standard deviation of a reading (default: from sigma columns, from rows that must "
-          "agree, or from the residuals)")
-      ->check(CLI::Range(1e-6, 1.0));
+      "--noise", o.next.noise,
+      "Relative standard deviation of a reading (default: from sigma columns, from rows that must "
+      "agree, or from the residuals)");
   verb->add_option("--model-error", o.next.model_error,
-                   "Relative standard deviation of the form from the surface (default: from the residuals)")
-      ->check(CLI::Range(0.0, 1.0));
+                   "Relative standard deviation of the form from the surface (default: from the residuals)");
   add_fit_options(*verb, o.choice);
   verb->get_option("--form")->join(',');
   verb->add_option("-o,--output", o.output, "CSV of the chosen directions to write (- for standard output)");

@@ -73,15 +73,10 @@ Chosen choose_for_forms(const Rows& a, const Rows& b, const NoiseAndError& known
     const std::vector<double> gains = rivals.gains();
     const std::size_t k = best_of(gains, free);
     free[k] = false;
+    out.differences.push_back(rivals.difference(k));
     rivals.read(k);
-    double difference = 0;
-    for (std::size_t c = 0; c < a.candidates.channels(); ++c)
-      if (const double d = std::log(a.candidates.values[c][k] / b.candidates.values[c][k]);
-          std::abs(d) > std::abs(difference))
-        difference = d;
     out.order.push_back(k);
     out.gains.push_back(gains[k]);
-    out.differences.push_back(difference);
   }
   return out;
 }

@@ -1,5 +1,5 @@
 // Directions as rows of a design: the logarithm of a fitted model there as a linear function of the solver's
-// parameters, and how the error of the model at one direction tells of the error at another.
+// parameters, and the correlation of the model's errors at two directions.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace brdf::fit {
 
-// The place of a pair of directions: (r_i^2 + r_o^2, 2 q_i.q_o, |r_i^2 - r_o^2|), where q = (x, y)/sqrt(1 + z)
-// of a unit vector and r = |q| = sqrt(2) sin(theta/2) (Koenderink and van Doorn 1998). Exchanging the two
+// The place of a pair of directions: (r_i^2 + r_o^2, 2 q_i.q_o, |r_i^2 - r_o^2|), with q = (x, y)/sqrt(1 + z)
+// for each unit vector and r = |q| = sqrt(2) sin(theta/2) (Koenderink and van Doorn 1998). Exchanging the
 // directions, turning the sample, and mirroring it leave the place unchanged.
 using Place = std::array<double, 3>;
 Place place_of(const Vec3<double>& wi, const Vec3<double>& wo);
@@ -36,8 +36,7 @@ struct DesignRows {
 DesignRows design_rows(const FitData& data, const Solved& solved, double aperture);
 
 // Returns the rows at which a model is judged: `count` pairs of directions that fill both hemispheres up to
-// `steepest` degrees evenly, with the density of the cosine. The values are those that `data` needs to be
-// evaluated, 1 for every channel.
+// `steepest` degrees evenly, with the density of the cosine. Every value is 1.
 FitData hemisphere_rows(const std::vector<std::string>& channels, std::size_t count, double steepest);
 
 // Returns the prior knowledge of the parameters as an information matrix (diagonal). One standard deviation

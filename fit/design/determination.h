@@ -5,8 +5,8 @@
 
 namespace brdf::fit {
 
-// The covariance of the parameters of a fit to the rows read so far (D-optimal choice). The covariance is that
-// of the fit's own metric under noise that is proportional to the value, as in Forecast.
+// The covariance of the parameters of a fit to the rows read so far (D-optimal choice), in the fit's own
+// metric and under noise that is proportional to the value, as in Forecast.
 class Determination {
  public:
   // `start`: rows that were measured, each for `repeats` readings. `noise`: relative, of one reading.

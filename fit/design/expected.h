@@ -11,7 +11,7 @@ namespace brdf::fit {
 
 enum class NoiseFrom {
   option,    // stated by the caller
-  sigma,     // the columns of standard deviations
+  stated,    // the columns of standard deviations
   table,     // the table itself: repeats, symmetry, neighbours
   residuals  // the residuals of the fit
 };
@@ -27,7 +27,7 @@ enum class ErrorFrom {
 namespace brdf {
 
 template <>
-inline constexpr std::array<std::string_view, 4> kNames<fit::NoiseFrom>{"option", "sigma", "table",
+inline constexpr std::array<std::string_view, 4> kNames<fit::NoiseFrom>{"option", "stated", "table",
                                                                         "residuals"};
 template <>
 inline constexpr std::array<std::string_view, 4> kNames<fit::ErrorFrom>{"option", "residuals", "undetected",
@@ -39,7 +39,7 @@ namespace brdf::fit {
 
 // Values per parameter below which residuals cannot show an error of the model, and the error that is then
 // assumed, in units of the noise.
-inline constexpr double kFewValues = 4, kAssumedError = 3;
+inline constexpr double kFewValues = 4, kAssumedError = 2;
 
 struct NoiseAndError {
   double noise = 0;  // relative standard deviation of a reading

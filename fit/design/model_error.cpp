@@ -131,7 +131,7 @@ NoiseAndError noise_and_error(const DesignRows& rows, const std::vector<std::vec
   if (!few && best.log - without.log <= kDetected) best = without, ratio = 0;
   if (!noise && !(best.noise > kLeastNoise))
     throw InputError(source +
-                     ": the residuals are rounding, so that they do not tell the noise of a reading: "
+                     ": the residuals are rounding, so that the noise of a reading is unknown: "
                      "state it with --noise (0.01 is 1 %)");
   out.noise = noise ? *noise : best.noise;
   out.error = error ? *error : few ? kAssumedError * out.noise : ratio * out.noise;

@@ -191,6 +191,9 @@ double sum_of_first(const std::vector<double>& gains, std::size_t count) {
 }  // namespace
 
 NextModels next_models(const std::string& forms, NextOptions next) {
+  io::require_between("--rows", double(next.rows), 1, double(NextOptions::kMostRows));
+  if (next.noise) io::require_between("--noise", *next.noise, NextOptions::kLeastNoise, 1);
+  if (next.model_error) io::require_between("--model-error", *next.model_error, 0, 1);
   NextModels out{{}, std::move(next)};
   std::size_t named = 0;
   for (std::size_t first = 0; first <= forms.size(); ++named) {
@@ -248,7 +251,7 @@ NextDirections next_directions(const Samples& samples, const io::SampleTable& re
     if (next.aim == Aim::automatic && sum_of_first(chosen.gains, count) < kNothingToTell) {
       out.findings.push_back(best.model.name() + " and " + rival.model.name() +
                              " predict so nearly the same that " + io::plural(count, "row") +
-                             " of the directions cannot tell them apart: the rows are "
+                             " of the directions cannot distinguish them: the rows are "
                              "chosen for the prediction");
       out.aim = Aim::prediction;
     } else {

@@ -17,7 +17,7 @@ namespace brdf::fit {
 enum class Aim {
   automatic,   // forms if the two best forms are within a standard error of each other, otherwise prediction
   prediction,  // the least expected error of the model over the hemisphere
-  forms        // the two best forms are told apart
+  forms        // the two best forms are distinguished
 };
 
 }  // namespace brdf::fit
@@ -39,6 +39,7 @@ struct NextOptions {
   std::optional<double> model_error;
 
   static constexpr std::size_t kMostRows = 1000, kMostDirections = 20000;
+  static constexpr double kLeastNoise = 1e-6;
 };
 
 struct NextRow {
@@ -50,8 +51,10 @@ struct NextRow {
   // error of the form is interpolated between the rows. For forms: the expected rise of the logarithm of the
   // likelihood ratio.
   double gain = 0;
-  double error = 0;       // the expected error of the form, refitted to the rows up to this one
-  double difference = 0;  // for forms: ln of the first form over the second, largest size over the channels
+  double error = 0;  // the expected error of the form, refitted to the rows up to this one
+  // For forms: ln of the first form over the second one, which is refitted in first order to the first one at
+  // the rows up to this one; the largest by size over the channels.
+  double difference = 0;
 };
 
 // What a number of rows is expected to reach: the relative error over the hemisphere, or the logarithm of the
@@ -97,16 +100,17 @@ struct NextModels {
   std::vector<std::vector<Reflectance>> models;  // empty for "auto"
   NextOptions next;
 };
-// Returns the models of a list of forms separated by commas, each as models_of() takes it (fit/choice.h). Two
-// forms or more that are named have the aim to tell them apart, unless another aim is given. Throws InputError
-// for an unknown form, and for auto in a list.
+// Returns the models of a list of forms separated by commas, each as models_of() takes it (fit/choice.h). If
+// two forms or more are named and no aim is given, the aim is to distinguish them. Throws InputError for an
+// unknown form, for auto in a list, and for an option out of range.
 NextModels next_models(const std::string& forms, NextOptions next);
 
 // Fits the models to the samples and chooses rows of `reach`, a table of directions, one after another; each
 // choice counts on the earlier ones. Values of that table are not used. A direction is chosen once, and not
 // at all if it was measured or lies beyond options.max_theta. The choice is deterministic; the rows at random
 // are drawn with options.seed. If `models` is empty, a model is built step by step (fit/stepwise.h). Throws
-// InputError if the samples are too few for the model, if nothing can be chosen, or if an option is not valid.
+// InputError if the samples are too few for the model, if nothing can be chosen, or if an option is not
+// valid.
 // Example:
 //     // #include "brdf/io/formats/read.h"
 //     const auto samples = brdf::fit::arranged(brdf::io::read_samples("start.csv"), {});

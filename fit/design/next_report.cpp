@@ -19,7 +19,7 @@ std::string noise_words(const NoiseAndError& known) {
   switch (known.noise_from) {
     case NoiseFrom::option:
       return size + "(--noise)";
-    case NoiseFrom::sigma:
+    case NoiseFrom::stated:
       return size + "(the median of the columns of sigma)";
     case NoiseFrom::table:
       return size + "(from the samples themselves: rows that must agree)";

@@ -114,7 +114,7 @@ NoiseAndError known_of(const Prepared& p, const FitData& start, const DesignRows
                        const std::string& source, const NextOptions& next) {
   std::optional<double> noise = next.noise;
   NoiseFrom from = NoiseFrom::option;
-  if (!noise) noise = stated_noise(start), from = NoiseFrom::sigma;
+  if (!noise) noise = stated_noise(start), from = NoiseFrom::stated;
   if (!noise) noise = p.scatter(), from = NoiseFrom::table;
   if (noise && !(*noise > 0)) noise = std::nullopt;
   NoiseAndError out = noise_and_error(rows, log_residuals(start, rows), source, noise, next.model_error);

@@ -22,8 +22,8 @@ struct Rows {
 };
 Rows rows_of(const Solved& solved, const FitData& start, const FitData& candidates,
              const FitOptions& options);
-// Gives the candidates the weights that the fit to come will give them: those of the noise if the rows of
-// `start` are weighted by their standard deviations, or those of the solid angles.
+// Gives the candidates the weights that the fit to come will give them: from the noise if the rows of `start`
+// are weighted by their standard deviations, or from the solid angles.
 void weigh(const FitData& candidates, const FitData& start, double noise, Rows& rows);
 // Keeps three channels at most, the first, the middle and the last one.
 Rows of_few_channels(const Rows& rows);

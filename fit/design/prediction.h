@@ -1,4 +1,4 @@
-// What readings at chosen directions are expected to tell of a model's values over the hemisphere, if the
+// The variance of a model's values over the hemisphere after readings at chosen directions, if the
 // model has an error.
 #pragma once
 

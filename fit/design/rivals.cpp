@@ -58,6 +58,13 @@ std::vector<double> Rivals::gains() const {
   return out;
 }
 
+double Rivals::difference(std::size_t candidate) const {
+  double largest = 0;
+  for (const Eigen::VectorXd& d : models_[1].difference)
+    if (std::abs(d(Eigen::Index(candidate))) > std::abs(largest)) largest = d(Eigen::Index(candidate));
+  return largest;
+}
+
 void Rivals::read(std::size_t candidate) {
   for (Refitted& m : models_) {
     const RowMatrix g = at_row(*m.candidates, candidate), inverse = m.information.inverse();
