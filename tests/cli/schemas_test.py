@@ -65,8 +65,8 @@ with tempfile.TemporaryDirectory() as folder:
     start = (synthetic / "ward.csv").read_text().splitlines()
     rows = [line for line in start if not line.startswith("#")]
     (pathlib.Path(folder) / "start.csv").write_text("\n".join([rows[0], *rows[1::40]]) + "\n")
-    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--rows", "4", "--json"))
-    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--form", "phong", "--json"))
+    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--rows", "4", "--noise", "0.01", "--json"))
+    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--form", "phong", "--noise", "0.01", "--json"))
     for words in (("--from", "ggx_alpha=0.3"), ("--from", "glass_index=1.5"), ("m.json", "--to", "gloss"), ("m.json", "--to", "haze")):
         check("convert-parameters", said("convert-parameters", *words, "--json"))
     for words in (("--form", "ward", "--to", "materialx"), ("--form", "lambert", "--to", "gltf"), ("--form", "ward", "--to", "glsl"),
