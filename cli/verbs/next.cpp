@@ -11,7 +11,6 @@
 #include "cli/verb.h"
 #include "fit/design/next_report.h"
 #include "io/csv/csv.h"
-#include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
 #include "io/files/standard_input.h"
@@ -38,10 +37,8 @@ Exit run_next(const NextCall& o) {
     Warning() << "brdf next: " << io::input_name(o.samples) << ": " << warning;
   const io::SampleTable reach = io::read_directions(o.reach);
   for (const std::string& warning : reach.warnings) Warning() << "brdf next: " << o.reach << ": " << warning;
-  watch_for_interrupt();
   const fit::NextDirections next =
       fit::next_directions(samples, reach, models.models, options, models.next, step_line("brdf next"));
-  if (was_interrupted()) throw InputError("interrupted: no directions are chosen from an unfinished fit");
   if (!o.output.empty()) {
     io::SampleTable table = fit::table_of(next);
     for (auto& field : io::provenance_fields(io::provenance(next.seed)))

@@ -113,11 +113,12 @@ NextModels next_models(const std::string& forms, NextOptions next);
 // valid.
 // Example:
 //     // #include "brdf/io/formats/read.h"
-//     const auto samples = brdf::fit::arranged(brdf::io::read_samples("start.csv"), {});
-//     const auto reach = brdf::io::read_directions("directions.csv");
-//     const auto next = next_directions(samples, reach, {{*brdf::find_form("ward")}}, {}, {});
+//     const auto samples = brdf::fit::arranged(brdf::io::read_samples("in_plane.csv"), {});
+//     const auto reach = brdf::io::read_directions("paint.csv");
+//     const auto next = next_directions(samples, reach, {{*brdf::find_form("lambert")}}, {},
+//                                       {.rows = 4, .noise = 0.01});
 //     for (const brdf::fit::NextRow& row : next.rows)
-//       std::printf("%g %g\n", row.theta_i, row.theta_o);
+//       std::printf("%g %g %g %g\n", row.theta_i, row.phi_i, row.theta_o, row.phi_o);
 NextDirections next_directions(const Samples& samples, const io::SampleTable& reach,
                                std::vector<std::vector<Reflectance>> models, const FitOptions& options,
                                const NextOptions& next, const Progress& progress = {});

@@ -91,8 +91,9 @@ CASES = [
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
          ["samples.csv", "more.csv"], parts=True, draws=True),
-    Case("next", ["next", "samples.csv", "--reach", "directions.csv", "--form", "lambert", "-o", "next.csv"], ["next.csv"],
-         ["samples.csv", "directions.csv"]),
+    Case("next", ["next", "samples.csv", "--reach", "reach.csv", "--form", "lambert", "--noise", "0.01", "--rows", "2", "-o",
+                  "next.csv"], ["next.csv"], ["samples.csv"],
+         before=[["synth", "--form", "lambert", "--grid", "hemisphere", "--step", "35", "-o", "reach.csv"]]),
     Case("study", ["study", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/index.html", "out/study.json"] +
          [f"out/{sample}/{name}" for sample in ("samples", "more")

@@ -1,5 +1,5 @@
-// Which directions to measure next: rows that determine parameters, that hold against an error of the form, and
-// that distinguish two forms.
+// Which directions to measure next: rows that determine parameters, that hold against an error of the form,
+// and that distinguish two forms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -224,7 +224,7 @@ TEST(NextDirections, TheChoiceIsNeverATenthWorseThanRandomRowsWithAnErrorOfTheFo
   EXPECT_LT(std::ranges::max(sixteen), 1.1);
   EXPECT_GT(std::ranges::max(sixteen), 1);
   EXPECT_NEAR(mean(sixteen), 0.93, 0.04);
-  // Twelve rows about the normal do not show the error; the four rows for the parameters take the form for true.
+  // Twelve rows about the normal do not show the error; four rows for the parameters take the form for true.
   const auto worse = std::ranges::count_if(four, [](double ratio) { return ratio > 1.1; });
   EXPECT_GE(worse, 1);
   EXPECT_LE(worse, 6);
