@@ -40,6 +40,7 @@ void add_maps(CLI::App& app);
 void add_synth(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_describe_table(CLI::App& app);
+void add_next(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_work(CLI::App& app);
 void add_collect(CLI::App& app);

@@ -100,12 +100,7 @@ FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
 
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
-  FitOptions with_budget = options;
-  if (samples.budget) with_budget.budget = samples.budget;
-  Prepared p = prepared(samples.table, with_budget);
-  p.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !options.anisotropic);
-  p.interpolated = samples.sheet.has_failed("invented");
-  FitResult result = fit_prepared(p, samples.table, models, progress, known);
+  FitResult result = fit_prepared(prepared(samples, options), samples.table, models, progress, known);
   result.sheet = samples.sheet;
   return result;
 }

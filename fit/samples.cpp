@@ -27,4 +27,13 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   return samples;
 }
 
+Prepared prepared(const Samples& samples, const FitOptions& asked) {
+  FitOptions options = asked;
+  if (samples.budget) options.budget = samples.budget;
+  Prepared out = prepared(samples.table, options);
+  out.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !asked.anisotropic);
+  out.interpolated = samples.sheet.has_failed("invented");
+  return out;
+}
+
 }  // namespace brdf::fit

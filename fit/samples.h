@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fit/model/options.h"
+#include "fit/prepared.h"
 #include "io/samples/samples.h"
 #include "sheet/data_sheet.h"
 
@@ -19,5 +20,9 @@ struct Samples {
 // Reads the budget that a comment of the table names, unless the options have one. Throws InputError under
 // the conditions of io::arrange, io::make_relative and io::stated_budget.
 Samples arranged(io::SampleTable read, const FitOptions& options);
+
+// Prepares the samples for fits, with what the data sheet knows of their noise. The result refers to
+// `samples`, which must outlive it.
+Prepared prepared(const Samples& samples, const FitOptions& asked);
 
 }  // namespace brdf::fit

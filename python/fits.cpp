@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "fit/choice.h"
+#include "fit/design/next_report.h"
 #include "fit/file_batch.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
@@ -98,6 +99,27 @@ std::string fit_files(const std::vector<std::string>& files, const std::string& 
   return io::to_text(fit::to_json(rows, folder));
 }
 
+// Returns the JSON and the text of `brdf next`.
+std::pair<std::string, std::string> next_directions(const Samples& samples, const Samples& reach,
+                                                    const fit::FitChoice& choice, std::size_t rows,
+                                                    const std::string& aim, std::optional<double> noise,
+                                                    std::optional<double> model_error, py::object progress) {
+  const fit::NextModels models =
+      fit::next_models(choice.form, {rows, named<fit::Aim>("--aim", aim), noise, model_error});
+  fit::FitOptions options = fit::options_of(choice);
+  Watch watch(std::move(progress));
+  options.interrupted = &watch.stop();
+  fit::NextDirections next;
+  run_watched(watch, [&] {
+    next = fit::next_directions(prepared(samples, options), reach.table(), models.models, options,
+                                models.next, [&](const std::string& what) { watch.tell(what); });
+  });
+  const fit::NextSources sources{samples.table().name(), reach.table().name()};
+  std::ostringstream text;
+  fit::print(text, next, sources);
+  return {io::to_text(fit::to_json(next, sources)), text.str()};
+}
+
 }  // namespace
 
 void bind_fits(py::module_& module) {
@@ -117,6 +139,7 @@ void bind_fits(py::module_& module) {
       });
   module.def("fit", &fit_samples);
   module.def("fit_files", &fit_files);
+  module.def("next_directions", &next_directions);
 }
 
 }  // namespace brdf::python

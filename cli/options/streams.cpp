@@ -16,9 +16,9 @@ namespace {
 constexpr std::string_view kStandardOutput = "/dev/stdout";
 
 // Options that read one table, one material or one other file of text, which names no further files.
-constexpr std::array<std::string_view, 13> kInputs{
-    "SAMPLES",    "DIRECTIONS", "MATERIAL",  "MATERIALS",   "FILES",    "IN",     "--material",
-    "--measured", "--grid",     "--compare", "--reference", "--ledger", "--check"};
+constexpr std::array<std::string_view, 14> kInputs{
+    "SAMPLES",    "DIRECTIONS", "MATERIAL",  "MATERIALS",   "FILES",    "IN",      "--material",
+    "--measured", "--grid",     "--compare", "--reference", "--ledger", "--check", "--reach"};
 constexpr std::array<std::string_view, 3> kOutputs{"OUT", "--output", "--report"};
 
 // Verbs with folders or pictures as results, and verbs with inputs that other processes read later.

@@ -188,4 +188,32 @@ ValueErrors SampleStream::value_errors(std::span<const double> p, const Matrix& 
   return out;
 }
 
+ValueGradients SampleStream::value_gradients(std::span<const double> p) const {
+  const std::size_t channels = data_.channels.size();
+  ValueGradients out{std::vector(channels, std::vector<double>(data_.rows())),
+                     std::vector(channels, Matrix(data_.rows(), model_.size()))};
+  std::vector<double> weights(model_.lobes());
+  std::unique_ptr<Workspace> own = spare_->take(model_);
+  Workspace& w = *own;
+  std::fill(w.slope, w.slope + kBlockRows, 1.0);
+  for (std::size_t c = 0; c < channels; ++c) {
+    const Shapes group_shapes = shapes(p, model_.group_of(c), true);
+    const Contributions map = contributions(model_, p, c);
+    model_.lobe_weights(p, c, weights);
+    for (std::size_t first = 0; first < data_.rows(); first += kBlockRows) {
+      const std::size_t rows = std::min(kBlockRows, data_.rows() - first);
+      fill_lobes(group_shapes, first, rows, w);
+      mix(model_.lobes(), w.lobes.data(), weights.data(), padded(rows), w.f);
+      std::copy(w.f, w.f + rows, out.values[c].begin() + std::ptrdiff_t(first));
+      fill_jacobian(weights.data(), rows, w);
+      for (std::size_t k = 0; k < map.size(); ++k)
+        for (const Contribution& x : map[k])
+          for (std::size_t j = 0; j < rows; ++j)
+            out.gradients[c](first + j, x.slot) += x.factor * w.scaled[k][j];
+    }
+  }
+  spare_->give(std::move(own));
+  return out;
+}
+
 }  // namespace brdf::fit

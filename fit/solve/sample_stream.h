@@ -69,6 +69,12 @@ struct ValueErrors {
   std::vector<std::vector<double>> values, errors;  // [channel][row]
 };
 
+// Values of the model with their gradients by the solver's parameters.
+struct ValueGradients {
+  std::vector<std::vector<double>> values;  // [channel][row]
+  std::vector<Matrix> gradients;            // [channel], rows by parameters
+};
+
 // Sets `value_slope`, if the metric has one: the part of the residuals that does not depend on the
 // parameters, computed once for all passes under this metric.
 void note_value_slopes(FitData& data, Metric metric);
@@ -145,6 +151,8 @@ class SampleStream {
                                         const std::vector<std::vector<double>>& v) const;
   // Returns the model's values and their standard errors, given the covariance of the solver's parameters.
   ValueErrors value_errors(std::span<const double> p, const Matrix& covariance) const;
+  // Returns the model's values with their gradients, at every row.
+  ValueGradients value_gradients(std::span<const double> p) const;
   // Returns the Gram matrix of one group of shapes.
   LobeGram lobe_gram(std::span<const double> p, std::size_t group) const;
   // Compute the model's values, [channel][row]. The second function writes only the rows of this stream's

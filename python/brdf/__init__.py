@@ -17,7 +17,7 @@ Errors are `brdf.InputError` (a ValueError), with the message that the program p
 """
 from ._brdf import EnvironmentError, InputError, Stopped
 from ._brdf import version as __version__
-from .fitting import Candidate, Fit, Interval, fit, fit_files
+from .fitting import Candidate, Fit, Interval, NextDirections, fit, fit_files, next_directions
 from .forms import Form, Parameter, Violation, form, forms
 from .judging import Finding, Judgement, judge, validate
 from .making import convert, export, synth
@@ -27,7 +27,7 @@ from .table import Table, read, read_directions
 
 __all__ = [
     "Albedo", "Candidate", "EnvironmentError", "Finding", "Fit", "Form", "InputError", "Interval", "Judgement",
-    "Material", "Parameter", "Stopped", "Table", "Violation", "__version__", "convert", "convert_parameters", "directions",
-    "export", "fit", "fit_files", "form", "forms", "judge", "load", "lobes", "maps", "material", "parity", "program", "prove", "read",
+    "Material", "NextDirections", "Parameter", "Stopped", "Table", "Violation", "__version__", "convert", "convert_parameters", "directions",
+    "export", "fit", "fit_files", "form", "forms", "judge", "load", "lobes", "maps", "material", "next_directions", "parity", "program", "prove", "read",
     "read_directions", "recommend", "render", "study", "synth", "trade", "validate", "view",
 ]

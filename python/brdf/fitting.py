@@ -7,8 +7,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Tuple, Union
 
+import numpy as np
+
 from . import _brdf
 from ._brdf import InputError
+from .arrays import Array
 from .display import table_html
 from .entries import Entries
 from .frames import Frame, Layout, layout_word
@@ -232,3 +235,57 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
     rows: list[dict[str, Any]] = json.loads(
         _brdf.fit_files([path_of(p) for p in samples], path_of(output), whole("--jobs", jobs, 1, 256), choice, progress))["files"]
     return rows
+
+
+class NextDirections(Entries):
+    """The result of `brdf next`. The keys are the same as in `brdf next --json`: "rows", "standard_errors", "errors", ...;
+    `to_dict()` returns the whole object."""
+
+    def __init__(self, content: dict[str, Any], text: str) -> None:
+        self._content, self._text = content, text
+
+    @property
+    def directions(self) -> Array:
+        """(rows, 4) theta_i, phi_i, theta_o and phi_o in degrees, in the order of the choice."""
+        angles = ("theta_i", "phi_i", "theta_o", "phi_o")
+        return np.array([[row[angle] for angle in angles] for row in self._content["rows"]]).reshape(-1, len(angles))
+
+    def __str__(self) -> str:
+        """Returns the text that `brdf next` prints."""
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<brdf.NextDirections: {len(self._content['rows'])} rows for {self._content['form']}>"
+
+
+def next_directions(samples: Source, reach: Table | Path, form: str | Sequence[str] = "all", *, rows: int = 16,
+                    aim: str = "auto", noise: float | None = None, model_error: float | None = None,
+                    metric: str = "auto", weights: str = "auto", robust: str | None = None,
+                    fix: Settings | None = None, start: Settings | None = None,
+                    bounds: Mapping[str, tuple[float, float]] | None = None, tie: str | Iterable[str] | None = None,
+                    physical: bool = False, anisotropic: bool = False, per_channel: bool = False,
+                    free_scale: bool = False, keep_fill: bool = False, polarisation: str = "keep",
+                    repeats: str = "keep", quantity: str = "", mirror_side: str = "auto",
+                    layout: Layout | None = None, max_theta: float = 80.0, aperture: float | None = None,
+                    starts: int = 0, seed: int = 1, shape: str | None = None,
+                    progress: Progress | None = None) -> NextDirections:
+    """Chooses the directions to measure next: `brdf next`, with its options as keywords.
+
+    samples: the rows measured so far, as in `fit`. reach: the directions that the instrument can take, a Table or a CSV of
+    angles; values in it are not used. form: as in `fit`, or a list of forms to distinguish. rows: number of rows to choose.
+    aim: "prediction", "forms" or "auto". noise, model_error: relative standard deviations of a reading and of the form
+    (None: from the samples and the residuals). The other options are as in `fit`; rows at random are drawn with `seed`.
+    Raises InputError if the samples are too few for the form, or if nothing can be chosen.
+    """
+    forms = form if isinstance(form, str) else ",".join(form)
+    choice = _choice(forms, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
+                     free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
+                     aperture, starts, seed, shape)
+    found = table_or_path(samples, quantity, mirror_side, layout)
+    table = found if isinstance(found, Table) else read(found, quantity=quantity, mirror_side=mirror_side, layout=layout)
+    to_reach = reach._samples if isinstance(reach, Table) else _brdf.read_directions(path_of(reach))
+    stated = None if noise is None else finite("--noise", noise)
+    error = None if model_error is None else finite("--model-error", model_error)
+    content, text = _brdf.next_directions(table._samples, to_reach, choice, whole("--rows", rows, 1, 1000), aim, stated,
+                                          error, progress)
+    return NextDirections(json.loads(content), text)

@@ -33,6 +33,7 @@ COMMANDS = [
     "fit w.csv --form ward --anisotropic --json -o w.json",
     "fit m.csv g.csv --form lambert+ward --jobs {threads} --no-pictures -o batch",
     "study g.csv c.csv --form ward --jobs {threads} --json -o studied {pictures}",
+    "next g.csv --reach w.csv --form lambert --form phong --rows 8 --json -o next.csv",
     "albedo --material c.json --theta 0,30,60,85 --json",
     "validate c.json --json -o v.html",
     "validate --form ward --form oren_nayar_full --json",

@@ -62,6 +62,11 @@ with tempfile.TemporaryDirectory() as folder:
     check("collect", said("collect", "job", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
+    start = (synthetic / "ward.csv").read_text().splitlines()
+    rows = [line for line in start if not line.startswith("#")]
+    (pathlib.Path(folder) / "start.csv").write_text("\n".join([rows[0], *rows[1::40]]) + "\n")
+    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--rows", "4", "--noise", "0.01", "--json"))
+    check("next", said("next", "start.csv", "--reach", synthetic / "ward.csv", "--form", "ward", "--form", "phong", "--noise", "0.01", "--json"))
     for words in (("--from", "ggx_alpha=0.3"), ("--from", "glass_index=1.5"), ("m.json", "--to", "gloss"), ("m.json", "--to", "haze")):
         check("convert-parameters", said("convert-parameters", *words, "--json"))
     for words in (("--form", "ward", "--to", "materialx"), ("--form", "lambert", "--to", "gltf"), ("--form", "ward", "--to", "glsl"),

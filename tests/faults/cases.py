@@ -95,6 +95,9 @@ CASES = [
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
          ["samples.csv", "more.csv"], parts=True, draws=True),
+    Case("next", ["next", "samples.csv", "--reach", "reach.csv", "--form", "lambert", "--noise", "0.01", "--rows", "2", "-o",
+                  "next.csv"], ["next.csv"], ["samples.csv"],
+         before=[["synth", "--form", "lambert", "--grid", "hemisphere", "--step", "35", "-o", "reach.csv"]]),
     Case("study", ["study", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/index.html", "out/study.json"] +
          [f"out/{sample}/{name}" for sample in ("samples", "more")
@@ -181,7 +184,7 @@ CASES = [
     Case("describe for a shell", ["describe", "zsh"]),
     Case("describe as pages", ["describe", "man", "-o", "man"],
          ["man/brdf.1"] + [f"man/brdf-{verb}.1" for verb in
-                           ("albedo", "convert", "describe-table", "eval", "export", "fit", "models", "recommend", "render", "study", "synth",
+                           ("albedo", "convert", "describe-table", "eval", "export", "fit", "models", "next", "recommend", "render", "study", "synth",
                             "trade", "validate", "view")]),
     Case("convert a laboratory's", ["convert", "laboratory.csv", "table.csv"], ["table.csv"], ["laboratory.csv"]),
     Case("convert by a layout", ["convert", "laboratory.csv", "table.csv", "--layout", "layout.json"], ["table.csv"],

@@ -177,6 +177,25 @@ class Same(unittest.TestCase):
                     self.assertEqual(bare(result.to_dict()), bare(printed))
                     self.assertEqual(bare(result.best.material.to_dict()), bare(json.loads(saved.read_text())))
 
+    def test_next_directions(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file, reach, chosen = (pathlib.Path(folder, name) for name in ("s.csv", "reach.csv", "next.csv"))
+            surface = brdf.material("ward", kd=[0.3, 0.2], ks=0.2, alpha=0.12)
+            brdf.synth(surface, grid="in_plane", theta_i=[0, 30], noise=0.03, step=20, seed=5).save(file)
+            brdf.synth(surface, grid="hemisphere", step=15).save(reach)
+            for words, options in ((["--form", "ward", "--rows", "5"], {"form": "ward", "rows": 5}),
+                                   (["--form", "ward", "--form", "phong", "--noise", "0.02", "--seed", "3"],
+                                    {"form": ["ward", "phong"], "noise": 0.02, "seed": 3}),
+                                   (["--form", "ward", "--fix", "ks=0.2", "--model-error", "0.01", "--aim", "prediction"],
+                                    {"form": "ward", "fix": {"ks": 0.2}, "model_error": 0.01, "aim": "prediction"})):
+                with self.case(f"next {' '.join(words)}"):
+                    printed = json.loads(run("next", file, "--reach", reach, *words, "--json", "-o", chosen))
+                    result = brdf.next_directions(file, reach, **options)
+                    self.assertEqual(bare(result.to_dict()), bare(printed))
+                    written = columns(chosen.read_text())
+                    self.assertEqual(result.directions.T.tolist(), [written[name].tolist() for name in written])
+                    self.assertEqual(str(result), run("next", file, "--reach", reach, *words))
+
     def test_albedo_of_a_fit_has_its_interval(self):
         with self.case("albedo of a fit"), tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "m.json")
