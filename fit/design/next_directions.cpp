@@ -169,6 +169,18 @@ void add_findings(const Solved& solved, NextDirections& out) {
                            "values by 1 (root mean square over the hemisphere)");
 }
 
+// States which part of the measured rows and channels the choice uses.
+void add_shortcuts(const FitData& measured, const FitData& start, const Rows& few, NextDirections& out) {
+  if (start.rows() < measured.rows())
+    out.findings.push_back("the choice takes " + std::to_string(start.rows()) + " of the " +
+                           std::to_string(measured.rows()) +
+                           " measured rows, spread over all, each for several");
+  if (few.start.channels() < measured.channels.size())
+    out.findings.push_back("the choice uses " + io::plural(few.start.channels(), "channel") + " of " +
+                           std::to_string(measured.channels.size()) +
+                           ": the first, the middle and the last one");
+}
+
 void note_rows(const Chosen& chosen, const Reachable& within, const io::SampleTable& reach, std::size_t count,
                NextDirections& out) {
   out.examined = chosen.order.size();
@@ -267,6 +279,7 @@ NextDirections next_directions(const Samples& samples, const io::SampleTable& re
   add_forecast(best, rows, few, repeats, chosen, draws, out);
   if (out.aim == Aim::forms) add_ratios(few, other, chosen, draws, out);
   add_findings(best, out);
+  add_shortcuts(p.data, start, few, out);
   return out;
 }
 
