@@ -80,6 +80,7 @@ constexpr OptionRow kTable[] = {
     {"--robust", Group::measurements, Value::text},
     {"--free-scale", Group::measurements},
     {"--grid", Group::directions, Value::text},
+    {"--at", Group::directions, Value::text},
     {"--theta", Group::directions},
     {"--theta-i", Group::directions},
     {"--phi", Group::directions},

@@ -74,8 +74,18 @@ double step_of(Material m, const std::string& name, double error) {
 
 }  // namespace
 
-std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& c,
-                                             std::span<const double> values, const Derived& f) {
+std::optional<ParameterValue> parameter_value(const Material& material, const std::string& name) {
+  if (name == kTangentInfo.name && !material.terms.empty())
+    return ParameterValue{material.terms[0].tangent_phi.degrees(), kTangentInfo.min, kTangentInfo.max};
+  Material m = material;
+  const std::vector<DerivedPlace> places = places_of(m, name);
+  if (places.empty()) return std::nullopt;
+  return ParameterValue{*places[0].value, places[0].min, places[0].max};
+}
+
+std::optional<std::vector<StandardError>> standard_errors(const Material& material,
+                                                          const ParameterCovariance& c, std::size_t count,
+                                                          const Derived& f) {
   std::vector<std::vector<double>> slope;  // [parameter][value]
   for (std::size_t k = 0; k < c.names.size(); ++k) {
     const double step = step_of(material, c.names[k], standard_error(c, k));
@@ -86,12 +96,11 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
     if (!upwards || !downwards || !(*upwards > *downwards)) return std::nullopt;
     std::vector<double> above = f(up);
     const std::vector<double> below = f(down);
-    for (std::size_t j = 0; j < values.size(); ++j)
-      above[j] = (above[j] - below[j]) / (*upwards - *downwards);
+    for (std::size_t j = 0; j < count; ++j) above[j] = (above[j] - below[j]) / (*upwards - *downwards);
     slope.push_back(std::move(above));
   }
-  std::vector<Extent> out;
-  for (std::size_t j = 0; j < values.size(); ++j) {
+  std::vector<StandardError> out;
+  for (std::size_t j = 0; j < count; ++j) {
     double variance = 0, uncertain = 0;
     for (std::size_t k = 0; k < c.components.rows; ++k) {
       double along = 0;
@@ -99,7 +108,19 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
       variance += along * along;
       uncertain += along * along / std::sqrt(c.freedom[k]);
     }
-    const double reach = variance > 0 ? std::sqrt(variance) * t_quantile(square(variance / uncertain)) : 0;
+    out.push_back({std::sqrt(variance), variance > 0 ? square(variance / uncertain) : 0});
+  }
+  return out;
+}
+
+std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& c,
+                                             std::span<const double> values, const Derived& f) {
+  const auto errors = standard_errors(material, c, values.size(), f);
+  if (!errors) return std::nullopt;
+  std::vector<Extent> out;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const StandardError& e = (*errors)[j];
+    const double reach = e.value > 0 ? e.value * t_quantile(e.freedom) : 0;
     out.push_back({std::max(values[j] - reach, 0.0), values[j] + reach});
   }
   return out;

@@ -91,6 +91,10 @@ CASES = [
          ["out/" + name for name in ("samples.json", "samples.fit.json", "samples.html", "more.json", "more.fit.json",
                                      "more.html", "summary.csv", "summary.html")],
          ["samples.csv", "more.csv"], parts=True, draws=True),
+    Case("consensus", ["consensus", "samples.csv", "more.csv", "--form", "lambert", "--report", "consensus.html", "--json"],
+         ["consensus.html"], ["samples.csv", "more.csv"]),
+    Case("compare", ["compare", "samples.csv", "more.csv", "--form", "lambert", "--report", "difference.html", "--json"],
+         ["difference.html"], ["samples.csv", "more.csv"]),
     Case("study", ["study", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/index.html", "out/study.json"] +
          [f"out/{sample}/{name}" for sample in ("samples", "more")
