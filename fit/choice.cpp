@@ -110,6 +110,7 @@ FitOptions options_of(const FitChoice& o) {
   add_values(o.start, "--start", f.start);
   for (const std::string& b : o.bounds) f.bounds.push_back(parse_range(b));
   if (o.physical) f.physical = Physical::either;
+  if (!o.budget.empty()) f.budget = std::make_shared<const io::Budget>(io::read_budget(o.budget));
   return f;
 }
 
@@ -163,6 +164,7 @@ std::vector<std::string> arguments_of(const FitChoice& o) {
     add("--mirror-side", std::string(name_of(o.options.supplied.mirror_side)));
   if (!o.options.supplied.layout.empty()) add("--layout", o.options.supplied.layout);
   add_number("--max-theta", o.options.max_theta, plain.options.max_theta);
+  if (!o.budget.empty()) add("--budget", o.budget);
   if (o.options.aperture) add("--aperture", io::to_text(*o.options.aperture));
   add_number("--starts", o.options.random_starts, plain.options.random_starts);
   add_number("--bootstrap", o.options.bootstrap, plain.options.bootstrap);

@@ -9,7 +9,7 @@
 namespace brdf::fit {
 
 struct FitChoice {
-  std::string form = "all", robust;
+  std::string form = "all", robust, budget;  // budget: the name of a file
   std::vector<std::string> fix, start, bounds;
   bool physical = false;
   // Variation over the channels: "shared", "free", "smooth" or "smooth:DEGREE". "" leaves the setting of

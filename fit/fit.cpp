@@ -100,7 +100,9 @@ FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
 
 FitResult fit(const Samples& samples, const std::vector<std::vector<Reflectance>>& models,
               const FitOptions& options, const Progress& progress, const RefitSolutions* known) {
-  Prepared p = prepared(samples.table, options);
+  FitOptions with_budget = options;
+  if (samples.budget) with_budget.budget = samples.budget;
+  Prepared p = prepared(samples.table, with_budget);
   p.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !options.anisotropic);
   p.interpolated = samples.sheet.has_failed("invented");
   FitResult result = fit_prepared(p, samples.table, models, progress, known);

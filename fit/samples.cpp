@@ -6,7 +6,7 @@
 namespace brdf::fit {
 
 Samples arranged(io::SampleTable read, const FitOptions& options) {
-  Samples samples{std::move(read), {}};
+  Samples samples{std::move(read), {}, {}};
   samples.sheet = sheet::data_sheet(samples.table, {.keep_fill = options.keep_fill});
   if (options.free_scale)
     sheet::set_apart(samples.sheet, {"quantity", "energy"},
@@ -17,6 +17,13 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   if (const double aperture = aperture_of(samples.table, options); aperture > 0 && !options.aperture)
     samples.table.assume("the model is averaged over the detector's field of " + io::to_text(aperture) +
                          " degrees that the file states (--aperture 0 turns this off)");
+  samples.budget = options.budget;
+  if (samples.budget) return samples;
+  if (std::optional<io::Budget> stated = io::stated_budget(samples.table)) {
+    samples.table.warnings.push_back("the intervals contain the budget " + stated->file +
+                                     " that the file names");
+    samples.budget = std::make_shared<const io::Budget>(*std::move(stated));
+  }
   return samples;
 }
 

@@ -83,6 +83,7 @@ void conclude(const Uncertainty& u, const FitOptions& options, Solved& s) {
   out.smooth = u.smooth;
   out.correlations = u.correlations;
   out.covariance = u.covariance;
+  out.budget = u.budget;
   out.prediction_error = u.prediction_error;
   out.condition = u.condition;
   out.intervals = u.profiled ? IntervalsBy::profile : IntervalsBy::curvature;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fit/report/first_screen.h"
+#include "fit/report/budget.h"
 #include "fit/report/page.h"
 #include "io/colour/channel_colours.h"
 #include "io/files/address.h"
@@ -134,6 +135,7 @@ std::string sample_page(const Findings& found, const SampleOptions& options) {
     fit::add_deviation(report, best, found.table, fit::aperture_of(found.table, options.fit));
     fit::add_spectra(report, best);
     fit::add_parameters(report, best);
+    fit::add_budget(report, best, found.table);
     add_properties(report, found);
   }
   fit::add_ranking(report, found.fit);

@@ -63,6 +63,9 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
                   "Full angular width of the detector in degrees; the model is averaged over this width "
                   "(default: the width that the samples' file states, otherwise 0)")
       ->check(CLI::Range(0.0, 90.0));
+  verb.add_option("--budget", choice.budget,
+                  "Uncertainty budget of the instrument, a table: its sources enter every interval (default: "
+                  "the budget that the samples' file names, otherwise the scatter of the rows only)");
 }
 
 void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice) {

@@ -3,8 +3,11 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/options/fit_options.h"
+#include "cli/options/options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/formats/read.h"
 
@@ -13,16 +16,44 @@ namespace brdf::cli {
 void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& description) {
   verb.add_option("SAMPLES", o.samples, description)->required();
   add_fit_options(verb, o.choice);
+  verb.remove_option(verb.get_option("--budget"));  // a fit has one
+  add_repeated_option(
+      verb, "--budget", o.budgets,
+      "Uncertainty budget of an instrument, a table: once for all tables, or once for each in "
+      "their order (default: the budget that each file names)");
   verb.add_option("--report", o.page, "HTML report to write");
   verb.add_flag("--json", o.json, "JSON on stdout");
 }
 
+namespace {
+
+// Returns the budget of each table; null if no option names one.
+std::vector<std::shared_ptr<const io::Budget>> budgets_of(const SeveralTables& o) {
+  if (o.budgets.size() > 1 && o.budgets.size() != o.samples.size())
+    throw InputError("--budget: given " + io::plural(o.budgets.size(), "time") + " for " +
+                     io::plural(o.samples.size(), "table") +
+                     ": must be given once for all tables, or once for each of them");
+  std::vector<std::shared_ptr<const io::Budget>> out(o.samples.size());
+  for (std::size_t t = 0; t < out.size() && !o.budgets.empty(); ++t)
+    out[t] = o.budgets.size() == 1 && t > 0
+                 ? out[0]
+                 : std::make_shared<const io::Budget>(io::read_budget(o.budgets[t]));
+  return out;
+}
+
+}  // namespace
+
 std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::string& verb) {
   text_stream({{"--report", o.page}}, o.json);  // throws before any file is read
-  io::check_targets({{"--report", o.page}}, {o.samples.begin(), o.samples.end()});
-  const fit::FitOptions options = fit_options(o.choice, 1);
+  std::vector<std::filesystem::path> inputs(o.samples.begin(), o.samples.end());
+  inputs.insert(inputs.end(), o.budgets.begin(), o.budgets.end());
+  io::check_targets({{"--report", o.page}}, inputs);
+  const std::vector<std::shared_ptr<const io::Budget>> budgets = budgets_of(o);
+  fit::FitOptions options = fit_options(o.choice, 1);
   std::vector<fit::TableToFit> tables;
-  for (const std::string& file : o.samples) {
+  for (std::size_t t = 0; t < o.samples.size(); ++t) {
+    const std::string& file = o.samples[t];
+    options.budget = budgets[t];
     fit::Samples samples = fit::arranged(
         io::read_samples(file, io::supplied_for(options.supplied, options.arrangement)), options);
     for (const std::string& warning : samples.table.warnings)

@@ -15,12 +15,13 @@ namespace brdf::cli {
 
 struct SeveralTables {
   std::vector<std::string> samples;
+  std::vector<std::string> budgets;  // one for all tables, or one for each
   fit::FitChoice choice;
   std::string page;
   bool json = false;
 };
 
-// Adds the samples, the options of a fit, --html and --json.
+// Adds the samples, the options of a fit, --report and --json. --budget may be repeated.
 void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& description);
 
 // Reads the tables, each with the options of its fit. Checks the outputs before any file is read. `verb` names

@@ -75,6 +75,7 @@ constexpr OptionRow kTable[] = {
     {"--keep-fill", Group::measurements},
     {"--max-theta", Group::measurements},
     {"--aperture", Group::measurements},
+    {"--budget", Group::measurements, Value::file},
     {"--metric", Group::measurements},
     {"--weights", Group::measurements},
     {"--robust", Group::measurements, Value::text},

@@ -9,7 +9,9 @@
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "fit/assess/albedo.h"
+#include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
+#include "fit/report/budget.h"
 #include "io/files/json.h"
 #include "io/files/numbers.h"
 
@@ -32,6 +34,21 @@ void print(std::ostream& out, const fit::AlbedoRow& row) {
   out << std::setprecision(6) << '\n';
 }
 
+// Prints which errors the intervals contain and, with a budget, the parts of every standard uncertainty.
+void print_scope(std::ostream& out, const io::MaterialFile& file, const std::vector<fit::AlbedoRow>& rows) {
+  if (!fit::knowledge_of(file.fit).has_budget()) {
+    out << "intervals: " << fit::kScatterOnly << '\n';
+    return;
+  }
+  out << "intervals: the budget of the fit is in them\n";
+  for (const fit::AlbedoRow& row : rows)
+    if (row.uncertainty)
+      out << fit::uncertainty_text(
+                 "the albedo at " + io::short_number(row.theta) + " degrees (" + row.channel + ")",
+                 row.result.value, *row.uncertainty)
+          << '\n';
+}
+
 Exit run_albedo(const AlbedoCall& o) {
   fit::options_of(o.albedo);  // throws before any file is read
   const io::MaterialFile file = choose_material_file(o.material, "albedo");
@@ -44,6 +61,7 @@ Exit run_albedo(const AlbedoCall& o) {
     out << "   theta  channel                  albedo     bound    evaluations  rule"
         << (fitted ? "  95 % interval of the fit" : "") << '\n';
     for (const fit::AlbedoRow& row : rows) print(out, row);
+    if (fitted) print_scope(out, file, rows);
   }
   const bool converged = std::ranges::all_of(rows, [](const auto& r) { return r.result.converged; });
   return converged ? Exit::good : Exit::failed;

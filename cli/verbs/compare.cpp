@@ -58,7 +58,8 @@ void add_compare(CLI::App& app) {
       "Exit code 0: no difference beyond the budgets. 1: different. 4: it cannot be told, because the "
       "tables\n"
       "have no budgets, or because the fits do not allow it; the reason is printed.\n"
-      "Examples: brdf compare before.csv after.csv --form cook_torrance --fix f0=0.04\n"
+      "Examples: brdf compare before.csv after.csv --form cook_torrance --fix f0=0.04 --budget "
+      "goniometer.csv\n"
       "          brdf compare before.csv after.csv --form auto --report difference.html\n"
       "          brdf compare before.csv after.csv --form ward --json");
   on_run(*verb, [options] { return run_compare(*options); });

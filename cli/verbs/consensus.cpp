@@ -57,10 +57,12 @@ void add_consensus(CLI::App& app) {
       "All tables are fitted with the same form and metric. The logarithms of f and of each parameter are\n"
       "combined by the method of Mandel and Paule; the interval uses Student's t with one degree of freedom\n"
       "less than tables. Laboratories are taken as independent.\n"
-      "Exit code 4 if a quantity has no consensus; the reason is printed.\n"
+      "Without budgets the uncertainties of the tables are scatter alone, and everything else is between\n"
+      "laboratories. Exit code 4 if a quantity has no consensus; the reason is printed.\n"
       "Examples: brdf consensus lab_1.csv lab_2.csv lab_3.csv --form cook_torrance --fix f0=0.04\n"
       "          brdf consensus lab_1.csv lab_2.csv lab_3.csv --form ward --at 0:45 --at 45:0 --report "
       "round_robin.html\n"
+      "          brdf consensus lab_1.csv lab_2.csv --form ward --budget budget_1.csv --budget budget_2.csv\n"
       "          brdf consensus lab_1.csv lab_2.csv lab_3.csv --form cook_torrance --json");
   on_run(*verb, [options] { return run_consensus(*options); });
 }

@@ -30,7 +30,7 @@ constexpr OptionOf kFitOptions[] = {
      "--fix --start --bounds --tie --physical --robust --weights --starts --aperture "
      "--bootstrap --output --jobs --json",
      kAnyFit},
-    {"--keep-fill --polarisation --repeats --quantity --mirror-side --layout", kSamples},
+    {"--keep-fill --polarisation --repeats --quantity --mirror-side --layout --budget", kSamples},
     {"--seed", kAnyFit, "--starts --bootstrap"},
     {"--shader", kOneTable},
     {"--param --entry --returns --define --include-folder --texture --embed", kOneTable, "--shader"},
@@ -164,6 +164,7 @@ void add_fit(CLI::App& app) {
       "          brdf fit paint.csv --form ward --robust huber:0.1 --bounds alpha=0.01:0.5 --start "
       "alpha=0.1\n"
       "          brdf fit metal.csv --form cook_torrance --start f0=Johnson.yml\n"
+      "          brdf fit paint.csv --form ward --budget goniometer.csv --report certificate.html\n"
       "          brdf fit bands.csv --form cook_torrance --shape smooth:1\n"
       "          brdf fit paint.csv --tolerance 5% --report paint.html\n"
       "          brdf fit paint.csv --form ward --starts 40 --seed 2\n"

@@ -22,7 +22,7 @@ enum Planned : unsigned { kPlannedFit = 1, kPlannedStudy = 2, kAnyPlan = 3 };
 constexpr OptionOf kPlanOptions[] = {
     {"VERB SAMPLES --form --metric --anisotropic --per-channel --shape "
      "--free-scale --keep-fill --polarisation --repeats "
-     "--quantity --mirror-side --layout --max-theta --fix --start --bounds --tie "
+     "--quantity --mirror-side --layout --budget --max-theta --fix --start --bounds --tie "
      "--physical --robust --weights --starts --aperture "
      "--no-pictures --unit-size --output",
      kAnyPlan},

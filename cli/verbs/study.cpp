@@ -23,7 +23,7 @@ struct StudyCall {
 constexpr OptionOf kStudyOptions[] = {
     {"SAMPLES --form --metric --anisotropic --per-channel --shape "
      "--free-scale --keep-fill --polarisation --repeats "
-     "--quantity --mirror-side --layout --max-theta --fix --start --bounds --tie "
+     "--quantity --mirror-side --layout --budget --max-theta --fix --start --bounds --tie "
      "--physical --robust --weights --starts --aperture "
      "--output --jobs --no-pictures --tolerance --against --json",
      1},

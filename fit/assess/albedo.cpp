@@ -28,29 +28,34 @@ io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
     // An open end is written as null.
     json["low"] = io::finite_or_null(row.interval->low);
     json["high"] = io::finite_or_null(row.interval->high);
+    json["interval_contains"] = row.uncertainty ? "scatter and budget" : "scatter";
+  }
+  if (row.uncertainty) {
+    json["standard_uncertainty"] = io::finite_or_null(row.uncertainty->standard_uncertainty);
+    json["sources"] = parts_json(*row.uncertainty);
   }
   return json;
 }
 
-// Returns 95 % intervals of the albedo from the fit that produced the material.
-std::vector<std::optional<Extent>> fitted_intervals(const io::MaterialFile& file, double theta, double phi,
-                                                    AlbedoOptions options,
-                                                    const std::vector<AlbedoResult>& results) {
-  std::vector<std::optional<Extent>> out(results.size());
+// Sets the 95 % interval and the standard uncertainty of each row from the fit that produced the material.
+void add_uncertainty(const io::MaterialFile& file, double theta, double phi, AlbedoOptions options,
+                     std::span<AlbedoRow> rows) {
   const Knowledge known = knowledge_of(file.fit);
-  if (!known.any()) return out;
+  if (!known.any()) return;
   options.tolerance = std::min(options.tolerance, kDifferenceTolerance);
   std::vector<double> values;
-  for (const AlbedoResult& r : results) values.push_back(r.value);
+  for (const AlbedoRow& row : rows) values.push_back(row.result.value);
   const auto albedo = [&](const Material& m) {
     std::vector<double> all;
     for (const AlbedoResult& r : directional_albedo(m, degrees(theta), degrees(phi), options))
       all.push_back(r.value);
     return all;
   };
-  if (const auto found = intervals(file.material, known, values, albedo))
-    std::copy(found->begin(), found->end(), out.begin());
-  return out;
+  const auto found = intervals(file.material, known, values, albedo);
+  for (std::size_t k = 0; found && k < rows.size(); ++k) rows[k].interval = (*found)[k];
+  if (!known.has_budget()) return;
+  const auto parts = combined(file.material, *known.covariance, values, albedo);
+  for (std::size_t k = 0; parts && k < rows.size(); ++k) rows[k].uncertainty = (*parts)[k];
 }
 
 }  // namespace
@@ -77,9 +82,10 @@ std::vector<AlbedoRow> albedo_rows(const io::MaterialFile& file, const AlbedoCho
   std::vector<AlbedoRow> rows;
   for (const double theta : choice.theta) {
     const auto results = directional_albedo(file.material, degrees(theta), degrees(choice.phi), options);
-    const auto intervals = fitted_intervals(file, theta, choice.phi, options, results);
+    const std::size_t first = rows.size();
     for (std::size_t c = 0; c < results.size(); ++c)
-      rows.push_back({theta, file.material.channels[c], results[c], intervals[c]});
+      rows.push_back({theta, file.material.channels[c], results[c], std::nullopt, std::nullopt});
+    add_uncertainty(file, theta, choice.phi, options, std::span(rows).subspan(first));
   }
   return rows;
 }

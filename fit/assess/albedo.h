@@ -22,6 +22,8 @@ struct AlbedoRow {
   double theta;  // degrees
   std::string channel;
   AlbedoResult result;
+  // The standard uncertainty with its parts; only if the budget of the instrument is known.
+  std::optional<Combined> uncertainty;
   std::optional<Extent> interval;  // 95 %, from the fit that produced the material; an open end is infinite
 };
 

@@ -32,6 +32,7 @@ struct Uncertainty {
   bool sum_at_bound = false;  // the weights that --physical bounds together are at their bound
   bool split_only = false;    // only weights are unidentifiable; their sum may still be determined
   std::optional<ParameterCovariance> covariance;
+  std::optional<RowBudget> budget;  // std::nullopt: intervals contain the scatter only
   // The relative standard error that 95 % of the model's values, and of the light, do not exceed. If there
   // are more rows than can be checked one by one, computed only if the verdict depends on it. Not set by
   // Detail::estimates.

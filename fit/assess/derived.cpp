@@ -83,10 +83,13 @@ std::optional<ParameterValue> parameter_value(const Material& material, const st
   return ParameterValue{*places[0].value, places[0].min, places[0].max};
 }
 
-std::optional<std::vector<StandardError>> standard_errors(const Material& material,
+namespace {
+
+// Returns the derivatives of `count` values by the parameters, [parameter][value].
+std::optional<std::vector<std::vector<double>>> slopes_of(const Material& material,
                                                           const ParameterCovariance& c, std::size_t count,
                                                           const Derived& f) {
-  std::vector<std::vector<double>> slope;  // [parameter][value]
+  std::vector<std::vector<double>> slope;
   for (std::size_t k = 0; k < c.names.size(); ++k) {
     const double step = step_of(material, c.names[k], standard_error(c, k));
     Material up = material, down = material;
@@ -99,14 +102,31 @@ std::optional<std::vector<StandardError>> standard_errors(const Material& materi
     for (std::size_t j = 0; j < count; ++j) above[j] = (above[j] - below[j]) / (*upwards - *downwards);
     slope.push_back(std::move(above));
   }
+  return slope;
+}
+
+// Returns the change of a value along a component of the covariance.
+double along(const ParameterCovariance& c, std::size_t component,
+             const std::vector<std::vector<double>>& slope, std::size_t value) {
+  double sum = 0;
+  for (std::size_t a = 0; a < slope.size(); ++a) sum += slope[a][value] * c.components(component, a);
+  return sum;
+}
+
+}  // namespace
+
+std::optional<std::vector<StandardError>> standard_errors(const Material& material,
+                                                          const ParameterCovariance& c, std::size_t count,
+                                                          const Derived& f) {
+  const auto slope = slopes_of(material, c, count, f);
+  if (!slope) return std::nullopt;
   std::vector<StandardError> out;
   for (std::size_t j = 0; j < count; ++j) {
     double variance = 0, uncertain = 0;
     for (std::size_t k = 0; k < c.components.rows; ++k) {
-      double along = 0;
-      for (std::size_t a = 0; a < slope.size(); ++a) along += slope[a][j] * c.components(k, a);
-      variance += along * along;
-      uncertain += along * along / std::sqrt(c.freedom[k]);
+      const double part = square(along(c, k, *slope, j));
+      variance += part;
+      uncertain += part / std::sqrt(c.freedom[k]);
     }
     out.push_back({std::sqrt(variance), variance > 0 ? square(variance / uncertain) : 0});
   }
@@ -122,6 +142,26 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
     const StandardError& e = (*errors)[j];
     const double reach = e.value > 0 ? e.value * t_quantile(e.freedom) : 0;
     out.push_back({std::max(values[j] - reach, 0.0), values[j] + reach});
+  }
+  return out;
+}
+
+std::optional<std::vector<Combined>> combined(const Material& material, const ParameterCovariance& c,
+                                              std::span<const double> values, const Derived& f) {
+  const auto slope = slopes_of(material, c, values.size(), f);
+  if (!slope) return std::nullopt;
+  std::vector<Combined> out(values.size());
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    double variance = 0;
+    for (std::size_t k = 0; k < c.components.rows; ++k) {
+      const std::string source = c.sources.empty() || c.sources[k].empty() ? kRowwiseSource : c.sources[k];
+      auto part = std::ranges::find(out[j].parts, source, &Combined::Part::source);
+      if (part == out[j].parts.end()) part = out[j].parts.insert(part, {source, 0});
+      const double reach = along(c, k, *slope, j);
+      part->standard_uncertainty = std::hypot(part->standard_uncertainty, reach);
+      variance += reach * reach;
+    }
+    out[j].standard_uncertainty = std::sqrt(variance);
   }
   return out;
 }
@@ -171,6 +211,19 @@ io::Json to_json(std::span<const MaterialAtEnd> ends) {
   return out;
 }
 
+double Combined::share(const Part& part) const {
+  return standard_uncertainty > 0 ? square(part.standard_uncertainty / standard_uncertainty) : 0;
+}
+
+io::Json parts_json(const Combined& combined) {
+  io::Json parts = io::Json::array();
+  for (const Combined::Part& part : combined.parts)
+    parts.push_back({{"source", part.source},
+                     {"standard_uncertainty", io::finite_or_null(part.standard_uncertainty)},
+                     {"share", io::finite_or_null(combined.share(part))}});
+  return parts;
+}
+
 io::Json rows_json(const Matrix& matrix) {
   io::Json rows = io::Json::array();
   for (std::size_t i = 0; i < matrix.rows; ++i) {
@@ -182,7 +235,9 @@ io::Json rows_json(const Matrix& matrix) {
 }
 
 io::Json to_json(const ParameterCovariance& c) {
-  return {{"parameters", c.names}, {"components", rows_json(c.components)}, {"freedom", c.freedom}};
+  io::Json j{{"parameters", c.names}, {"components", rows_json(c.components)}, {"freedom", c.freedom}};
+  if (!c.sources.empty()) j["sources"] = c.sources;
+  return j;
 }
 
 std::optional<ParameterCovariance> covariance_of(const io::Json& fit) {
@@ -194,9 +249,11 @@ std::optional<ParameterCovariance> covariance_of(const io::Json& fit) {
     out.freedom = j.at("freedom").get<std::vector<double>>();
     const auto rows = j.at("components").get<std::vector<std::vector<double>>>();
     const std::size_t n = out.names.size();
-    out.components = Matrix(n, n);
-    if (out.freedom.size() != n || rows.size() != n) return std::nullopt;
-    for (std::size_t i = 0; i < n; ++i) {
+    if (j.contains("sources")) out.sources = j.at("sources").get<std::vector<std::string>>();
+    out.components = Matrix(rows.size(), n);
+    if (out.freedom.size() != rows.size() || rows.size() != (out.sources.empty() ? n : out.sources.size()))
+      return std::nullopt;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
       if (rows[i].size() != n || !(out.freedom[i] >= 1)) return std::nullopt;
       std::copy(rows[i].begin(), rows[i].end(), &out.components(i, 0));
     }

@@ -41,12 +41,23 @@ std::optional<std::vector<StandardError>> standard_errors(const Material& materi
 std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& covariance,
                                              std::span<const double> values, const Derived& f);
 
+// The name of the part of a covariance that is independent from row to row: the scatter of the rows, or the
+// sources of a budget that every row has for itself, whichever is larger.
+inline constexpr const char* kRowwiseSource = "independent from row to row";
+
+// Returns the standard uncertainties of f(material) = values from the covariance alone, to first order, with
+// the part of each source. Returns std::nullopt under the conditions of intervals().
+std::optional<std::vector<Combined>> combined(const Material& material, const ParameterCovariance& covariance,
+                                              std::span<const double> values, const Derived& f);
+
 // The precision of the parameters of a fitted material.
 struct Knowledge {
   std::optional<ParameterCovariance> covariance;
   std::vector<MaterialAtEnd> ends;  // of the parameters' intervals; empty: intervals of the curvature
 
   bool any() const { return covariance || !ends.empty(); }
+  // Returns whether the budget of the instrument is in the covariance.
+  bool has_budget() const { return covariance && !covariance->sources.empty(); }
 };
 // Returns the precision of the material of a fit.
 Knowledge knowledge_of(const FormFit& fit);
@@ -67,6 +78,8 @@ io::Json to_json(const ParameterCovariance& covariance);
 std::optional<ParameterCovariance> covariance_of(const io::Json& fit);
 io::Json to_json(std::span<const MaterialAtEnd> ends);
 
+// Returns `[{"source", "standard_uncertainty", "share"}]`. The shares of the variance add up to 1.
+io::Json parts_json(const Combined& combined);
 // Returns a matrix as an array of its rows.
 io::Json rows_json(const Matrix& matrix);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "fit/assess/budget.h"
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
 #include "fit/solve/minima.h"
@@ -195,7 +196,8 @@ void add_movement(const Model& model, std::span<const double> solution,
     e.left_out = range_of(by_fold[k]);
     const Jackknife moved = jackknife(on_interval_scale(all[k], {all[k].estimate.value}, model)[0],
                                       on_interval_scale(all[k], by_fold[k], model));
-    const Extent extent = extent_of(all[k], model, solution, t_quantile(moved.freedom) * moved.error);
+    Extent extent = extent_of(all[k], model, solution, t_quantile(moved.freedom) * moved.error);
+    if (e.budget) extent = with_budget(all[k], model, extent, *e.budget);
     e.with_lack_of_fit = {std::min(extent.low, e.low), std::max(extent.high, e.high)};
   }
 }

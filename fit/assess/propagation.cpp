@@ -12,6 +12,18 @@ Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
   return g;
 }
 
+RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust) {
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> own(covariance);
+  const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
+  const double least = 1e-9 * root.maxCoeff();
+  const Eigen::VectorXd inverse = root.unaryExpr([&](double x) { return x > least ? 1 / x : 0; });
+  const RowMatrix whiten = inverse.asDiagonal() * own.eigenvectors().transpose();
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> ratio(whiten * other * whiten.transpose());
+  const Eigen::VectorXd excess = trust * (ratio.eigenvalues().array() - 1).max(0).matrix();
+  const RowMatrix back = own.eigenvectors() * root.asDiagonal() * ratio.eigenvectors();
+  return covariance + back * excess.asDiagonal() * back.transpose();
+}
+
 namespace {
 
 std::string name_of_parameter(const Reported& r, const Model& model) {
@@ -19,14 +31,45 @@ std::string name_of_parameter(const Reported& r, const Model& model) {
   return r.scale == kNoSlot ? label(r.estimate) : label(model.slots()[r.scale].name, r.estimate.channel);
 }
 
+// Adds the sources that rows share to the covariance of the parameters, each as components of its own.
+void add_shared(std::span<const SourceCovariance> sources, const std::vector<Eigen::VectorXd>& gradients,
+                ParameterCovariance& to) {
+  if (sources.empty()) return;
+  to.sources.assign(to.components.rows, "");
+  const Eigen::Index n = Eigen::Index(gradients.size());
+  for (const SourceCovariance& s : sources) {
+    if (!s.is_shared) continue;
+    RowMatrix natural(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j)
+        natural(i, j) = gradients[std::size_t(i)].dot(s.covariance * gradients[std::size_t(j)]);
+    // Scaled to correlations, so that a parameter with small numbers keeps its digits.
+    const Eigen::VectorXd error = natural.diagonal().cwiseMax(0).cwiseSqrt();
+    const Eigen::VectorXd over = error.unaryExpr([](double x) { return x > 0 ? 1 / x : 0; });
+    const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(
+        RowMatrix(over.asDiagonal() * natural * over.asDiagonal()));
+    for (Eigen::Index k = 0; k < n; ++k) {
+      constexpr double kRounding = 1e-12;
+      const double variance = eigen.eigenvalues()(k);
+      if (!(variance > kRounding)) continue;
+      for (Eigen::Index i = 0; i < n; ++i)
+        to.components.a.push_back(std::sqrt(variance) * eigen.eigenvectors()(i, k) * error(i));
+      ++to.components.rows;
+      to.freedom.push_back(ParameterCovariance::kStated);
+      to.sources.push_back(s.source);
+    }
+  }
+}
+
 }  // namespace
 
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
-                                         double freedom) {
+                                         double freedom, std::span<const SourceCovariance> sources) {
   const Model& model = stream.model();
   ParameterCovariance out;
   std::vector<Eigen::VectorXd> scaled;  // gradients, in standard errors
+  std::vector<Eigen::VectorXd> gradients;
   std::vector<double> errors;
   std::set<std::string> seen;
   for (const Reported& r : all) {
@@ -39,6 +82,7 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
     out.names.push_back(name);
     errors.push_back(std::sqrt(variance));
     scaled.push_back(g / errors.back());
+    gradients.push_back(g);
   }
   const std::size_t n = scaled.size();
   out.components = Matrix(n, n);
@@ -61,10 +105,12 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
     influence.emplace_back(on.data(), on.data() + on.size());
   }
   out.freedom.assign(n, std::max(freedom, 1.0));
-  if (stream.data().rows() > kManyRows) return out;
-  const std::vector<NoiseShares> shares = stream.noise_shares(p, influence);
-  for (std::size_t k = 0; k < n; ++k)
-    if (shares[k].any()) out.freedom[k] = std::clamp(shares[k].freedom(), 1.0, out.freedom[k]);
+  if (stream.data().rows() <= kManyRows) {
+    const std::vector<NoiseShares> shares = stream.noise_shares(p, influence);
+    for (std::size_t k = 0; k < n; ++k)
+      if (shares[k].any()) out.freedom[k] = std::clamp(shares[k].freedom(), 1.0, out.freedom[k]);
+  }
+  add_shared(sources, gradients, out);
   return out;
 }
 

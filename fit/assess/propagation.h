@@ -20,15 +20,27 @@ struct SlotCovariance {
   const RowMatrix &matrix, &inverse;
 };
 
+// The effect of one source of a budget on the solver's parameters.
+struct SourceCovariance {
+  std::string source;
+  bool is_shared = false;  // one error moves several rows
+  RowMatrix covariance;
+};
+
+// Returns a covariance, raised in the directions in which the covariance `other` is larger, by the share
+// `trust` of the excess.
+RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust);
+
 // Returns the gradient of a reported parameter by all of the solver's parameters.
 Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n);
 
 // Returns the covariance of the parameters that are neither held nor at a bound. Parameters that are set
 // together count as one. The components are the principal components of the correlations; the degrees of
-// freedom of each component are counted in the same way as for a parameter.
+// freedom of each component are counted in the same way as for a parameter. The sources that rows share
+// follow as components of their own.
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
-                                         double freedom);
+                                         double freedom, std::span<const SourceCovariance> sources = {});
 
 // Returns the relative standard error that 95 % of the model's values, and 95 % of the light, do not
 // exceed.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "fit/assess/half_angles.h"
 #include "fit/assess/metric_choice.h"
 #include "fit/model/row_groups.h"
+#include "io/formats/budget.h"
 #include "sheet/data_sheet.h"
 
 namespace brdf::fit {
@@ -63,6 +65,19 @@ struct Extent {
   double low = kUnknown, high = kUnknown;
 };
 
+// A standard uncertainty as the root of the sum of the squares of independent parts.
+struct Combined {
+  struct Part {
+    std::string source;  // a source of the budget, or the scatter of the rows
+    double standard_uncertainty = 0;
+  };
+  double standard_uncertainty = kUnknown;
+  std::vector<Part> parts;
+  double beyond_scatter = 0;  // the standard uncertainty without the scatter that the rows show themselves
+
+  double share(const Part& part) const;  // of the variance
+};
+
 // The estimate of one reported parameter, with its uncertainty.
 struct Estimate {
   Status status = Status::free;
@@ -86,6 +101,27 @@ struct Estimate {
   // The 95 % interval and the standard deviation of bootstrap replicates, if there are any.
   Extent bootstrap;
   double bootstrap_error = kUnknown;
+  // The standard uncertainty with the budget of the instrument. If it is there, all intervals above except
+  // those of folds, metrics and replicates contain the budget.
+  std::optional<Combined> budget;
+};
+
+// The relative errors that the sources of a budget cause in the values of a fitted model, to first order.
+struct RowBudget {
+  std::shared_ptr<const io::Budget> budget;
+  std::vector<std::uint32_t> row;  // of the table of samples
+  // [channel][row]: sensitivities, the relative change of a reading per radian of its angles; and f cos_o
+  // and f of the model.
+  std::vector<std::vector<double>> theta_i, theta_o, signal, values;
+  // Number of values for which the curvature of f adds more than a tenth to the standard uncertainty.
+  std::size_t beyond_first_order = 0;
+
+  // Returns the relative error of a value for an error of one standard uncertainty of a source, with its
+  // sign.
+  double error(const io::BudgetSource& source, std::size_t channel, std::size_t k) const;
+  // Returns the relative standard uncertainty of a value.
+  double combined(std::size_t channel, std::size_t k) const;
+  std::vector<double> largest;  // [channel]: the largest signal
 };
 
 // The root mean square of each residual (for cube_root, the mean of its terms), over the values for which
@@ -157,6 +193,12 @@ struct ParameterCovariance {
   std::vector<std::string> names;  // as options name them: alpha, kd[r], terms[1].f0; tangent_phi in degrees
   Matrix components;               // [component][parameter]: the covariance is the product A'A
   std::vector<double> freedom;     // [component]: degrees of freedom of its variance
+  // [component]: the source of the budget, or "" for the part that is independent from row to row. Empty if
+  // the budget of the instrument is not in the covariance.
+  std::vector<std::string> sources;
+
+  // Degrees of freedom of a variance that a budget states.
+  static constexpr double kStated = 1e9;
 };
 
 // The largest directional albedo over the angles of incidence.
@@ -211,6 +253,7 @@ struct FormFit {
   std::vector<SmoothCurve> smooth;  // of --shape smooth
   Correlations correlations;
   std::optional<ParameterCovariance> covariance;  // std::nullopt if some direction has no effect at all
+  std::optional<RowBudget> budget;                // std::nullopt: intervals contain the scatter only
   std::optional<double> prediction_error;  // relative standard error of the model's values at the samples
   std::optional<LargestAlbedo> largest_albedo;
   std::optional<LargestAlbedo> largest_measured_albedo;  // over the measured angles of incidence

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "fit/assess/assess.h"
+#include "fit/assess/budget.h"
 #include "fit/assess/findings.h"
 #include "fit/assess/profiles.h"
 #include "fit/assess/propagation.h"
@@ -52,21 +53,6 @@ Correlations correlations_of(const std::vector<Reported>& all, const std::vector
       out.matrix(i, j) = i == j ? 1 : both > 0 ? std::clamp(shared / both, -1.0, 1.0) : 0;
     }
   return out;
-}
-
-// Returns the covariance for quantities derived from the parameters. This is the covariance of the working
-// noise, raised in the directions in which the consistent covariance is larger, by the share `trust` of the
-// excess.
-RowMatrix larger_of(const RowMatrix& working, const RowMatrix& consistent, double trust) {
-  const Eigen::SelfAdjointEigenSolver<RowMatrix> own(working);
-  const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
-  const double least = 1e-9 * root.maxCoeff();
-  const Eigen::VectorXd inverse = root.unaryExpr([&](double x) { return x > least ? 1 / x : 0; });
-  const RowMatrix whiten = inverse.asDiagonal() * own.eigenvectors().transpose();
-  const Eigen::SelfAdjointEigenSolver<RowMatrix> ratio(whiten * consistent * whiten.transpose());
-  const Eigen::VectorXd excess = trust * (ratio.eigenvalues().array() - 1).max(0).matrix();
-  const RowMatrix back = own.eigenvectors() * root.asDiagonal() * ratio.eigenvectors();
-  return working + back * excess.asDiagonal() * back.transpose();
 }
 
 // Returns the coefficients of every shape that is smooth over wavelength, with their standard errors.
@@ -144,27 +130,35 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     if (lean && e.status == Status::free && e.deciding < freedom) e.freedom = e.deciding;
   }
   if (detail == Detail::profiles && !many) profile_all(all, stream, on, profiles, out);
+  std::optional<RowMatrix> scatter;
+  if (!lean)
+    scatter = working ? larger_of(working->covariance, c.covariance, least_trust(all)) : c.covariance;
+  std::optional<InstrumentCovariance> instrument;
+  if (!lean && !few && stream.data().budget) {
+    instrument = instrument_covariance(stream, m.p, c.inverse, *scatter);
+    for (Reported& r : all) add_budget(*instrument, model, r);
+  }
+  const RowMatrix& total = instrument ? instrument->total : c.covariance;
   const auto unidentified = [](const Reported& r) { return r.estimate.status == Status::unidentified; };
   const bool any_unidentified = std::ranges::any_of(all, unidentified);
   if (!lean) {
     std::vector<std::size_t> certain;
     for (std::size_t k = 0; k < all.size(); ++k)
       if (all[k].estimate.status == Status::free) certain.push_back(k);
-    out.correlations = correlations_of(all, certain, c.covariance);
-    out.smooth = smooth_curves(model, m.p, c.covariance);
+    out.correlations = correlations_of(all, certain, total);
+    out.smooth = smooth_curves(model, m.p, total);
     // The curvature has no meaning for parameters that profiles show to be unknown.
     const bool bent = out.profiled && any_unidentified;
     if (c.null_space.cols() == 0 && !few && !bent)
       out.covariance = parameter_covariance(
-          stream, m.p, all,
-          {working ? larger_of(working->covariance, c.covariance, least_trust(all)) : c.covariance,
-           c.inverse},
-          freedom);
+          stream, m.p, all, {instrument ? instrument->rowwise : *scatter, c.inverse}, freedom,
+          instrument ? std::span<const SourceCovariance>(instrument->sources)
+                     : std::span<const SourceCovariance>());
   }
   if (lean)
     out.predictable = any_unidentified && predicts_within(kDetermined, stream, m.p, c.covariance);
   else if (!many || any_unidentified)
-    out.prediction_error = prediction_error(stream, m.p, c.covariance);
+    out.prediction_error = prediction_error(stream, m.p, total);
   if (out.prediction_error) out.predictable = *out.prediction_error <= kDetermined;
   out.split_only = !few && any_unidentified && std::ranges::all_of(all, [&](const Reported& r) {
     return !unidentified(r) || (r.weight && !r.moves_shapes);
@@ -175,6 +169,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     add_bound_findings(all, on, out);
     if (!few) out.few_rows_decide = few_rows_finding(all, on, stream);
   }
+  if (instrument) out.budget = std::move(instrument->rows);
   for (Reported& r : all) out.estimates.push_back(std::move(r.estimate));
   return out;
 }

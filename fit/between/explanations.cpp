@@ -76,6 +76,8 @@ class ErrorSearch {
       : difference_(difference), table_(table), which_(which), cause_(cause), search_(search_of(cause)) {
     keep_fitted_rows(table_);
     table_.options.profiles = false;
+    table_.options.budget = nullptr;  // a change of the parameters is sought, not their uncertainty
+    table_.samples.budget = nullptr;
     for (const ParameterDifference& p : difference.parameters) whole_.push_back(p.difference);
     start_ = parameters_at(0);
   }

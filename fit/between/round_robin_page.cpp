@@ -27,10 +27,10 @@ io::Plot plot_of(const RoundRobin& result, const RoundRobinQuantity& q) {
   mean.y.assign(2, q.consensus_value());
   mean.low.assign(2, q.consensus_value(-1));
   mean.high.assign(2, q.consensus_value(1));
-  mean.colour = 0;
+  mean.colour = 1;
   plot.series.push_back(std::move(mean));
   io::Series points{"values with twice their standard uncertainty", {}, {}, io::Series::Style::points};
-  points.colour = 1;
+  points.colour = 0;
   for (std::size_t t = 0; t < q.values.size(); ++t) {
     const double x = double(t + 1), reach = kTwice * q.values[t].uncertainty;
     points.x.push_back(x);
@@ -38,7 +38,7 @@ io::Plot plot_of(const RoundRobin& result, const RoundRobinQuantity& q) {
     points.names.push_back(io::file_name(result.fits.tables[t].name));
     io::Series bar{"", {x, x}, {}, io::Series::Style::line};
     bar.y = {natural(q, q.values[t].value - reach), natural(q, q.values[t].value + reach)};
-    bar.colour = 1;
+    bar.colour = 0;
     plot.series.push_back(std::move(bar));
   }
   plot.series.push_back(std::move(points));

@@ -52,7 +52,9 @@ void choose_metric(std::span<TableToFit> tables, FittedTables& out) {
 // Chooses the model that is recommended for the rows of all tables together.
 void choose_model(std::span<const TableToFit> tables, const std::vector<std::vector<Reflectance>>& models,
                   const Progress& progress, FittedTables& out) {
-  const FitResult all = fit(joined(tables), models, tables.front().options, progress);
+  FitOptions options = tables.front().options;
+  options.budget = nullptr;  // of one table
+  const FitResult all = fit(joined(tables), models, options, progress);
   out.form = all.ranking[all.recommended].form;
   out.model = models_of(out.form).front();
   out.form_reason = "recommended for the rows of all tables together";
@@ -88,7 +90,11 @@ void require_all_budgets(const FittedTables& fits) {
 FittedTable fit_table(const TableToFit& table, const std::vector<Reflectance>& model,
                       const Progress& progress) {
   FitResult result = fit(table.samples, {model}, table.options, progress);
-  FittedTable out{table.samples.table.name(), result.rows, std::move(result.ranking.front()), false, {}};
+  FittedTable out{table.samples.table.name(),
+                  result.rows,
+                  std::move(result.ranking.front()),
+                  table.samples.budget || table.options.budget,
+                  {}};
   out.obstacle = obstacle_to_use(out.fit, out.name, out.has_budget);
   return out;
 }

@@ -86,6 +86,15 @@ void sort_rows(FitData& data) {
   arrange(data.groups.group_of);
 }
 
+void add_budget(const io::SampleTable& table, const FitOptions& options, FitData& data) {
+  data.budget = options.budget;
+  if (!data.budget) return;
+  for (const std::uint32_t k : data.row) {
+    data.phi_i.push_back(degrees(table.phi_i[k]).radians());
+    data.phi_o.push_back(degrees(table.phi_o[k]).radians());
+  }
+}
+
 void number_incidences(const io::SampleTable& table, FitData& data) {
   std::map<std::pair<double, double>, std::uint32_t> incidences;
   for (const std::uint32_t k : data.row) {
@@ -153,6 +162,7 @@ FitData prepare(const io::SampleTable& table, const FitOptions& options) {
                      ": all values to fit are 0 or below: the table has no usable measurement");
   sort_rows(data);
   number_incidences(table, data);
+  add_budget(table, options, data);
   return data;
 }
 

@@ -1,6 +1,7 @@
 // The samples in the layout of the solver: unit directions and values, structure of arrays.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,12 @@ struct FitData {
   std::vector<std::uint32_t> incidence;  // [row] number of the direction of incidence
   RowGroups groups;                      // the groups that are held out together; empty in a subset
   bool grouped = false;                  // incidence counts whole degrees of theta_i instead
-  std::size_t beyond_max_theta = 0;      // number of rows excluded by max_theta
-  std::size_t outside_domain = 0;        // number of rows with a value that has no residual (far below zero)
+  // The budget of the instrument, or null, with the azimuths of the rows' directions in radians, which a
+  // direction along the normal does not have. Not in a subset.
+  std::shared_ptr<const io::Budget> budget;
+  std::vector<double> phi_i, phi_o;
+  std::size_t beyond_max_theta = 0;  // number of rows excluded by max_theta
+  std::size_t outside_domain = 0;    // number of rows with a value that has no residual (far below zero)
 
   std::size_t rows() const { return wi_x.size(); }
   // Appends a pair of directions.

@@ -27,6 +27,7 @@ std::string constants_text(const FitOptions& options) {
           io::append_number(text, x);
           text += ' ';
         }
+  if (options.budget) text += options.budget->text;
   return text + io::layout_text(options.supplied.layout);
 }
 

@@ -12,6 +12,7 @@
 
 #include "brdf/names.h"
 #include "io/columns/supplied.h"
+#include "io/formats/budget.h"
 #include "io/formats/optical_constants.h"
 #include "io/samples/arrange.h"
 
@@ -103,6 +104,9 @@ struct FitOptions {
   // Returns the width after prepared(). Throws std::logic_error if no width is set: aperture_of() needs a
   // table.
   double resolved_aperture() const;
+  // The uncertainty budget of the instrument. Null: the budget that the samples' file names, which
+  // arranged() reads, or no budget, if it names none.
+  std::shared_ptr<const io::Budget> budget;
   // If set, the surface's normal is fitted too, starting from these components along the x and y of the
   // directions. The values are then interpreted as f_r cos_i of the surface divided by the cos_i of the
   // directions' own frame.

@@ -1,5 +1,6 @@
 #include "fit/report/html.h"
 
+#include "fit/report/budget.h"
 #include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "io/page/html_report.h"
@@ -17,6 +18,7 @@ std::string html_report(const FitResult& result, const io::SampleTable& table, c
     add_deviation(report, best, table, aperture_of(table, options));
     add_spectra(report, best);
     add_parameters(report, best);
+    add_budget(report, best, table);
   }
   add_ranking(report, result);
   add_samples(report, result, table, options);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/assess/reported.h"
+#include "fit/report/budget.h"
 #include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "fit/report/plain_words.h"
@@ -169,6 +170,7 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
   report.paragraph(fit.lack_of_fit.beyond_scatter ? "Small print: 95 % confidence intervals with lack of "
                                                     "fit, because the form does not fit within the noise."
                                                   : "Small print: 95 % confidence intervals.");
+  report.paragraph("Scope of the " + scope_of_intervals(fit) + ".");
   if (fit.intervals == IntervalsBy::curvature)
     report.paragraph("These intervals are approximate: they are derived from the curvature at the minimum.");
   add_intervals(report, fit);

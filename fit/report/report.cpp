@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "fit/assess/reported.h"
+#include "fit/report/budget.h"
 #include "fit/report/plain_words.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
@@ -39,7 +40,7 @@ std::string estimate_text(const Estimate& e, const std::string& name, bool wrong
   if (wrong && std::isfinite(e.other_metrics.low))
     text += "; by other metrics " + extent_text(e.other_metrics);
   if (std::isfinite(e.bootstrap.low)) text += "; bootstrap " + extent_text(e.bootstrap);
-  return text + ")";
+  return text + (e.budget ? ", with the budget)" : ")");
 }
 
 // Returns the text in the colour of its mark.
@@ -249,6 +250,8 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
       out << "  " << estimate_text(e, label(parameter.symbol, e.channel), best.lack_of_fit.beyond_scatter)
           << '\n';
   for (const SmoothCurve& curve : best.smooth) out << "  " << in_words(curve) << '\n';
+  if (!best.estimates.empty()) out << "  " << io::printable(scope_of_intervals(best)) << '\n';
+  for (const std::string& line : budget_in_words(best)) out << "  " << io::printable(line) << '\n';
   if (const std::string text = recommendation(result); !text.empty()) out << text << '\n';
 }
 

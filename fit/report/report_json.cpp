@@ -2,6 +2,7 @@
 
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
+#include "fit/report/budget.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
 #include "io/files/provenance.h"
@@ -30,6 +31,12 @@ Json estimate_json(const Estimate& e) {
                   {"with_lack_of_fit", extent_json(interval_with_lack_of_fit(e))},
                   {"left_out", extent_json(e.left_out)},
                   {"other_metrics", extent_json(e.other_metrics)}});
+  if (e.budget)
+    j["budget"] = {
+        {"standard_uncertainty", finite_or_null(e.budget->standard_uncertainty)},
+        {"relative",
+         e.value != 0 ? finite_or_null(e.budget->standard_uncertainty / std::abs(e.value)) : Json(nullptr)},
+        {"sources", parts_json(*e.budget)}};
   if (std::isfinite(e.bootstrap_error))
     j["bootstrap"] = {{"low", finite_or_null(e.bootstrap.low)},
                       {"high", finite_or_null(e.bootstrap.high)},
@@ -154,6 +161,7 @@ Json statistics_json(const FormFit& fit) {
   j["intervals_by"] = name_of(fit.intervals);
   j["approximate"] = fit.intervals == IntervalsBy::curvature;
   j["intervals"] = intervals_json(fit);
+  j["intervals_contain"] = fit.budget ? "scatter and budget" : "scatter";
   if (!fit.smooth.empty()) j["smooth"] = smooth_json(fit.smooth);
   return j;
 }
@@ -230,6 +238,7 @@ Json to_json(const FitResult& result, const io::SampleTable& table, const FitOpt
           {{"cost", finite_or_null(m.cost)}, {"starts", m.basin}, {"material", io::to_json(m.material)}});
     j["minima"] = minima;
     j["correlations"] = correlations_json(fit.correlations);
+    j["budget"] = budget_json(fit, ranking.empty() ? &table : nullptr);
     j["condition"] = finite_or_null(fit.condition);
     j["solver"] = {{"status", fit.solver_status}, {"message", fit.solver_message},
                    {"starts", fit.starts},        {"iterations", fit.iterations},
@@ -249,6 +258,7 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
                     const FitOptions& options) {
   Json j = run_json(result, table, options);
   j.update(statistics_json(fit));
+  if (fit.budget) j["budget"] = budget_json(fit, nullptr);
   constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // limits for a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)
     j["covariance"] = to_json(*fit.covariance);

@@ -55,7 +55,7 @@ void SampleStream::add_scores(std::span<const double> p, const Leverage& leverag
         }
         free_of_influence(w.mixed, w.curvature, leverage.expected ? w.rho : nullptr, noise.data(), rows, w.r);
       }
-      if (meat) add_to_scores(map[c], robust, rows, w);
+      if (meat || leverage.sums) add_to_scores(map[c], robust, rows, w);
       if (meat && leverage.clusters == Clusters::values) {
         add_gram(size, w.scores.data(), size, w.scores.data(), true, entries, meat->a.data());
         for (double* column : w.scores) std::fill(column, column + entries, 0.0);
@@ -66,6 +66,9 @@ void SampleStream::add_scores(std::span<const double> p, const Leverage& leverag
         multiply(w.scaled[k], w.curvature, entries, curved_columns[k]);
       add_gram(columns, curved_columns.data(), columns, w.scaled.data(), true, entries, raw[c].a.data());
     }
+    for (std::size_t j = 0; leverage.sums && j < rows; ++j)
+      for (std::size_t k = 0; k < size; ++k)
+        (*leverage.sums)(leverage.cluster[first + j], k) += w.scores[k][j];
     if (meat && leverage.clusters == Clusters::rows)
       add_gram(size, w.scores.data(), size, w.scores.data(), true, entries, meat->a.data());
   }
@@ -106,6 +109,17 @@ Matrix SampleStream::meat_of(std::span<const double> p, const std::vector<std::v
   given.scores = &scores;
   given.clusters = clusters;
   add_scores(p, given, nullptr, &out);
+  return out;
+}
+
+Matrix SampleStream::score_sums(std::span<const double> p, const std::vector<std::vector<double>>& scores,
+                                std::span<const std::uint32_t> cluster) const {
+  Matrix out(cluster.empty() ? 0 : 1 + std::ranges::max(cluster), model_.size());
+  Leverage given;
+  given.scores = &scores;
+  given.sums = &out;
+  given.cluster = cluster;
+  add_scores(p, given, nullptr, nullptr);
   return out;
 }
 

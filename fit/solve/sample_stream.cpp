@@ -71,6 +71,7 @@ SampleStream::SampleStream(const FitData& data, const Model& model, const Residu
     : data_(data),
       model_(model),
       residual_(residual),
+      aperture_(aperture),
       part_{{0, data.rows()}},
       spare_(spare ? std::move(spare) : std::make_shared<Spare>()) {
   static std::atomic<std::uint64_t> streams{0};

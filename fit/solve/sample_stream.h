@@ -109,6 +109,7 @@ class SampleStream {
   const FitData& data() const { return data_; }
   const Model& model() const { return model_; }
   const Residual& residual() const { return residual_; }
+  double aperture() const { return aperture_; }  // full width of the detector's field in degrees
 
   // `besides`, if not null, receives additional results of the same pass, over all rows of the pass.
   NormalEquations normal_equations(std::span<const double> p, Besides* besides = nullptr) const;
@@ -134,6 +135,10 @@ class SampleStream {
   // independent of each other or shared within a row.
   Matrix meat_of(std::span<const double> p, const std::vector<std::vector<double>>& scores,
                  Clusters clusters) const;
+  // Returns the sums of the gradients of the values times their scores, [channel][row], over each cluster of
+  // rows: a matrix [cluster][solver's parameter]. `cluster` holds the number of the cluster of each row.
+  Matrix score_sums(std::span<const double> p, const std::vector<std::vector<double>>& scores,
+                    std::span<const std::uint32_t> cluster) const;
   // Returns the contributions of the values to the variance of v'g for each v, where g is the gradient of
   // one value. The noise is assumed to be proportional to the value.
   std::vector<NoiseShares> noise_shares(std::span<const double> p,
@@ -174,6 +179,9 @@ class SampleStream {
     // Scores, [channel][row], used in place of the residuals.
     const std::vector<std::vector<double>>* scores = nullptr;
     Clusters clusters = Clusters::rows;
+    // If set, receives the sums of the scores of each cluster of rows. `cluster` is then set too.
+    Matrix* sums = nullptr;
+    std::span<const std::uint32_t> cluster;
   };
   // Adds to `bread` and `meat`, each only if not null.
   void add_scores(std::span<const double> p, const Leverage& leverage, Matrix* bread, Matrix* meat) const;
@@ -198,6 +206,7 @@ class SampleStream {
   const FitData& data_;
   const Model& model_;
   Residual residual_;
+  double aperture_;
   std::vector<ApertureNode> detector_;  // empty: readings are of a single direction
   std::vector<RowRange> part_;
   std::shared_ptr<Spare> spare_;

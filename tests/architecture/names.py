@@ -46,6 +46,7 @@ HOMONYMS = {
     ("browser/session.cpp", "albedo"): "the integral",
     ("interop/lookup_table.cpp", "albedo"): "the integral",
     ("interop/lookup_table.cpp", "roughness"): "an axis",
+    ("interop/lookup_table.cpp", "alpha"): "an axis",
     ("interop/cosine_transform.cpp", "roughness"): "an axis",
     ("io/columns/value_names.cpp", "sigma"): "standard deviations",
     ("io/columns/layout.h", "sigma"): "standard deviations",
@@ -62,6 +63,7 @@ HOMONYMS = {
     ("render/scene/scene.h", "phong"): "a shading",
     ("micro/theory_reflectance.cpp", "retro"): "a direction",
     ("io/columns/angle_names.cpp", "gamma"): "a column of a table",
+    ("io/columns/angle_names.cpp", "alpha"): "a column of a table",
     ("io/formats/optical_constants.cpp", "n"): "a column of a table",
     ("io/formats/optical_constants.cpp", "k"): "a column of a table",
     ("shader/glsl.cpp", "n"): "a letter",
@@ -76,6 +78,7 @@ def names_of(brdf):
     models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, capture_output=True, text=True).stdout)
     forms = models["forms"]
     parameters = {p["name"] for f in forms for p in f["parameters"]}
+    parameters |= {name[:-2] for name in parameters if name.endswith("_x") and name[:-1] + "y" in parameters}
     return {f["form"] for f in forms}, parameters
 
 

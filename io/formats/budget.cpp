@@ -1,0 +1,166 @@
+#include "io/formats/budget.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/csv/dialect.h"
+#include "io/files/content.h"
+#include "io/files/error.h"
+#include "io/files/near_name.h"
+#include "io/files/text.h"
+
+namespace brdf::io {
+namespace {
+
+// A source with a meaning of its own.
+struct KnownSource {
+  std::string_view name;
+  BudgetUnit unit;
+  BudgetEffect effect;
+};
+constexpr std::array kKnownSources{
+    KnownSource{"reference_standard", BudgetUnit::relative, BudgetEffect::scale},
+    KnownSource{"repeatability", BudgetUnit::relative, BudgetEffect::scale},
+    KnownSource{"zero_theta_i", BudgetUnit::degree, BudgetEffect::theta_i},
+    KnownSource{"zero_theta_o", BudgetUnit::degree, BudgetEffect::theta_o},
+    KnownSource{"reading_theta_i", BudgetUnit::degree, BudgetEffect::theta_i},
+    KnownSource{"reading_theta_o", BudgetUnit::degree, BudgetEffect::theta_o},
+    KnownSource{"linearity", BudgetUnit::relative_per_factor_e, BudgetEffect::linearity},
+    KnownSource{"stray_light", BudgetUnit::per_steradian, BudgetEffect::stray_light},
+};
+
+constexpr std::array<std::string_view, 4> kColumns{"source", "standard_uncertainty", "unit", "shared_by"};
+constexpr std::string_view kExample = "reference_standard,0.005,relative,table";
+
+class BudgetReader {
+ public:
+  explicit BudgetReader(const Content& content) : lines_(content) {
+    budget_.file = content.name;
+    budget_.text = content.bytes;
+  }
+
+  Budget read() {
+    for (std::string_view line; lines_.next(line);) {
+      line = trimmed(line);
+      if (line.empty()) continue;
+      if (line.front() == '#')
+        read_comment(parse_comment(line.substr(1)));
+      else if (!has_header_)
+        read_header(line);
+      else
+        read_source(line);
+    }
+    if (!has_header_) fail_file("holds no header row; it must be " + header_text());
+    if (budget_.sources.empty())
+      fail_file("holds no source of uncertainty; a line is, for example, " + std::string(kExample));
+    return std::move(budget_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& rule) const { throw InputError(lines_.where() + ": " + rule); }
+  [[noreturn]] void fail_file(const std::string& rule) const {
+    throw InputError(budget_.file + ": the budget " + rule);
+  }
+  static std::string header_text() { return joined({kColumns.begin(), kColumns.end()}); }
+
+  void read_comment(const Comment& comment) {
+    if (comment.first != "divided_by") return;
+    budget_.divides_by_cos_i = budget_.divides_by_cos_o = false;
+    std::vector<std::string_view> words;
+    split_blanks(comment.second, words);
+    for (const std::string_view word : words) {
+      if (word == "cos_theta_i")
+        budget_.divides_by_cos_i = true;
+      else if (word == "cos_theta_o")
+        budget_.divides_by_cos_o = true;
+      else if (word != "nothing" || words.size() > 1)
+        fail("divided_by: " + shown(word) +
+             " must be cos_theta_i, cos_theta_o, both with a blank between them, or nothing");
+    }
+  }
+
+  void read_header(std::string_view line) {
+    std::vector<std::string_view> names;
+    if (!dialect_.split_header(line, names)) fail(std::string(kBadQuotation));
+    for (std::size_t k = 0; k < kColumns.size(); ++k) {
+      const auto found = std::ranges::find(names, kColumns[k]);
+      if (found == names.end())
+        fail("a budget needs the column " + std::string(kColumns[k]) + "; its header row must be " +
+             header_text());
+      column_[k] = std::size_t(found - names.begin());
+    }
+    width_ = names.size();
+    has_header_ = true;
+  }
+
+  void read_source(std::string_view line) {
+    std::vector<std::string_view> fields;
+    if (!dialect_.split_row(line, fields)) fail(std::string(kBadQuotation));
+    if (fields.size() != width_)
+      fail(std::to_string(fields.size()) + " columns, but " + std::to_string(width_) + " are expected");
+    BudgetSource source;
+    source.name = std::string(trimmed(fields[column_[0]]));
+    if (source.name.empty()) fail("the source has no name");
+    if (std::ranges::find(budget_.sources, source.name, &BudgetSource::name) != budget_.sources.end())
+      fail("the source " + shown(source.name) +
+           " is listed twice: give each source once, with one standard uncertainty");
+    const std::string_view number = fields[column_[1]];
+    if (!dialect_.parse(number, source.standard_uncertainty) || !std::isfinite(source.standard_uncertainty) ||
+        source.standard_uncertainty < 0)
+      fail("standard_uncertainty " + shown(number) + " of " + shown(source.name) +
+           " must be a number of at least 0");
+    source.unit = member<BudgetUnit>(fields[column_[2]], "unit");
+    source.shared_by = member<SharedBy>(fields[column_[3]], "shared_by");
+    source.effect = effect_of(source);
+    budget_.sources.push_back(std::move(source));
+  }
+
+  template <class Enum>
+  Enum member(std::string_view field, const char* column) const {
+    const std::string_view word = trimmed(field);
+    if (const std::optional<Enum> found = find_named<Enum>(word)) return *found;
+    fail(std::string(column) + " " + shown(word) + " must be one of " + known_names<Enum>());
+  }
+
+  BudgetEffect effect_of(const BudgetSource& source) const {
+    const auto known = std::ranges::find(kKnownSources, source.name, &KnownSource::name);
+    if (known != kKnownSources.end()) {
+      if (source.unit != known->unit)
+        fail("the unit of " + source.name + " must be " + std::string(name_of(known->unit)));
+      return known->effect;
+    }
+    if (source.unit == BudgetUnit::relative) return BudgetEffect::scale;
+    std::vector<std::string> names;
+    for (const KnownSource& k : kKnownSources)
+      if (k.unit == source.unit) names.emplace_back(k.name);
+    fail("the source " + shown(source.name) + " is not known in the unit " +
+         std::string(name_of(source.unit)) + ": " + did_you_mean(source.name, names) +
+         "a source of this unit is one of " + joined(names) + "; any other source must be relative");
+  }
+
+  LineReader lines_;
+  Dialect dialect_;
+  Budget budget_;
+  bool has_header_ = false;
+  std::array<std::size_t, kColumns.size()> column_{};
+  std::size_t width_ = 0;
+};
+
+}  // namespace
+
+Budget read_budget(const std::filesystem::path& path) {
+  constexpr std::size_t kLargestBudget = std::size_t(1) << 20;
+  Content content = read_content(path, kLargestBudget);
+  make_utf8(content);
+  return BudgetReader(content).read();
+}
+
+std::optional<Budget> stated_budget(const SampleTable& table) {
+  const std::optional<std::string> named = table.find_metadata(kBudgetKey);
+  if (!named) return std::nullopt;
+  const std::filesystem::path path(*named);
+  return read_budget(path.is_absolute() ? path : std::filesystem::path(table.source).parent_path() / path);
+}
+
+}  // namespace brdf::io
