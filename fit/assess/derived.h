@@ -28,7 +28,7 @@ struct StandardError {
   double value, freedom;
 };
 // Returns the standard errors of the `count` values f(material) from the covariance alone, of first order in
-// the parameters. The conditions are those of intervals().
+// the parameters. Returns std::nullopt under the conditions of intervals().
 std::optional<std::vector<StandardError>> standard_errors(const Material& material,
                                                           const ParameterCovariance& covariance,
                                                           std::size_t count, const Derived& f);

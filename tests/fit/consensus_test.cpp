@@ -147,6 +147,17 @@ TEST(RoundRobin, PutsScaleErrorsBetweenLaboratoriesWhereTablesHaveNoBudget) {
   EXPECT_TRUE(quantity(result, "f(30:30)").consensus);
 }
 
+TEST(RoundRobin, HasNothingBetweenLaboratoriesWithinTheirBudgets) {
+  std::vector<TableToFit> tables = round_robin_tables({-0.01, 0, 0.01, 0.02});
+  for (TableToFit& t : tables) t.samples.budget = budget_of(0.02, 0.1, 0.005);
+  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{}});
+  EXPECT_TRUE(result.fits.have_budgets());
+  const RoundRobinQuantity& f = quantity(result, "f(0:45)");
+  EXPECT_EQ(f.consensus->between, 0);
+  for (const LaboratoryValue& v : f.values) EXPECT_NEAR(v.uncertainty, 0.02, 0.002);  // not over root n
+  EXPECT_NEAR(f.consensus->uncertainty, 0.01, 0.001);
+}
+
 TEST(RoundRobin, NamesTheTableWhoseParameterIsAtItsBound) {
   std::vector<TableToFit> tables = round_robin_tables({0, 0.01, 0.02});
   tables[1].options.bounds = {{"alpha", 0.26, 0.5}};

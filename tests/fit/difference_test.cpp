@@ -38,6 +38,70 @@ TEST(Difference, CannotBeToldWithoutABudget) {
   }
 }
 
+// Gives both tables the budget of a goniophotometer.
+std::vector<TableToFit> with_budgets(std::vector<TableToFit> tables) {
+  for (TableToFit& t : tables) t.samples.budget = budget_of(0.01, 0.15, 0.005);
+  return tables;
+}
+
+TEST(Difference, OfEqualSurfacesIsWithinTheBudgets) {
+  const LaboratoryErrors errors{.scale = 0.012, .zero_i = 0.15, .zero_o = -0.1};
+  const std::vector<TableToFit> tables = with_budgets(pair_of(gloss(), gloss(), errors));
+  const Comparison c = compare_tables(tables, laboratory_model());
+  EXPECT_EQ(c.difference.sameness, Sameness::no_difference);
+  EXPECT_TRUE(answer(c.difference).starts_with("no difference beyond the budgets (W "))
+      << answer(c.difference);
+  EXPECT_NE(directions_in_words(c.difference).find("beyond the budgets at 0 of "), std::string::npos);
+  EXPECT_TRUE(c.difference.differing().empty());
+  const io::Json json = to_json(c);
+  EXPECT_EQ(json["answer"], "no_difference");
+  EXPECT_EQ(json["differing"], io::Json::array());
+  EXPECT_NE(html_page(c, tables).find("No difference beyond the budgets"), std::string::npos);
+}
+
+TEST(Difference, BeyondTheBudgetsNamesTheParameterAndTheDirections) {
+  const std::vector<TableToFit> tables = with_budgets(pair_of(gloss(), gloss(0.27), {.scale = 0.01}));
+  const Comparison c = compare_tables(tables, laboratory_model());
+  EXPECT_EQ(c.difference.sameness, Sameness::different);
+  EXPECT_EQ(c.difference.differing(), std::vector<std::string>{"alpha"});
+  EXPECT_TRUE(answer(c.difference).starts_with("different beyond the budgets: alpha (+8"))
+      << answer(c.difference);
+  EXPECT_EQ(directions_in_words(c.difference).find(" at 0 of "), std::string::npos);
+  EXPECT_FALSE(explanation(c, Cause::scale).explains);
+  EXPECT_EQ(to_json(c)["differing"], io::Json::array({"alpha"}));
+  // The band of all directions contains 0 wherever the parameters do not differ.
+  for (const DirectionDifference& d : c.difference.directions)
+    EXPECT_EQ(d.beyond, square(d.difference / d.uncertainty) > 7.8147);  // chi-square of three parameters
+}
+
+TEST(Difference, OfAScaleBeyondTheBudgetNamesTheWeights) {
+  const Comparison c =
+      compare_tables(with_budgets(pair_of(gloss(), gloss(), {.scale = 0.08})), laboratory_model());
+  EXPECT_EQ(c.difference.sameness, Sameness::different);
+  EXPECT_TRUE(explanation(c, Cause::scale).explains);
+  EXPECT_NEAR(explanation(c, Cause::scale).size, 0.083, 0.002);
+  const std::vector<std::string> names = c.difference.differing();
+  EXPECT_NE(std::ranges::find(names, "kd[f_r]"), names.end());
+  EXPECT_EQ(std::ranges::find(names, "alpha"), names.end());
+}
+
+TEST(Difference, OfExactValuesIsJudgedByTheirBudgets) {
+  std::vector<TableToFit> tables = with_budgets(pair_of(gloss(), gloss(), {.scale = 0.01, .noise = 0}));
+  EXPECT_EQ(compare_tables(tables, laboratory_model()).difference.sameness, Sameness::no_difference);
+}
+
+TEST(Difference, NeedsTheBudgetsOfBothTables) {
+  std::vector<TableToFit> tables = with_budgets(pair_of(gloss(), gloss(), {}));
+  tables[1].samples.budget = nullptr;
+  try {
+    compare_tables(tables, laboratory_model());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("b.csv has no uncertainty budget, but a.csv has one"))
+        << error.what();
+  }
+}
+
 TEST(Difference, IsExplainedByTheScaleOfOneTable) {
   const Comparison c = compare_tables(pair_of(gloss(), gloss(), {.scale = 0.012}), laboratory_model());
   const Explanation& scale = explanation(c, Cause::scale);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +18,26 @@ namespace brdf::fit {
 struct LaboratoryErrors {
   double scale = 0, zero_i = 0, zero_o = 0, noise = 0.005, aperture = 0;
 };
+
+// Returns errors with these standard deviations.
+inline LaboratoryErrors drawn_errors(double scale, double zero, double noise, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const double s = scale * normal(random), i = zero * normal(random), o = zero * normal(random);
+  return {.scale = s, .zero_i = i, .zero_o = o, .noise = noise};
+}
+
+// Returns the budget that states these standard deviations.
+inline std::shared_ptr<const io::Budget> budget_of(double scale, double zero, double noise) {
+  io::Budget budget;
+  using Unit = io::BudgetUnit;
+  using By = io::SharedBy;
+  using Effect = io::BudgetEffect;
+  budget.sources = {{"reference_standard", scale, Unit::relative, By::table, Effect::scale},
+                    {"zero_theta_i", zero, Unit::degree, By::table, Effect::theta_i},
+                    {"zero_theta_o", zero, Unit::degree, By::table, Effect::theta_o},
+                    {"repeatability", noise, Unit::relative, By::row, Effect::scale}};
+  return std::make_shared<const io::Budget>(std::move(budget));
+}
 
 // A factor of the surface that no form has, by theta_i, theta_o in radians and the azimuth between them.
 using Structure = std::function<double(double, double, double)>;
