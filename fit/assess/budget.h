@@ -26,23 +26,27 @@ struct InstrumentCovariance {
   RowBudget rows;
   std::vector<SourceCovariance> sources;
   // The part that is independent from row to row: that of the sources, or of the scatter of the residuals if
-  // the latter is larger. `total` adds the sources that rows share.
+  // the latter is larger beyond chance. `total` adds the sources that rows share.
   RowMatrix rowwise, total;
+  // The scatter of the residuals that is left if the most likely errors that rows share are taken out of
+  // them, divided by the scatter: 0 to 1. An error would otherwise count as a source and as scatter.
+  double kept = 1;
+  double freedom = 0;  // of the scatter
 };
 
 // Computes the covariance with the budget of stream.data(), which must be there. An error that rows share
 // moves them together: its effect on a parameter is not divided by the root of their number. `inverse`: of
-// the normal matrix. `scatter`: the covariance from the scatter of the rows.
+// the normal matrix. `scatter`: the covariance from the scatter of the rows, `freedom` its degrees of freedom.
 InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span<const double> p,
-                                           const RowMatrix& inverse, const RowMatrix& scatter);
+                                           const RowMatrix& inverse, const RowMatrix& scatter,
+                                           double freedom);
 
 // Adds the budget to the estimate of a parameter: its standard error becomes the combined standard
-// uncertainty, and its interval is widened in quadrature by 1.96 times the additional standard uncertainty, on
-// the scale on which the interval is symmetric.
+// uncertainty, and its interval becomes that of with_budget().
 void add_budget(const InstrumentCovariance& instrument, const Model& model, Reported& r);
 
-// Returns the interval widened by the standard uncertainty that the sources add to the scatter of the rows.
-// Returns the interval itself if the estimate has no budget.
-Extent with_budget(const Reported& r, const Model& model, Extent interval, const Combined& combined);
+// Returns the interval with its half widths multiplied by `kept` and widened in quadrature by 1.96 times the
+// standard uncertainty `extra`, on the scale on which the interval of the parameter is symmetric.
+Extent with_budget(const Reported& r, const Model& model, Extent interval, double kept, double extra);
 
 }  // namespace brdf::fit

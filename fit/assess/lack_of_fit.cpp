@@ -197,7 +197,7 @@ void add_movement(const Model& model, std::span<const double> solution,
     const Jackknife moved = jackknife(on_interval_scale(all[k], {all[k].estimate.value}, model)[0],
                                       on_interval_scale(all[k], by_fold[k], model));
     Extent extent = extent_of(all[k], model, solution, t_quantile(moved.freedom) * moved.error);
-    if (e.budget) extent = with_budget(all[k], model, extent, *e.budget);
+    if (e.budget) extent = with_budget(all[k], model, extent, 1, e.budget->shared);
     e.with_lack_of_fit = {std::min(extent.low, e.low), std::max(extent.high, e.high)};
   }
 }

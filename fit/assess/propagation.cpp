@@ -12,14 +12,15 @@ Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
   return g;
 }
 
-RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust) {
+RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust, double limit) {
   const Eigen::SelfAdjointEigenSolver<RowMatrix> own(covariance);
   const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
   const double least = 1e-9 * root.maxCoeff();
   const Eigen::VectorXd inverse = root.unaryExpr([&](double x) { return x > least ? 1 / x : 0; });
   const RowMatrix whiten = inverse.asDiagonal() * own.eigenvectors().transpose();
   const Eigen::SelfAdjointEigenSolver<RowMatrix> ratio(whiten * other * whiten.transpose());
-  const Eigen::VectorXd excess = trust * (ratio.eigenvalues().array() - 1).max(0).matrix();
+  const Eigen::VectorXd excess =
+      ratio.eigenvalues().unaryExpr([&](double x) { return x > limit ? trust * (x - 1) : 0; });
   const RowMatrix back = own.eigenvectors() * root.asDiagonal() * ratio.eigenvectors();
   return covariance + back * excess.asDiagonal() * back.transpose();
 }

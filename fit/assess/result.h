@@ -73,7 +73,7 @@ struct Combined {
   };
   double standard_uncertainty = kUnknown;
   std::vector<Part> parts;
-  double beyond_scatter = 0;  // the standard uncertainty without the scatter that the rows show themselves
+  double rowwise = 0, shared = 0;  // of the parts that are independent from row to row, and of the others
 
   double share(const Part& part) const;  // of the variance
 };

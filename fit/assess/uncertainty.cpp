@@ -135,7 +135,7 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     scatter = working ? larger_of(working->covariance, c.covariance, least_trust(all)) : c.covariance;
   std::optional<InstrumentCovariance> instrument;
   if (!lean && !few && stream.data().budget) {
-    instrument = instrument_covariance(stream, m.p, c.inverse, *scatter);
+    instrument = instrument_covariance(stream, m.p, c.inverse, *scatter, freedom);
     for (Reported& r : all) add_budget(*instrument, model, r);
   }
   const RowMatrix& total = instrument ? instrument->total : c.covariance;

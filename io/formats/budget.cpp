@@ -149,11 +149,14 @@ class BudgetReader {
 
 }  // namespace
 
-Budget read_budget(const std::filesystem::path& path) {
-  constexpr std::size_t kLargestBudget = std::size_t(1) << 20;
-  Content content = read_content(path, kLargestBudget);
+Budget read_budget(Content content) {
   make_utf8(content);
   return BudgetReader(content).read();
+}
+
+Budget read_budget(const std::filesystem::path& path) {
+  constexpr std::size_t kLargestBudget = std::size_t(1) << 20;
+  return read_budget(read_content(path, kLargestBudget));
 }
 
 std::optional<Budget> stated_budget(const SampleTable& table) {

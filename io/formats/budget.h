@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "brdf/names.h"
+#include "io/files/content.h"
 #include "io/samples/samples.h"
 
 namespace brdf::io {
@@ -64,6 +65,7 @@ inline constexpr std::string_view kBudgetKey = "budget";
 // cosines by which the instrument divides; without it, it is cos_theta_o. Throws InputError with the file and
 // the line if the table cannot be read, a source is listed twice, a number is negative, or a unit is unknown
 // or is not that of the source.
+Budget read_budget(Content content);
 Budget read_budget(const std::filesystem::path& path);
 
 // Reads the budget that a comment of a table names, a path relative to the folder of the table. Returns

@@ -1,0 +1,158 @@
+// Tests the uncertainty budget of an instrument: sensitivities, shared errors, and the coverage of intervals.
+#include "fit/assess/budget.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "fit/assess/derived.h"
+#include "fit/report/budget.h"
+#include "fit/report/report.h"
+#include "samples.h"
+#include "simulated_instrument.h"
+
+namespace brdf::fit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+FormFit fitted(const io::SampleTable& table, const Instrument& instrument, const char* form,
+               std::vector<NamedValues> fix = {}) {
+  FitOptions options{.metric = Metric::log_relative};
+  options.fix = std::move(fix);
+  options.budget = budget_of(instrument);
+  return fit(table, {{*find_form(form)}}, options).ranking.front();
+}
+
+double part(const Combined& c, const std::string& source) {
+  const auto found = std::ranges::find(c.parts, source, &Combined::Part::source);
+  return found == c.parts.end() ? 0 : found->standard_uncertainty;
+}
+
+// The value of a matt surface does not depend on the angles, so that only the division by the nominal cosine
+// of the viewing angle is sensitive to them.
+TEST(Budget, ASurfaceWithoutAnglesIsSensitiveToTheCosineAlone) {
+  const Instrument instrument{.scale = 0.004, .zero_i = 0.3, .zero_o = 0.2, .noise = 0};
+  const FormFit f = fitted(read_by({}, matt(0.6)), instrument, "lambert");
+  const RowBudget& rows = f.budget.value();
+  ASSERT_GT(rows.row.size(), 50u);
+  for (std::size_t k = 0; k < rows.row.size(); ++k) {
+    const double theta_o = degrees(read_by({}, matt(0.6)).theta_o[rows.row[k]]).radians();
+    EXPECT_NEAR(rows.theta_i[0][k], 0, 1e-9);
+    EXPECT_NEAR(rows.theta_o[0][k], -std::tan(theta_o), 1e-7);
+    EXPECT_NEAR(rows.combined(0, k), std::hypot(0.004, degrees(0.2).radians() * std::tan(theta_o)), 1e-9);
+  }
+  EXPECT_EQ(rows.beyond_first_order, 0u);
+}
+
+// Twice as many rows halve the variance of the errors that each row has for itself, and leave an error that
+// all rows share as large as it was.
+TEST(Budget, ASharedErrorIsNotDividedByTheRootOfTheNumberOfRows) {
+  const Instrument instrument{.scale = 0.01, .zero_i = 0, .zero_o = 0, .noise = 0.02};
+  io::SampleTable once = read_by({}, matt(0.5)), twice = once;
+  for (std::size_t k = 0; k < once.rows(); ++k) {
+    twice.add_directions(once.theta_i[k], once.phi_i[k], once.theta_o[k], once.phi_o[k]);
+    twice.values[0].push_back(once.values[0][k]);
+  }
+  const Combined a = estimate(fitted(once, instrument, "lambert"), "rho").budget.value(),
+                 b = estimate(fitted(twice, instrument, "lambert"), "rho").budget.value();
+  EXPECT_NEAR(part(a, "reference_standard"), 0.5 * 0.01, 1e-7);
+  EXPECT_NEAR(part(b, "reference_standard"), 0.5 * 0.01, 1e-7);
+  EXPECT_NEAR(part(b, "repeatability"), part(a, "repeatability") / std::sqrt(2), 1e-7);
+  EXPECT_NEAR(part(a, "repeatability"), 0.5 * 0.02 / std::sqrt(double(once.rows())), 2e-5);
+}
+
+TEST(Budget, AnErrorOfEachLightIsDividedByTheirNumber) {
+  Instrument instrument{.scale = 0.01, .zero_i = 0, .zero_o = 0, .noise = 0};
+  const io::SampleTable table = read_by({}, matt(0.5));
+  auto budget = *budget_of(instrument);
+  budget.sources[0].shared_by = io::SharedBy::light;
+  FitOptions options{.metric = Metric::log_relative};
+  options.budget = std::make_shared<const io::Budget>(budget);
+  const FormFit f = fit(table, {{*find_form("lambert")}}, options).ranking.front();
+  const double lights = double(std::set(table.theta_i.begin(), table.theta_i.end()).size());
+  EXPECT_NEAR(part(estimate(f, "rho").budget.value(), "reference_standard"), 0.5 * 0.01 / std::sqrt(lights),
+              0.5 * 0.01 * 0.01);
+}
+
+// The budget's own repeatability is far below the scatter of these rows, so that the scatter counts.
+TEST(Budget, TheScatterOfTheRowsCountsIfItIsLarger) {
+  const Instrument stated{.scale = 0.01, .zero_i = 0, .zero_o = 0, .noise = 1e-5};
+  const FormFit f = fitted(read_by({.noise = 0.03}, matt(0.5), 3), stated, "lambert");
+  const Combined kd = estimate(f, "rho").budget.value();
+  EXPECT_EQ(part(kd, "repeatability"), 0);
+  EXPECT_NEAR(part(kd, kScatterSource), 0.5 * 0.03 / std::sqrt(double(f.budget->row.size())), 4e-4);
+}
+
+// Simulated instruments, each with errors of its own: the 95 % intervals hold the true parameters and the
+// true albedo. The standard deviation of a share of 1,000 is 0.7 %.
+TEST(Budget, IntervalsOfAThousandInstrumentsHoldTheTruth) {
+  for (const auto& [name, share] : covered_by_budget(1000, 1)) {
+    RecordProperty(name, std::to_string(share));
+    EXPECT_GE(share, 0.93) << name;
+    EXPECT_LE(share, 0.97) << name;
+  }
+}
+
+// Without a budget the same intervals miss the true weight of the diffuse term in most tables, and the report
+// states that a common error is not in them.
+TEST(Budget, WithoutABudgetTheReportStatesThatScatterAloneIsInIt) {
+  const Instrument instrument;
+  const FitOptions plain{.metric = Metric::log_relative, .fix = {{"f0", {0.05}}}};
+  int held = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const FormFit f =
+        fit(read_by(instrument, glossy(), seed), {{*find_form("cook_torrance")}}, plain).ranking.front();
+    const Estimate& kd = estimate(f, "kd");
+    held += kd.low <= kGlossyKd && kGlossyKd <= kd.high;
+    EXPECT_EQ(scope_of_intervals(f), std::string("intervals: ") + kScatterOnly);
+    EXPECT_TRUE(budget_in_words(f).empty());
+    EXPECT_TRUE(budget_json(f, nullptr).is_null());
+  }
+  EXPECT_LE(held, 8);
+}
+
+TEST(Budget, EveryIntervalStatesThatItContainsTheBudget) {
+  FitOptions options{.metric = Metric::log_relative, .fix = {{"f0", {0.05}}}};
+  options.budget = budget_of({});
+  const io::SampleTable table = read_by({}, glossy(), 5);
+  const FitResult result = fit(table, {{*find_form("cook_torrance")}}, options);
+  std::ostringstream text;
+  print(text, result, table, options);
+  EXPECT_THAT(text.str(), HasSubstr("with the budget)"));
+  EXPECT_THAT(text.str(), Not(HasSubstr("scatter only")));
+  const io::Json json = to_json(result, table, options);
+  EXPECT_EQ(json["ranking"][0]["intervals_contain"], "scatter and budget");
+  EXPECT_EQ(json["ranking"][0]["budget"]["rows"].size(), result.rows);
+  double shares = 0;
+  for (const auto& source : json["ranking"][0]["intervals"]["kd"]["f"]["budget"]["sources"])
+    shares += source["share"].get<double>();
+  EXPECT_NEAR(shares, 1, 1e-9);
+}
+
+TEST(Budget, ItsSourcesComeBackFromAMaterialFile) {
+  const FormFit f = fitted(read_by({}, glossy(), 2), {}, "cook_torrance", {{"f0", {0.05}}});
+  const auto back = covariance_of({{"covariance", to_json(f.covariance.value())}});
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->sources, f.covariance->sources);
+  EXPECT_EQ(back->components.a, f.covariance->components.a);
+  EXPECT_GT(back->components.rows, back->components.cols);
+  EXPECT_FALSE(covariance_of(
+      {{"covariance", {{"parameters", {"a"}}, {"components", {{1}, {1}}}, {"freedom", {9, 9}}}}}));
+}
+
+// A lobe as narrow as a few zero errors: first order is not enough, and the report states it.
+TEST(Budget, ANarrowHighlightIsBeyondFirstOrder) {
+  Material mirror = glossy();
+  mirror.terms[0].shape[0] = {0.01, 0.01};
+  const FormFit f =
+      fitted(read_by({}, mirror), {.zero_i = 0.3, .zero_o = 0.3}, "cook_torrance", {{"f0", {0.05}}});
+  EXPECT_GT(f.budget->beyond_first_order, 0u);
+  EXPECT_THAT(testing::PrintToString(budget_in_words(f)), HasSubstr("is of first order"));
+}
+
+}  // namespace
+}  // namespace brdf::fit
