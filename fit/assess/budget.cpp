@@ -206,34 +206,58 @@ SharedErrors shared_errors(const SampleStream& stream, std::span<const double> p
   return out;
 }
 
-// Returns the share of the squares of the residuals that remains if the most likely errors that rows share
-// are taken out of them. Each of these errors has the standard deviation 1 that the budget states, and the
-// noise of the residuals is what remains. Without this step the errors would count twice: as sources, and
-// as the scatter that they cause.
-double share_of_scatter(const SampleStream& stream, std::span<const double> p, const RowBudget& rows,
-                        const RowMatrix& inverse) {
-  if (stream.data().rows() > kManyRows) return 1;
+// Returns the residuals without the most likely errors that rows share. Each of these errors has the standard
+// deviation 1 that the budget states, and the noise of the residuals is what remains. The fit has already
+// taken a part of each error into its parameters.
+Values without_shared_errors(const SampleStream& stream, std::span<const double> p, const RowBudget& rows,
+                             const RowMatrix& inverse) {
   const SharedErrors shared = shared_errors(stream, p, rows);
-  const Values residuals = stream.residuals_of(rows.values);
+  Values out = stream.residuals_of(rows.values);
   Eigen::VectorXd r(shared.columns.rows());
   Eigen::Index next = 0;
-  for (const std::vector<double>& channel : residuals)
+  for (const std::vector<double>& channel : out)
     for (const double x : channel) r(next++) = x;
   const double all = r.squaredNorm();
-  if (shared.columns.cols() == 0 || !(all > 0)) return 1;
-  // The fit has already taken a part of each error into its parameters.
+  if (shared.columns.cols() == 0 || !(all > 0)) return out;
   const RowMatrix gram = shared.columns.transpose() * shared.columns -
                          shared.by_parameter.transpose() * inverse * shared.by_parameter;
   const Eigen::VectorXd cross = shared.columns.transpose() * r;
   constexpr int kPasses = 8;
   double left = all;
+  Eigen::VectorXd errors;
   for (int pass = 0; pass < kPasses; ++pass) {
     const double noise = std::max(left, 1e-12 * all) / double(r.size());
     const RowMatrix ridge = gram + noise * RowMatrix::Identity(gram.rows(), gram.cols());
-    const Eigen::VectorXd errors = ridge.ldlt().solve(cross);
+    errors = ridge.ldlt().solve(cross);
     left = std::clamp(all - 2 * errors.dot(cross) + errors.dot(gram * errors), 0.0, all);
   }
-  return left / all;
+  // The parameters' part is a difference of residuals: a Jacobian is never stored.
+  const Eigen::VectorXd moved = inverse * (shared.by_parameter * errors);
+  std::vector<double> there(p.begin(), p.end());
+  for (std::size_t k = 0; k < there.size(); ++k) there[k] += moved(Eigen::Index(k));
+  const Values at_moved = stream.residual_values(there), at = out;
+  r -= shared.columns * errors;
+  next = 0;
+  for (std::size_t c = 0; c < out.size(); ++c)
+    for (std::size_t k = 0; k < out[c].size(); ++k) out[c][k] = r(next++) + at_moved[c][k] - at[c][k];
+  return out;
+}
+
+// Returns the factors, one for each of the solver's parameters, by which the standard errors from the scatter
+// shrink if the errors that rows share are taken out of the residuals. Without this step they would count
+// twice: as sources, and as the scatter that they cause.
+Eigen::VectorXd factors_of_scatter(const SampleStream& stream, std::span<const double> p,
+                                   const RowBudget& rows, const RowMatrix& inverse) {
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(inverse.rows());
+  if (stream.data().rows() > kManyRows) return factors;
+  const auto variances = [&](const Values& residuals) -> Eigen::VectorXd {
+    return (inverse * view_of(stream.meat_of(p, residuals, Clusters::rows)) * inverse).diagonal();
+  };
+  const Eigen::VectorXd before = variances(stream.residuals_of(rows.values)),
+                        after = variances(without_shared_errors(stream, p, rows, inverse));
+  for (Eigen::Index k = 0; k < factors.size(); ++k)
+    if (before(k) > 0) factors(k) = std::sqrt(std::clamp(after(k) / before(k), 0.0, 1.0));
+  return factors;
 }
 
 // Returns the ratio up to which a variance of the scatter is not larger than the variance of the budget
@@ -287,10 +311,11 @@ InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span
   out.sources = covariances(stream, p, out.rows, inverse);
   RowMatrix own = RowMatrix::Zero(inverse.rows(), inverse.cols()), shared = own;
   for (const SourceCovariance& s : out.sources) (s.is_shared ? shared : own) += s.covariance;
-  out.kept = std::sqrt(share_of_scatter(stream, p, out.rows, inverse));
+  const Eigen::VectorXd factors = factors_of_scatter(stream, p, out.rows, inverse);
+  out.scatter = scatter;
+  out.left = factors.asDiagonal() * scatter * factors.asDiagonal();
   out.freedom = freedom;
-  const RowMatrix left = out.kept * out.kept * scatter;
-  out.rowwise = own.isZero(0) ? left : larger_of(own, left, 1, chance_ratio(freedom));
+  out.rowwise = own.isZero(0) ? out.left : larger_of(own, out.left, 1, chance_ratio(freedom));
   out.total = out.rowwise + shared;
   return out;
 }
@@ -298,11 +323,13 @@ InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span
 void add_budget(const InstrumentCovariance& instrument, const Model& model, Reported& r) {
   Estimate& e = r.estimate;
   if (r.gradient.empty() || std::isnan(e.low) || e.status == Status::unidentified) return;
+  const Eigen::VectorXd g = gradient_vector(r, instrument.total.rows());
+  const double before = g.dot(instrument.scatter * g), after = g.dot(instrument.left * g);
+  const double kept = before > 0 ? std::sqrt(std::clamp(after / before, 0.0, 1.0)) : 1;
   const double scatter = e.standard_error, freedom = std::isnan(e.deciding)
                                                          ? instrument.freedom
                                                          : std::min(e.deciding, instrument.freedom);
-  e.budget = combined_of(gradient_vector(r, instrument.total.rows()), instrument.kept * scatter, freedom,
-                         instrument.sources);
+  e.budget = combined_of(g, kept * scatter, freedom, instrument.sources);
   const bool has_scatter = scatter > 0;
   const Extent widened = with_budget(r, model, {e.low, e.high}, has_scatter ? e.budget->rowwise / scatter : 1,
                                      has_scatter ? e.budget->shared : e.budget->standard_uncertainty);

@@ -28,9 +28,9 @@ struct InstrumentCovariance {
   // The part that is independent from row to row: that of the sources, or of the scatter of the residuals if
   // the latter is larger beyond chance. `total` adds the sources that rows share.
   RowMatrix rowwise, total;
-  // The scatter of the residuals that is left if the most likely errors that rows share are taken out of
-  // them, divided by the scatter: 0 to 1. An error would otherwise count as a source and as scatter.
-  double kept = 1;
+  // The covariance from the scatter of the rows, and the part of it that is left if the most likely errors
+  // that rows share are taken out of the residuals.
+  RowMatrix scatter, left;
   double freedom = 0;  // of the scatter
 };
 
