@@ -145,21 +145,22 @@ def _several(verb: str, samples: tuple[Any, ...], repeated: Mapping[str, Any], o
     return found
 
 
-def compare(first: Any, second: Any, **options: Any) -> dict[str, Any]:
+def compare(first: Any, second: Any, budget: Any = (), **options: Any) -> dict[str, Any]:
     """`brdf compare`: whether two tables are of the same surface, within their budgets. Returns the JSON of the verb.
 
+    budget: a file for both tables, or a list with one for each.
     "answer" is "no_difference", "different", "cannot_be_told" (the tables have no budgets) or "undecided".
     """
-    return _several("compare", (first, second), {}, options)
+    return _several("compare", (first, second), {"budget": budget}, options)
 
 
-def consensus(*samples: Any, at: Any = (), **options: Any) -> dict[str, Any]:
+def consensus(*samples: Any, at: Any = (), budget: Any = (), **options: Any) -> dict[str, Any]:
     """`brdf consensus`: the consensus of several laboratories' tables of one surface. Returns the JSON of the verb.
 
-    at: directions of values of f, as "0:45" or a list of such words. The "consensus" of a quantity is None if it is
-    undecided.
+    at: directions of values of f, as "0:45" or a list of such words. budget: a file for all tables, or a list with one for
+    each. The "consensus" of a quantity is None if it is undecided.
     """
-    return _several("consensus", samples, {"at": at}, options)
+    return _several("consensus", samples, {"at": at, "budget": budget}, options)
 
 
 def trade(**options: Any) -> Any:
