@@ -1,6 +1,7 @@
 #include "cli/steps/several_tables.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 
 #include "cli/options/fit_options.h"
 #include "cli/options/options.h"
@@ -41,6 +42,17 @@ std::vector<std::shared_ptr<const io::Budget>> budgets_of(const SeveralTables& o
   return out;
 }
 
+// Throws for a table that is named twice: it would count as two measurements.
+void require_different(const std::vector<std::string>& samples) {
+  for (std::size_t a = 0; a < samples.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      std::error_code unreadable;
+      if (samples[a] == samples[b] || std::filesystem::equivalent(samples[a], samples[b], unreadable))
+        throw InputError("SAMPLES: " + samples[a] +
+                         " is named twice: one measurement would count as two; name different tables");
+    }
+}
+
 }  // namespace
 
 std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::string& verb) {
@@ -48,6 +60,7 @@ std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::st
   std::vector<std::filesystem::path> inputs(o.samples.begin(), o.samples.end());
   inputs.insert(inputs.end(), o.budgets.begin(), o.budgets.end());
   io::check_targets({{"--report", o.page}}, inputs);
+  require_different(o.samples);
   const std::vector<std::shared_ptr<const io::Budget>> budgets = budgets_of(o);
   fit::FitOptions options = fit_options(o.choice, 1);
   std::vector<fit::TableToFit> tables;

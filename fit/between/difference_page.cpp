@@ -138,7 +138,7 @@ void add_parameters(io::HtmlReport& page, const Difference& d) {
 }
 
 void add_explanations(io::HtmlReport& page, const Comparison& c) {
-  if (c.explanations.empty() || c.difference.sameness == Sameness::no_difference) return;
+  if (c.explanations.empty()) return;
   page.heading("Errors of an instrument that would explain the difference");
   std::vector<io::Remark> remarks;
   for (const Explanation& e : c.explanations) {

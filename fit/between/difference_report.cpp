@@ -47,16 +47,16 @@ std::string size_text(const Explanation& e) {
 }
 
 std::string cause_text(const Explanation& e) {
-  const std::string of = io::printable(io::file_name(e.table));
+  const std::string in = " in " + io::printable(io::file_name(e.table));
   switch (e.cause) {
     case Cause::scale:
-      return "a scale of " + of + " that is wrong by " + size_text(e);
+      return "a scale error of " + size_text(e) + in;
     case Cause::zero_theta_i:
-      return "a zero error of theta_i of " + of + " of " + size_text(e);
+      return "a zero error of theta_i of " + size_text(e) + in;
     case Cause::zero_theta_o:
-      return "a zero error of theta_o of " + of + " of " + size_text(e);
+      return "a zero error of theta_o of " + size_text(e) + in;
     default:
-      return "an aperture of " + of + " of " + size_text(e);
+      return "an aperture of " + size_text(e) + in;
   }
 }
 
@@ -97,6 +97,7 @@ io::Json explanation_json(const Explanation& e) {
   return {{"cause", name_of(e.cause)},
           {"samples", e.table},
           {"size", e.found ? io::finite_or_null(e.size) : io::Json(nullptr)},
+          {"standard_uncertainty", e.stated > 0 ? io::Json(e.stated) : io::Json(nullptr)},
           {"unit", e.cause == Cause::scale ? "relative" : "degree"},
           {"explains", e.explains}};
 }
@@ -134,9 +135,13 @@ std::string directions_in_words(const Difference& d) {
 }
 
 std::string in_words(const Explanation& e) {
-  if (!e.found) return limits_text(e.cause) + " explains nothing of it";
-  if (e.explains) return cause_text(e) + " explains it alone";
-  return cause_text(e) + " does not explain it alone";
+  if (!e.found) return "not explained by " + limits_text(e.cause);
+  std::string text =
+      e.explains ? "explained by " + cause_text(e) : "not explained by " + cause_text(e) + " alone";
+  if (e.stated > 0)
+    text += ", " + io::short_number(std::abs(e.size) / e.stated, 2) +
+            " times its standard uncertainty by the budgets";
+  return text;
 }
 
 void print(std::ostream& out, const Comparison& comparison) {
@@ -156,7 +161,6 @@ void print(std::ostream& out, const Comparison& comparison) {
         << ", standard uncertainty " << amount_text(p.uncertainty, p.logarithmic)
         << (d.fits.have_budgets() ? "" : " (scatter alone)") << '\n';
   if (const std::string text = directions_in_words(d); !text.empty()) out << "  " << text << '\n';
-  if (d.sameness == Sameness::no_difference) return;
   for (const Explanation& e : comparison.explanations) out << "  " << in_words(e) << '\n';
 }
 

@@ -16,7 +16,8 @@ std::string answer(const Difference& difference);
 // Returns whether f differs beyond the budgets in the plane of incidence, and at which directions. Empty
 // without budgets, and if there is an obstacle.
 std::string directions_in_words(const Difference& difference);
-// Returns "a scale of b.csv of +0.9 % explains it alone", or that it does not.
+// Returns "explained by a scale error of +0.9 % in b.csv", or "not explained by ... alone" with the size that
+// leaves the least.
 std::string in_words(const Explanation& explanation);
 
 // Prints the answer, the parameters, the directions and the explanations.

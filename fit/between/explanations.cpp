@@ -69,6 +69,21 @@ void keep_fitted_rows(TableToFit& t) {
   t.options.max_theta = 90;
 }
 
+// Returns the standard uncertainty of an error of a whole table, by its budget.
+double stated_uncertainty(const TableToFit& table, Cause cause) {
+  const std::shared_ptr<const io::Budget>& budget =
+      table.samples.budget ? table.samples.budget : table.options.budget;
+  if (!budget || cause == Cause::aperture) return 0;
+  const io::BudgetEffect effect = cause == Cause::scale          ? io::BudgetEffect::scale
+                                  : cause == Cause::zero_theta_i ? io::BudgetEffect::theta_i
+                                                                 : io::BudgetEffect::theta_o;
+  double variance = 0;
+  for (const io::BudgetSource& source : budget->sources)
+    if (source.effect == effect && source.shared_by == io::SharedBy::table)
+      variance += square(source.standard_uncertainty);
+  return std::sqrt(variance);
+}
+
 // The search for the size of one error in one table.
 class ErrorSearch {
  public:
@@ -161,8 +176,11 @@ class ErrorSearch {
 std::vector<Explanation> explanations_of(const Difference& difference,
                                          const std::vector<TableToFit>& tables) {
   std::vector<Explanation> out;
-  for (const Cause cause : {Cause::scale, Cause::zero_theta_i, Cause::zero_theta_o})
+  for (const Cause cause : {Cause::scale, Cause::zero_theta_i, Cause::zero_theta_o}) {
     out.push_back(ErrorSearch(difference, tables[1], 1, cause).run());
+    out.back().stated =
+        std::hypot(stated_uncertainty(tables[0], cause), stated_uncertainty(tables[1], cause));
+  }
   std::optional<Explanation> best;
   for (std::size_t t = 0; t < tables.size(); ++t) {
     if (aperture_of(tables[t].samples.table, tables[t].options) > 0) continue;
@@ -178,7 +196,9 @@ Comparison compare_tables(std::vector<TableToFit> tables, std::vector<std::vecto
   if (tables.size() != 2) throw std::logic_error("compare_tables: two tables");
   FittedTables fits = fit_tables(tables, std::move(models), progress);
   Comparison out{difference_of(std::move(fits), tables), {}};
-  if (out.difference.obstacle.empty()) out.explanations = explanations_of(out.difference, tables);
+  const bool is_sought =
+      out.difference.obstacle.empty() && out.difference.sameness != Sameness::no_difference;
+  if (is_sought) out.explanations = explanations_of(out.difference, tables);
   return out;
 }
 

@@ -33,8 +33,11 @@ struct Explanation {
   double size = 0;
   double statistic = 0;    // W of the difference without the error
   double probability = 0;  // of a statistic at least as large for equal surfaces, for one dimension less
-  bool found = false;      // a size within the limits exists that reduces the statistic
-  bool explains = false;   // the error alone is enough: the rest is not significant at 5 %
+  // The standard uncertainty of this error according to the budgets of both tables, in the unit of the size.
+  // 0 without budgets, for an aperture, and if the budgets do not have the error.
+  double stated = 0;
+  bool found = false;     // a size within the limits exists that reduces the statistic
+  bool explains = false;  // the error alone is enough: the rest is not significant at 5 %
 };
 
 // The limits within which sizes are sought.
@@ -46,7 +49,8 @@ inline constexpr double kLargestScale = 0.5, kLargestZeroError = 5, kLargestAper
 // returned; a table that is fitted with an aperture is left out. `difference` has no obstacle.
 std::vector<Explanation> explanations_of(const Difference& difference, const std::vector<TableToFit>& tables);
 
-// A difference with the errors that would explain it; no explanations if there is an obstacle.
+// A difference with the errors that would explain it; no explanations if there is an obstacle or no
+// difference beyond the budgets.
 struct Comparison {
   Difference difference;
   std::vector<Explanation> explanations;

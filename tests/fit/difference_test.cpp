@@ -80,6 +80,11 @@ TEST(Difference, OfAScaleBeyondTheBudgetNamesTheWeights) {
   EXPECT_EQ(c.difference.sameness, Sameness::different);
   EXPECT_TRUE(explanation(c, Cause::scale).explains);
   EXPECT_NEAR(explanation(c, Cause::scale).size, 0.083, 0.002);
+  EXPECT_NEAR(explanation(c, Cause::scale).stated, 0.01 * std::sqrt(2), 1e-12);  // of both tables
+  EXPECT_NE(
+      in_words(explanation(c, Cause::scale)).find(", 5.8 times its standard uncertainty by the budgets"),
+      std::string::npos)
+      << in_words(explanation(c, Cause::scale));
   const std::vector<std::string> names = c.difference.differing();
   EXPECT_NE(std::ranges::find(names, "kd[f_r]"), names.end());
   EXPECT_EQ(std::ranges::find(names, "alpha"), names.end());
@@ -138,7 +143,8 @@ TEST(Difference, IsExplainedByAnApertureOfEitherTable) {
 TEST(Difference, OfAWidthIsExplainedByNoScale) {
   const Comparison c = compare_tables(pair_of(gloss(), gloss(0.27), {}), laboratory_model());
   EXPECT_FALSE(explanation(c, Cause::scale).explains);
-  EXPECT_NE(in_words(explanation(c, Cause::scale)).find("does not explain it alone"), std::string::npos);
+  EXPECT_NE(in_words(explanation(c, Cause::scale)).find("not explained by a scale error of "),
+            std::string::npos);
 }
 
 TEST(Difference, IsUndecidedForAParameterAtItsBound) {
