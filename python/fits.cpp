@@ -27,8 +27,8 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                          bool per_channel, bool free_scale, bool keep_fill, const std::string& polarisation,
                          const std::string& repeats, const std::string& quantity,
                          const std::string& mirror_side, const std::string& layout, double max_theta,
-                         std::optional<double> aperture, int starts, std::uint64_t seed,
-                         const std::string& shape) {
+                         std::optional<double> aperture, const std::string& budget, int starts,
+                         std::uint64_t seed, const std::string& shape) {
   const fit::FitOptions options{.metric = named<fit::Metric>("--metric", metric),
                                 .weighting = named<fit::Weighting>("--weights", weights),
                                 .max_theta = max_theta,
@@ -42,7 +42,7 @@ fit::FitChoice choice_of(const std::string& form, const std::string& metric, con
                                 .random_starts = starts,
                                 .seed = seed,
                                 .aperture = aperture};
-  return {form, robust, fix, start, bounds, physical, shape, options};
+  return {form, robust, budget, fix, start, bounds, physical, shape, options};
 }
 
 // Returns the samples prepared for a fit, with a name for reports.

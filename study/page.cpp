@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fit/report/first_screen.h"
 #include "fit/report/budget.h"
+#include "fit/report/first_screen.h"
 #include "fit/report/page.h"
 #include "io/colour/channel_colours.h"
 #include "io/files/address.h"

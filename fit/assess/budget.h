@@ -36,7 +36,8 @@ struct InstrumentCovariance {
 
 // Computes the covariance with the budget of stream.data(), which must be there. An error that rows share
 // moves them together: its effect on a parameter is not divided by the root of their number. `inverse`: of
-// the normal matrix. `scatter`: the covariance from the scatter of the rows, `freedom` its degrees of freedom.
+// the normal matrix. `scatter`: the covariance from the scatter of the rows; `freedom`: its degrees of
+// freedom.
 InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span<const double> p,
                                            const RowMatrix& inverse, const RowMatrix& scatter,
                                            double freedom);

@@ -27,8 +27,8 @@ struct SourceCovariance {
   RowMatrix covariance;
 };
 
-// Returns a covariance, raised in the directions in which the covariance `other` is more than `limit` times as
-// large, by the share `trust` of the excess.
+// Returns a covariance, raised in the directions in which the covariance `other` is more than `limit` times
+// as large, by the share `trust` of the excess.
 RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust, double limit = 1);
 
 // Returns the gradient of a reported parameter by all of the solver's parameters.

@@ -42,18 +42,35 @@ void move(double& theta, double& phi, double by) {
   theta = std::min(theta, kAlmostGrazing);
 }
 
-// Returns the samples with the values and directions that they would have without the error. The instrument
-// divides by the cosine of the stated theta_o.
-void correct(io::SampleTable& table, Cause cause, double size) {
+// The cosines of stated angles by which an instrument divides its readings.
+struct Divisors {
+  bool cos_i = false, cos_o = true;
+};
+
+std::shared_ptr<const io::Budget> budget_of(const TableToFit& table) {
+  return table.samples.budget ? table.samples.budget : table.options.budget;
+}
+
+Divisors divisors_of(const TableToFit& table) {
+  const auto budget = budget_of(table);
+  return budget ? Divisors{budget->divides_by_cos_i, budget->divides_by_cos_o} : Divisors();
+}
+
+// Moves a polar angle. Returns the factor by which the reading changes if it is divided by the cosine of the
+// true angle instead of the stated one; 1 if the instrument does not divide.
+double moved(double& theta, double& phi, double by, bool divides) {
+  const double stated = std::cos(degrees(theta).radians());
+  move(theta, phi, by);
+  return divides ? stated / std::cos(degrees(theta).radians()) : 1;
+}
+
+// Gives the table the values and directions that it would have without the error.
+void correct(io::SampleTable& table, Cause cause, double size, const Divisors& divisors) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     double factor = 1;
     if (cause == Cause::scale) factor = 1 / (1 + size);
-    if (cause == Cause::zero_theta_i) move(table.theta_i[k], table.phi_i[k], size);
-    if (cause == Cause::zero_theta_o) {
-      const double stated = std::cos(degrees(table.theta_o[k]).radians());
-      move(table.theta_o[k], table.phi_o[k], size);
-      factor = stated / std::cos(degrees(table.theta_o[k]).radians());
-    }
+    if (cause == Cause::zero_theta_i) factor = moved(table.theta_i[k], table.phi_i[k], size, divisors.cos_i);
+    if (cause == Cause::zero_theta_o) factor = moved(table.theta_o[k], table.phi_o[k], size, divisors.cos_o);
     for (auto* columns : {&table.values, &table.sigma})
       for (std::vector<double>& column : *columns)
         if (!column.empty()) column[k] *= factor;
@@ -71,8 +88,7 @@ void keep_fitted_rows(TableToFit& t) {
 
 // Returns the standard uncertainty of an error of a whole table, by its budget.
 double stated_uncertainty(const TableToFit& table, Cause cause) {
-  const std::shared_ptr<const io::Budget>& budget =
-      table.samples.budget ? table.samples.budget : table.options.budget;
+  const auto budget = budget_of(table);
   if (!budget || cause == Cause::aperture) return 0;
   const io::BudgetEffect effect = cause == Cause::scale          ? io::BudgetEffect::scale
                                   : cause == Cause::zero_theta_i ? io::BudgetEffect::theta_i
@@ -88,7 +104,12 @@ double stated_uncertainty(const TableToFit& table, Cause cause) {
 class ErrorSearch {
  public:
   ErrorSearch(const Difference& difference, const TableToFit& table, std::size_t which, Cause cause)
-      : difference_(difference), table_(table), which_(which), cause_(cause), search_(search_of(cause)) {
+      : difference_(difference),
+        table_(table),
+        divisors_(divisors_of(table)),
+        which_(which),
+        cause_(cause),
+        search_(search_of(cause)) {
     keep_fitted_rows(table_);
     table_.options.profiles = false;
     table_.options.budget = nullptr;  // a change of the parameters is sought, not their uncertainty
@@ -128,7 +149,7 @@ class ErrorSearch {
     if (cause_ == Cause::aperture)
       changed.options.aperture = size;
     else
-      correct(changed.samples.table, cause_, size);
+      correct(changed.samples.table, cause_, size, divisors_);
     const FormFit fit = fit_table(changed, difference_.fits.model).fit;
     if (!fit.solved()) return std::nullopt;
     std::vector<double> out;
@@ -164,6 +185,7 @@ class ErrorSearch {
 
   const Difference& difference_;
   TableToFit table_;
+  Divisors divisors_;
   std::size_t which_;
   Cause cause_;
   Search search_;

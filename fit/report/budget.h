@@ -21,7 +21,7 @@ std::string scope_of_intervals(const FormFit& fit);
 // parts, one line each. Empty without a budget.
 std::vector<std::string> budget_in_words(const FormFit& fit);
 
-// Returns "standard uncertainty of kd: 0.0026 (0.64 %); shares of the variance: reference_standard 61 %, ...".
+// Returns "standard uncertainty of kd: 0.0026 (0.64 %); shares of the variance: reference_standard 61 %".
 std::string uncertainty_text(const std::string& name, double value, const Combined& uncertainty);
 
 // A value that follows from the parameters, with its standard uncertainty.

@@ -168,13 +168,13 @@ class Fit(Entries):
 def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Settings | None, start: Settings | None,
             bounds: Mapping[str, tuple[float, float]] | None, tie: str | Iterable[str] | None, physical: bool,
             anisotropic: bool, per_channel: bool, free_scale: bool, keep_fill: bool, polarisation: str, repeats: str,
-            quantity: str, mirror_side: str, layout: Layout | None, max_theta: float, aperture: float | None, starts: int,
-            seed: int, shape: str | None) -> _brdf.FitChoice:
+            quantity: str, mirror_side: str, layout: Layout | None, max_theta: float, aperture: float | None, budget: Path | None,
+            starts: int, seed: int, shape: str | None) -> _brdf.FitChoice:
     return _brdf.FitChoice(form, metric, weights, robust or "", settings(fix), settings(start), ranges(bounds),
                            list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
                            repeats, quantity, mirror_side, layout_word(layout),
                            finite("--max-theta", max_theta), None if aperture is None else finite("--aperture", aperture),
-                           whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
+                           "" if budget is None else path_of(budget), whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
 
 def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: str = "auto", robust: str | None = None,
@@ -183,7 +183,7 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
         physical: bool = False, anisotropic: bool = False, per_channel: bool = False, free_scale: bool = False,
         keep_fill: bool = False, polarisation: str = "keep", repeats: str = "keep", quantity: str = "",
         mirror_side: str = "auto", layout: Layout | None = None, max_theta: float = 80.0, aperture: float | None = None,
-        starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> Fit:
+        budget: Path | None = None, starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> Fit:
     """Fits forms to samples: `brdf fit`, with its options as keywords.
 
     samples: a Table, a file, or a frame of pandas or xarray. form: all, every, a form, a sum as in "oren_nayar+ward", or auto. metric: auto, log,
@@ -194,7 +194,8 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
     "shared", "free" (as per_channel) or "smooth:DEGREE", a polynomial in 1/wavelength. polarisation, repeats: treatment
     of polarised channels and of repeated directions, as in `convert`. keep_fill: also fit rows of fill values.
     quantity, mirror_side, layout: facts that a file does not state, as in `read`. max_theta, aperture: degrees; aperture
-    None: the width that the file states, otherwise 0. starts: number of
+    None: the width that the file states, otherwise 0. budget: a file with the uncertainty budget of the instrument, which
+    enters every interval; None: the one that the samples' file names. starts: number of
     random starts in addition to the grid, generated from `seed`.
 
     progress: called with a sentence before each form is fitted. If the callback returns False, the best result so far is
@@ -203,7 +204,7 @@ def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: st
     """
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
                      free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
-                     aperture, starts, seed, shape)
+                     aperture, budget, starts, seed, shape)
     found = table_or_path(samples, quantity, mirror_side, layout)
     table = found if isinstance(found, Table) else read(found, quantity=quantity, mirror_side=mirror_side, layout=layout)
     return Fit(_brdf.fit(table._samples, choice, progress))
@@ -216,7 +217,7 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
               per_channel: bool = False, free_scale: bool = False, keep_fill: bool = False,
               polarisation: str = "keep", repeats: str = "keep",
               quantity: str = "", mirror_side: str = "auto", layout: Layout | None = None, max_theta: float = 80.0,
-              aperture: float | None = None,
+              aperture: float | None = None, budget: Path | None = None,
               starts: int = 0, seed: int = 1, shape: str | None = None, progress: Progress | None = None) -> list[dict[str, Any]]:
     """Fits many files into the folder `output`, `jobs` at a time: `brdf fit FILES -o FOLDER`, without pictures.
 
@@ -227,7 +228,7 @@ def fit_files(samples: Sequence[Path], output: Path, form: str = "all", *, jobs:
         raise InputError("no samples: give at least one file")
     choice = _choice(form, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
                      free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
-                     aperture, starts, seed, shape)
+                     aperture, budget, starts, seed, shape)
     rows: list[dict[str, Any]] = json.loads(
         _brdf.fit_files([path_of(p) for p in samples], path_of(output), whole("--jobs", jobs, 1, 256), choice, progress))["files"]
     return rows
