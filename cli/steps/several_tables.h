@@ -24,8 +24,8 @@ struct SeveralTables {
 // Adds the samples, the options of a fit, --report and --json. --budget may be repeated.
 void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& description);
 
-// Reads the tables, each with the options of its fit. Checks the outputs before any file is read. `verb` names
-// the caller in warnings.
+// Reads the tables, each with the options of its fit. Checks the outputs before any file is read. `verb`
+// names the caller in warnings.
 std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::string& verb);
 
 // Writes the page, if there is one, and returns the request to open it.

@@ -36,8 +36,8 @@ WeightedMean weighted_mean(std::span<const LaboratoryValue> values, double varia
   return out;
 }
 
-// Returns tau^2. The sum of the deviations is a falling, convex function of tau^2, so that Newton's steps from
-// 0 never pass the solution.
+// Returns tau^2. The sum of the deviations is a falling, convex function of tau^2, so that Newton's steps
+// from 0 never pass the solution.
 double variance_between(std::span<const LaboratoryValue> values) {
   const double wanted = double(values.size() - 1);
   double variance = 0;

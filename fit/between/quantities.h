@@ -14,8 +14,8 @@ inline constexpr double kSignificance = 0.05;
 // The least ratio of a value to its standard uncertainty for which the logarithm is compared.
 inline constexpr double kLeastForLogarithm = 3;
 
-// A pair of directions at which f is asked for, in degrees. The light is at the azimuth 180, as in most tables;
-// phi is the azimuth from the light to the viewer, so that 180 is the side of the mirror direction.
+// A pair of directions at which f is asked for, in degrees. The light is at the azimuth 180, as in most
+// tables; phi is the azimuth from the light to the viewer, so that 180 is the side of the mirror direction.
 struct AskedDirections {
   double theta_i = 0, theta_o = 45, phi = 180;
 };
