@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/options/fit_options.h"
 #include "cli/options/next_step.h"
 #include "cli/options/progress.h"
 #include "cli/options/streams.h"
@@ -30,7 +29,6 @@ Exit run_compare(const SeveralTables& o) {
   const auto models = fit::models_of(o.choice.form);
   if (o.samples.size() != 2) throw InputError("SAMPLES: two tables are compared");
   const std::vector<fit::TableToFit> tables = tables_to_fit(o, "compare");
-  watch_for_interrupt();
   const fit::Comparison comparison = fit::compare_tables(tables, models, step_line("brdf compare"));
   if (!o.page.empty()) write_page(o, fit::html_page(comparison, tables));
   if (o.json) {

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/options/fit_options.h"
 #include "cli/options/next_step.h"
 #include "cli/options/options.h"
 #include "cli/options/progress.h"
@@ -27,7 +26,6 @@ Exit run_consensus(const ConsensusCall& o) {
   if (at.empty()) at.emplace_back();
   const auto models = fit::models_of(o.tables.choice.form);
   std::vector<fit::TableToFit> tables = tables_to_fit(o.tables, "consensus");
-  watch_for_interrupt();
   const fit::RoundRobin result =
       fit::round_robin(fit::fit_tables(tables, models, step_line("brdf consensus")), at);
   if (!o.tables.page.empty()) write_page(o.tables, fit::html_page(result));
