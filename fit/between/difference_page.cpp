@@ -52,7 +52,7 @@ io::Plot difference_plot(const Difference& d, const std::string& channel) {
   plot.caption =
       d.fits.have_budgets()
           ? "Bands: uncertainty of the difference by the budgets and the scatter. For equal surfaces all "
-            "bands together contain 0 in 95 % of cases."
+            "bands together contain 0 in at least 95 % of cases."
           : "Bands: scatter alone, because there is no budget; a common scale or angle error of "
             "either instrument is not in them.";
   return plot;
