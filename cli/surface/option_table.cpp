@@ -82,6 +82,7 @@ constexpr OptionRow kTable[] = {
     {"--free-scale", Group::measurements},
     {"--grid", Group::directions, Value::text},
     {"--at", Group::directions, Value::text},
+    {"--albedo", Group::directions},
     {"--theta", Group::directions},
     {"--theta-i", Group::directions},
     {"--phi", Group::directions},

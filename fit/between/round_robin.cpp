@@ -5,6 +5,7 @@
 
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
+#include "io/files/text.h"
 
 namespace brdf::fit {
 namespace {
@@ -32,18 +33,20 @@ void use_logarithms(RoundRobinQuantity& q) {
   for (LaboratoryValue& v : q.values) v = {std::log(v.value), v.uncertainty / v.value};
 }
 
-std::vector<RoundRobinQuantity> values_of_f(const FittedTables& fits, const std::vector<AskedDirections>& at,
-                                            const std::string& obstacle) {
+// Returns quantities that follow from the parameters: `f` gives every channel of the first name, then every
+// channel of the next one.
+std::vector<RoundRobinQuantity> derived_quantities(const FittedTables& fits,
+                                                   const std::vector<std::string>& names, const Derived& f,
+                                                   const std::string& obstacle) {
   std::vector<RoundRobinQuantity> out;
-  for (const AskedDirections& d : at)
+  for (const std::string& name : names)
     for (const std::string& channel : fits.channels)
-      out.push_back({.name = label("f(" + to_text(d) + ")", fits.channels.size() > 1 ? channel : ""),
+      out.push_back({.name = label(name, fits.channels.size() > 1 ? channel : ""),
                      .natural = {},
                      .values = {},
                      .consensus = {},
                      .obstacle = obstacle});
   for (const FittedTable& table : fits.tables) {
-    const auto f = [&](const Material& m) { return values_at(m, at); };
     const std::vector<double> values = f(table.fit.material);
     const auto errors = table.fit.covariance
                             ? standard_errors(table.fit.material, *table.fit.covariance, values.size(), f)
@@ -54,6 +57,20 @@ std::vector<RoundRobinQuantity> values_of_f(const FittedTables& fits, const std:
     }
   }
   for (RoundRobinQuantity& q : out) use_logarithms(q);
+  return out;
+}
+
+// Returns f at the asked directions, then the albedo at the asked angles.
+std::vector<RoundRobinQuantity> asked_quantities(const FittedTables& fits, const AskedQuantities& asked,
+                                                 const std::string& obstacle) {
+  std::vector<std::string> values, albedos;
+  for (const AskedDirections& at : asked.at) values.push_back("f(" + to_text(at) + ")");
+  for (const double theta : asked.albedo) albedos.push_back("albedo(" + io::to_text(theta) + ")");
+  auto out = derived_quantities(
+      fits, values, [&](const Material& m) { return values_at(m, asked.at); }, obstacle);
+  for (RoundRobinQuantity& q : derived_quantities(
+           fits, albedos, [&](const Material& m) { return albedos_at(m, asked.albedo); }, obstacle))
+    out.push_back(std::move(q));
   return out;
 }
 
@@ -99,10 +116,10 @@ bool RoundRobin::is_decided() const {
   return std::ranges::all_of(quantities, [](const RoundRobinQuantity& q) { return q.consensus.has_value(); });
 }
 
-RoundRobin round_robin(FittedTables fits, const std::vector<AskedDirections>& at) {
+RoundRobin round_robin(FittedTables fits, const AskedQuantities& asked) {
   RoundRobin out{std::move(fits), {}};
   const std::string obstacle = first_obstacle(out.fits);
-  out.quantities = values_of_f(out.fits, at, obstacle);
+  out.quantities = asked_quantities(out.fits, asked, obstacle);
   if (obstacle.empty()) {
     std::vector<const FormFit*> each;
     for (const FittedTable& table : out.fits.tables) each.push_back(&table.fit);

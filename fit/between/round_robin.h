@@ -13,7 +13,7 @@ namespace brdf::fit {
 
 // One quantity in all laboratories.
 struct RoundRobinQuantity {
-  std::string name;                     // alpha, kd[r], f(0:45)
+  std::string name;                     // alpha, kd[r], f(0:45), albedo(8)
   bool logarithmic = true;              // uncertainties and differences are relative
   std::vector<double> natural;          // [laboratory] in the quantity's own unit
   std::vector<LaboratoryValue> values;  // [laboratory] on the scale of the uncertainty
@@ -26,13 +26,18 @@ struct RoundRobinQuantity {
 
 struct RoundRobin {
   FittedTables fits;
-  std::vector<RoundRobinQuantity> quantities;  // f at the asked directions, then the parameters
+  std::vector<RoundRobinQuantity> quantities;  // the asked quantities, then the parameters
 
   // Returns whether every quantity has a consensus.
   bool is_decided() const;
 };
 
+// The quantities that follow from the parameters.
+struct AskedQuantities {
+  std::vector<AskedDirections> at;  // of f
+  std::vector<double> albedo;       // polar angles of incidence of the directional albedo, degrees
+};
 // Compares fits of at least two laboratories. Their errors are taken as independent.
-RoundRobin round_robin(FittedTables fits, const std::vector<AskedDirections>& at);
+RoundRobin round_robin(FittedTables fits, const AskedQuantities& asked);
 
 }  // namespace brdf::fit

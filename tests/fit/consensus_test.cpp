@@ -40,7 +40,7 @@ TEST(Consensus, HasNothingBetweenLaboratoriesThatAgreeWithinTheirUncertainties) 
   EXPECT_NEAR(c.degrees[1].uncertainty, std::sqrt(0.5), 1e-12);  // without tau: u_j^2 - u(m)^2
 }
 
-TEST(Consensus, GivesTheNumbersOfTheRoundRobinOfMeasuringMd) {
+TEST(Consensus, GivesTheNumbersOfARoundRobinOfSixLaboratories) {
   // ln f(0:45) of six laboratories in per cent, from 0.13302, with the scale uncertainties that they state.
   const std::vector<LaboratoryValue> values{{2.463, 0.4}, {1.672, 0.6}, {1.228, 0.8},
                                             {0.143, 1},   {0.486, 1.2}, {-0.097, 2}};
@@ -137,7 +137,7 @@ const RoundRobinQuantity& quantity(const RoundRobin& result, const std::string& 
 
 TEST(RoundRobin, PutsScaleErrorsBetweenLaboratoriesWhereTablesHaveNoBudget) {
   std::vector<TableToFit> tables = round_robin_tables({-0.01, 0, 0.01, 0.02});
-  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{}, {30, 30, 180}});
+  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{{}, {30, 30, 180}}, {8}});
   EXPECT_TRUE(result.is_decided());
   EXPECT_FALSE(result.fits.have_budgets());
   // The standard deviation of the scales is 1.29 %.
@@ -147,12 +147,16 @@ TEST(RoundRobin, PutsScaleErrorsBetweenLaboratoriesWhereTablesHaveNoBudget) {
   EXPECT_NEAR(quantity(result, "kd[f_r]").consensus->between, 0.0129, 0.001);
   EXPECT_LT(quantity(result, "alpha").consensus->between, 0.003);  // a scale does not move the width
   EXPECT_TRUE(quantity(result, "f(30:30)").consensus);
+  const RoundRobinQuantity& albedo = quantity(result, "albedo(8)");
+  EXPECT_NEAR(albedo.consensus->between, 0.0129, 0.0005);
+  EXPECT_NEAR(albedo.natural[0], 0.43664 * std::exp(-0.01),
+              0.001);  // of brdf albedo, and the scale of the table
 }
 
 TEST(RoundRobin, HasNothingBetweenLaboratoriesWithinTheirBudgets) {
   std::vector<TableToFit> tables = round_robin_tables({-0.01, 0, 0.01, 0.02});
   for (TableToFit& t : tables) t.samples.budget = budget_of(0.02, 0.1, 0.005);
-  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{}});
+  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{{}}, {}});
   EXPECT_TRUE(result.fits.have_budgets());
   const RoundRobinQuantity& f = quantity(result, "f(0:45)");
   EXPECT_EQ(f.consensus->between, 0);
@@ -163,7 +167,7 @@ TEST(RoundRobin, HasNothingBetweenLaboratoriesWithinTheirBudgets) {
 TEST(RoundRobin, NamesTheTableWhoseParameterIsAtItsBound) {
   std::vector<TableToFit> tables = round_robin_tables({0, 0.01, 0.02});
   tables[1].options.bounds = {{"alpha", 0.26, 0.5}};
-  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{}});
+  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{{}}, {}});
   const RoundRobinQuantity& alpha = quantity(result, "alpha");
   EXPECT_FALSE(alpha.consensus);
   EXPECT_EQ(alpha.obstacle, "alpha is at its bound for lab_2.csv");
@@ -173,7 +177,7 @@ TEST(RoundRobin, NamesTheTableWhoseParameterIsAtItsBound) {
 
 TEST(RoundRobin, IsUndecidedForValuesWithoutAnyScatter) {
   std::vector<TableToFit> tables = round_robin_tables({0, 0.01, 0.02}, 0);
-  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{}});
+  const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {{{}}, {}});
   EXPECT_FALSE(result.is_decided());
   for (const RoundRobinQuantity& q : result.quantities) EXPECT_FALSE(q.consensus) << q.name;
 }

@@ -46,7 +46,7 @@ inline double no_structure(double, double, double) {
   return 1;
 }
 
-// A smooth, reciprocal factor of some per cent (MEASURING.md).
+// A smooth, reciprocal factor of some per cent.
 inline double structure_of_3_percent(double theta_i, double theta_o, double turn) {
   const double x = 1 - std::cos(theta_i), z = 1 - std::cos(theta_o), s = -std::sqrt(x * z) * std::cos(turn);
   return std::exp(0.03 * (1.2 * s + 1.5 * (x + z) - 4 * x * z + 0.75 * std::sin(6 * (theta_i + theta_o))));

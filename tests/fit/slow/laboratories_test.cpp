@@ -100,7 +100,7 @@ TEST(RoundRobin, OfWholeTablesHoldsTheTruth) {
                          {},
                          budget_of(scales[j], 0.15, 0.005)},
                         laboratory_options()});
-    const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), at);
+    const RoundRobin result = round_robin(fit_tables(tables, laboratory_model()), {at, {}});
     const RoundRobinQuantity& f = result.quantities.front();
     if (!f.consensus) return;
     ++decided;
