@@ -78,7 +78,8 @@ class FitChoice:
     def __init__(self, form: str, metric: str, weights: str, robust: str, fix: list[str], start: list[str],
                  bounds: list[str], tie: list[str], physical: bool, anisotropic: bool, per_channel: bool,
                  free_scale: bool, keep_fill: bool, polarisation: str, repeats: str, quantity: str, mirror_side: str,
-                 layout: bytes, max_theta: float, aperture: float | None, starts: int, seed: int, shape: str, /) -> None: ...
+                 layout: bytes, max_theta: float, aperture: float | None, budget: bytes, starts: int, seed: int,
+                 shape: str, /) -> None: ...
 
 class Fitted:
     @property

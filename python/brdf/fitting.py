@@ -174,7 +174,7 @@ def _choice(form: str, metric: str, weights: str, robust: str | None, fix: Setti
                            list_of(tie), physical, anisotropic, per_channel, free_scale, keep_fill, polarisation,
                            repeats, quantity, mirror_side, layout_word(layout),
                            finite("--max-theta", max_theta), None if aperture is None else finite("--aperture", aperture),
-                           "" if budget is None else path_of(budget), whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
+                           b"" if budget is None else path_of(budget), whole("--starts", starts, 0, 100_000), seed_of(seed), shape or "")
 
 
 def fit(samples: Source, form: str = "all", *, metric: str = "auto", weights: str = "auto", robust: str | None = None,

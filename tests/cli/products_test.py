@@ -29,7 +29,7 @@ A, B = "a.json", "b.json"
 NO_BYTES = {"--jobs", "--memory-limit", "--validation", "--require"}
 FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-channel": None, "--shape": "free", "--free-scale": None,
        "--keep-fill": None, "--polarisation": "average", "--repeats": "average", "--quantity": "BRF", "--mirror-side": "negative",
-       "--layout": "none.json", "--max-theta": "50", "--fix": "kd=0.3", "--start": "alpha=0.9", "--bounds": "alpha=0.5:0.9", "--tie": "kd", "--physical": None,
+       "--layout": "none.json", "--budget": "none.csv", "--max-theta": "50", "--fix": "kd=0.3", "--start": "alpha=0.9", "--bounds": "alpha=0.5:0.9", "--tie": "kd", "--physical": None,
        "--robust": "huber:0.1", "--weights": "solid_angle", "--starts": "5", "--seed": "9", "--aperture": "2", "--bootstrap": "5",
        "--normals": "fit", "--no-pictures": None}
 SHADER = {"--shader": "none.glsl", "--param": "alpha=0.1:0.5", "--entry": "main", "--returns": "f", "--define": "X=1",

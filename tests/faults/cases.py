@@ -25,6 +25,10 @@ LABORATORY = """"Incident angle (deg)";"Incident azimuth";"Viewing angle (deg)";
 30,0;180,0;40,0;0,0;450;0,26
 30,0;180,0;40,0;0,0;550;0,32
 """
+BUDGET = """source,standard_uncertainty,unit,shared_by
+reference_standard,0.01,relative,table
+zero_theta_o,0.2,degree,light
+"""
 # A layout of laboratory.csv, which gives the values another quantity.
 LAYOUT = """{"format": "brdf-layout", "version": 1, "quantity": "BRF", "columns": [
   {"name": "Incident angle (deg)", "is": "theta_i"}, {"name": "Incident azimuth", "is": "phi_i"},
@@ -186,6 +190,8 @@ CASES = [
     Case("convert a laboratory's", ["convert", "laboratory.csv", "table.csv"], ["table.csv"], ["laboratory.csv"]),
     Case("convert by a layout", ["convert", "laboratory.csv", "table.csv", "--layout", "layout.json"], ["table.csv"],
          ["laboratory.csv", "layout.json"]),
+    Case("fit with a budget", ["fit", "samples.csv", "--form", "ward", "--budget", "budget.csv", "-o", "certain.json"],
+         ["certain.json"], ["samples.csv", "budget.csv"]),
     Case("describe-table", ["describe-table", "laboratory.csv", "-o", "proposal.json"], ["proposal.json"],
          ["laboratory.csv"], short=True),
     Case("describe-table to stdout", ["describe-table", "laboratory.csv"], [], ["laboratory.csv"]),
@@ -237,6 +243,7 @@ def make_inputs(folder, brdf, source):
     write("material.json", MATERIAL)
     write("directions.csv", DIRECTIONS)
     write("layout.json", LAYOUT)
+    write("budget.csv", BUDGET)
     write("scene.json", SCENE)
     write("model.obj", MODEL)
     write("textured.glsl", TEXTURED)

@@ -167,9 +167,11 @@ class Same(unittest.TestCase):
                                      "bounds": {"kd": (0.1, 0.9)}, "robust": "huber:0.1", "max_theta": 70}),
                                    (["--form", "cook_torrance", "--physical", "--tie", "f0", "--weights", "uniform"],
                                     {"form": "cook_torrance", "physical": True, "tie": "f0", "weights": "uniform"}),
+                                   (["--form", "ward", "--budget", DATA / "laboratory/budget.csv"],
+                                    {"form": "ward", "budget": DATA / "laboratory/budget.csv"}),
                                    (["--form", "ward", "--free-scale", "--per-channel", "--anisotropic"],
                                     {"form": "ward", "free_scale": True, "per_channel": True, "anisotropic": True})):
-                with self.case(f"fit {' '.join(words)}"):
+                with self.case(f"fit {' '.join(map(str, words))}"):
                     printed = json.loads(run("fit", file, *words, "--json", "-o", saved, code=(0, 1)))
                     result = brdf.fit(file, **options)
                     self.assertEqual(bare(result.to_dict()), bare(printed))

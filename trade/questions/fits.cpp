@@ -97,6 +97,7 @@ Material fitted(const Reflectance& form, const io::SampleTable& table, bool anis
   fit::FitOptions options = over_all_directions(fit::Metric::log_relative);
   options.weighting = fit::Weighting::uniform;
   options.anisotropic = anisotropic;
+  options.profiles = false;
   return fit::fit(table, {{form}}, options).ranking.front().material;
 }
 

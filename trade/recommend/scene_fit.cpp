@@ -180,7 +180,7 @@ Material fit_to_picture(const Reflectance& form, const io::SampleTable& table, b
   options.metric = fit::Metric::cosine_l2;
   options.max_theta = 90;
   options.anisotropic = anisotropic;
-  options.cross_validation = false;
+  options.cross_validation = options.profiles = false;  // the parameters are used, their intervals are not
   return fit::fit(table, {{form}}, options).ranking.front().material;
 }
 
