@@ -72,7 +72,9 @@ class StandardOutput {
   // Returns the exit code of the program. If output was lost, the exit code reports a failure.
   int finish(int code) {
     std::cout.flush();
-    if (buffer_.error() == 0 || code > static_cast<int>(Exit::failed)) return code;
+    const bool has_failed =
+        code == static_cast<int>(Exit::bad_input) || code == static_cast<int>(Exit::environment);
+    if (buffer_.error() == 0 || has_failed) return code;
     std::cerr << "brdf: standard output: writing broke off: " << std::strerror(buffer_.error()) << '\n';
     return static_cast<int>(Exit::environment);
   }
@@ -85,7 +87,8 @@ class StandardOutput {
 int run(int argc, char** argv) try {
   CLI::App app(
       "Models of surface reflection: fitted to measurements, judged, rendered.\n"
-      "Exit codes: 0 good, 1 a result that fails, 2 bad input or usage, 3 the environment lacks something.",
+      "Exit codes: 0 good, 1 a result that fails, 2 bad input or usage, 3 the environment lacks something, "
+      "4 undecided.",
       "brdf");
   app.set_version_flag("--version", "brdf " BRDF_VERSION);
   app.footer("Documentation: man brdf-VERB, and the folder docs of the source code.");

@@ -13,8 +13,8 @@ class App;
 // or 3.
 namespace brdf::cli {
 
-// Exit codes of the program.
-enum class Exit { good = 0, failed = 1, bad_input = 2, environment = 3 };
+// Exit codes of the program. undecided: these inputs do not answer the question (`consensus`, `compare`).
+enum class Exit { good = 0, failed = 1, bad_input = 2, environment = 3, undecided = 4 };
 
 // The purpose of a verb; `brdf --help` groups the verbs by purpose.
 enum class Purpose { begin, look, measure, judge, ship };
@@ -41,6 +41,8 @@ void add_synth(CLI::App& app);
 void add_convert(CLI::App& app);
 void add_describe_table(CLI::App& app);
 void add_next(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_consensus(CLI::App& app);
 void add_plan(CLI::App& app);
 void add_work(CLI::App& app);
 void add_collect(CLI::App& app);

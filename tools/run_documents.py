@@ -10,7 +10,7 @@ A command is an indented line that starts with `$ brdf`; `\\` continues it. The 
 output, to the next command or the end of the block; a line `...` matches any number of lines. Words must be equal,
 numbers within 2 % (below 1e-5 any two numbers are equal: they are rounding). A command that ends in `# times vary` is
 run, but its output is not compared; a command marked `# half a minute` or `# some seconds` is left out by --quick. A command that
-exits with 2 or more (bad input, a missing driver) fails. Commands of one document run in one scratch folder, in order, so that a
+exits with 2, 3 or more than 4 (bad input, a missing driver) fails. Commands of one document run in one scratch folder, in order, so that a
 command may read the output of an earlier one; `data` in this folder is the repository's. If BRDF_DATA_DIR is unset, a command that
 names the variable is left out and reported. Output that names a form which docs/models.md does not have yet is listed, not
 compared. A table headed `| verb | purpose |` lists the verbs of `brdf --help`, in its order and words. --update writes the real
@@ -144,7 +144,7 @@ def check(document, brdf, update, quick):
                 ["bash", "-c", f'brdf() {{ "{brdf}" "$@" 2>&1; }}; {command}\n'], cwd=folder, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT, text=True, check=False)
             ran += 1
-            if run.returncode > 1:
+            if run.returncode in (2, 3) or run.returncode > 4:
                 failed += 1
                 print(f"{document}:{begin}: exit code {run.returncode}: {command}\n  {run.stdout.strip()}")
                 continue

@@ -36,7 +36,7 @@ void heading(std::ostream& out, const std::string& name, const std::string& what
 
 void exit_status(std::ostream& out) {
   out << ".SH EXIT STATUS\n0: good; 1: a result that fails; 2: bad input or usage; 3: the environment lacks "
-         "something.\n";
+         "something; 4: undecided.\n";
 }
 
 // Writes the lines unchanged.

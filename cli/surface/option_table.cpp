@@ -86,6 +86,8 @@ constexpr OptionRow kTable[] = {
     {"--robust", Group::measurements, Value::text},
     {"--free-scale", Group::measurements},
     {"--grid", Group::directions, Value::text},
+    {"--at", Group::directions, Value::text},
+    {"--albedo", Group::directions},
     {"--theta", Group::directions},
     {"--theta-i", Group::directions},
     {"--phi", Group::directions},

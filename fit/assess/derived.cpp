@@ -74,12 +74,21 @@ double step_of(Material m, const std::string& name, double error) {
 
 }  // namespace
 
+std::optional<ParameterValue> parameter_value(const Material& material, const std::string& name) {
+  if (name == kTangentInfo.name && !material.terms.empty())
+    return ParameterValue{material.terms[0].tangent_phi.degrees(), kTangentInfo.min, kTangentInfo.max};
+  Material m = material;
+  const std::vector<DerivedPlace> places = places_of(m, name);
+  if (places.empty()) return std::nullopt;
+  return ParameterValue{*places[0].value, places[0].min, places[0].max};
+}
+
 namespace {
 
-// Returns the derivatives of the values by the parameters, [parameter][value].
+// Returns the derivatives of `count` values by the parameters, [parameter][value].
 std::optional<std::vector<std::vector<double>>> slopes_of(const Material& material,
-                                                          const ParameterCovariance& c,
-                                                          std::span<const double> values, const Derived& f) {
+                                                          const ParameterCovariance& c, std::size_t count,
+                                                          const Derived& f) {
   std::vector<std::vector<double>> slope;
   for (std::size_t k = 0; k < c.names.size(); ++k) {
     const double step = step_of(material, c.names[k], standard_error(c, k));
@@ -90,8 +99,7 @@ std::optional<std::vector<std::vector<double>>> slopes_of(const Material& materi
     if (!upwards || !downwards || !(*upwards > *downwards)) return std::nullopt;
     std::vector<double> above = f(up);
     const std::vector<double> below = f(down);
-    for (std::size_t j = 0; j < values.size(); ++j)
-      above[j] = (above[j] - below[j]) / (*upwards - *downwards);
+    for (std::size_t j = 0; j < count; ++j) above[j] = (above[j] - below[j]) / (*upwards - *downwards);
     slope.push_back(std::move(above));
   }
   return slope;
@@ -107,19 +115,32 @@ double along(const ParameterCovariance& c, std::size_t component,
 
 }  // namespace
 
-std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& c,
-                                             std::span<const double> values, const Derived& f) {
-  const auto slope = slopes_of(material, c, values, f);
+std::optional<std::vector<StandardError>> standard_errors(const Material& material,
+                                                          const ParameterCovariance& c, std::size_t count,
+                                                          const Derived& f) {
+  const auto slope = slopes_of(material, c, count, f);
   if (!slope) return std::nullopt;
-  std::vector<Extent> out;
-  for (std::size_t j = 0; j < values.size(); ++j) {
+  std::vector<StandardError> out;
+  for (std::size_t j = 0; j < count; ++j) {
     double variance = 0, uncertain = 0;
     for (std::size_t k = 0; k < c.components.rows; ++k) {
       const double part = square(along(c, k, *slope, j));
       variance += part;
       uncertain += part / std::sqrt(c.freedom[k]);
     }
-    const double reach = variance > 0 ? std::sqrt(variance) * t_quantile(square(variance / uncertain)) : 0;
+    out.push_back({std::sqrt(variance), variance > 0 ? square(variance / uncertain) : 0});
+  }
+  return out;
+}
+
+std::optional<std::vector<Extent>> intervals(const Material& material, const ParameterCovariance& c,
+                                             std::span<const double> values, const Derived& f) {
+  const auto errors = standard_errors(material, c, values.size(), f);
+  if (!errors) return std::nullopt;
+  std::vector<Extent> out;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const StandardError& e = (*errors)[j];
+    const double reach = e.value > 0 ? e.value * t_quantile(e.freedom) : 0;
     out.push_back({std::max(values[j] - reach, 0.0), values[j] + reach});
   }
   return out;
@@ -127,7 +148,7 @@ std::optional<std::vector<Extent>> intervals(const Material& material, const Par
 
 std::optional<std::vector<Combined>> combined(const Material& material, const ParameterCovariance& c,
                                               std::span<const double> values, const Derived& f) {
-  const auto slope = slopes_of(material, c, values, f);
+  const auto slope = slopes_of(material, c, values.size(), f);
   if (!slope) return std::nullopt;
   std::vector<Combined> out(values.size());
   for (std::size_t j = 0; j < values.size(); ++j) {

@@ -15,6 +15,24 @@ namespace brdf::fit {
 // A function that computes values from a material; the number of values is always the same.
 using Derived = std::function<std::vector<double>(const Material&)>;
 
+// The value of a parameter of a material, with the range of the parameter.
+struct ParameterValue {
+  double value, min, max;
+};
+// Returns the value of a parameter under its name in a ParameterCovariance; std::nullopt if the material does
+// not have the parameter.
+std::optional<ParameterValue> parameter_value(const Material& material, const std::string& name);
+
+// The standard error of a derived value, with the degrees of freedom of its variance.
+struct StandardError {
+  double value, freedom;
+};
+// Returns the standard errors of the `count` values f(material) from the covariance alone, of first order in
+// the parameters. Returns std::nullopt under the conditions of intervals().
+std::optional<std::vector<StandardError>> standard_errors(const Material& material,
+                                                          const ParameterCovariance& covariance,
+                                                          std::size_t count, const Derived& f);
+
 // Returns 95 % intervals of f(material) = values from the covariance alone. The standard error is of first
 // order in the parameters (finite differences, central within the ranges of the parameters). The degrees of
 // freedom are those of all components together. The variances of the components come from the same

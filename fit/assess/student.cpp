@@ -1,6 +1,8 @@
 #include "fit/assess/student.h"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -10,8 +12,10 @@
 namespace brdf::fit {
 
 // In double on every machine: long double has another width, and is slow in software, on some of them.
-using Students = boost::math::students_t_distribution<
-    double, boost::math::policies::policy<boost::math::policies::promote_double<false>>>;
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+using Students = boost::math::students_t_distribution<double, InDouble>;
+using ChiSquare = boost::math::chi_squared_distribution<double, InDouble>;
+using Fisher = boost::math::fisher_f_distribution<double, InDouble>;
 
 double t_quantile(double freedom) {
   if (freedom < 1) return std::numeric_limits<double>::infinity();
@@ -55,6 +59,19 @@ double t_quantile(const NoiseShares& shares) {
 
 double t_tail(double freedom, double t) {
   return boost::math::cdf(boost::math::complement(Students(freedom), t));
+}
+
+double quadratic_tail(double value, double dimension, double freedom) {
+  using boost::math::complement;
+  if (freedom > kManyFree) return boost::math::cdf(complement(ChiSquare(dimension), value));
+  if (freedom < 1) return 1;
+  return boost::math::cdf(complement(Fisher(dimension, freedom), value / dimension));
+}
+
+double quadratic_quantile(double dimension, double freedom) {
+  if (freedom > kManyFree) return boost::math::quantile(ChiSquare(dimension), 0.95);
+  if (freedom < 1) return std::numeric_limits<double>::infinity();
+  return dimension * boost::math::quantile(Fisher(dimension, freedom), 0.95);
 }
 
 double widening(double freedom) {

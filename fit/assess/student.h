@@ -1,4 +1,5 @@
-// Student's t distribution, and the distribution for a variance that a few values decide.
+// Student's t distribution, the distribution for a variance that a few values decide, and that of quadratic
+// forms.
 #pragma once
 
 #include "fit/solve/noise_shares.h"
@@ -16,6 +17,14 @@ double t_quantile(double freedom);
 double t_quantile(const NoiseShares& shares);
 // Returns P(T >= t).
 double t_tail(double freedom, double t);
+
+// The quadratic form d' C^-1 d of `dimension` normal differences with the covariance C, if they have the mean
+// 0. It is distributed as chi-square if C is known, and as `dimension` times Fisher's F if C was estimated
+// with `freedom` degrees of freedom. From 60 degrees of freedom on, C is taken as known.
+// Returns the probability of a form of at least `value`.
+double quadratic_tail(double value, double dimension, double freedom);
+// Returns the value that the form exceeds with a probability of 5 %.
+double quadratic_quantile(double dimension, double freedom);
 
 // Returns the ratio of the width of a 95 % interval to the width for a known variance: t_quantile() divided
 // by its value for infinitely many degrees of freedom. Accurate to 1e-4, takes a few nanoseconds. The

@@ -22,12 +22,12 @@ from .forms import Form, Parameter, Violation, form, forms
 from .judging import Finding, Judgement, judge, validate
 from .making import convert, export, synth
 from .material import Albedo, Material, directions, load, material
-from .programs import convert_parameters, lobes, maps, parity, program, prove, recommend, render, study, trade, view
+from .programs import compare, consensus, convert_parameters, lobes, maps, parity, program, prove, recommend, render, study, trade, view
 from .table import Table, read, read_directions
 
 __all__ = [
     "Albedo", "Candidate", "EnvironmentError", "Finding", "Fit", "Form", "InputError", "Interval", "Judgement",
-    "Material", "NextDirections", "Parameter", "Stopped", "Table", "Violation", "__version__", "convert", "convert_parameters", "directions",
+    "Material", "NextDirections", "Parameter", "Stopped", "Table", "Violation", "__version__", "compare", "consensus", "convert", "convert_parameters", "directions",
     "export", "fit", "fit_files", "form", "forms", "judge", "load", "lobes", "maps", "material", "next_directions", "parity", "program", "prove", "read",
     "read_directions", "recommend", "render", "study", "synth", "trade", "validate", "view",
 ]

@@ -15,7 +15,7 @@ from . import _brdf
 from .material import Material
 from .table import Table, table_or_path
 
-BAD_INPUT, ENVIRONMENT = 2, 3
+BAD_INPUT, ENVIRONMENT, UNDECIDED = 2, 3, 4
 
 
 @functools.lru_cache(maxsize=None)
@@ -86,7 +86,7 @@ def program(verb: str, *arguments: Any, **options: Any) -> Any:
     Arguments and options are the same as on the command line. A Material or a Table (or a frame of pandas or xarray) is passed as a temporary file. Options
     have the names of the program with _ for -: `output="a.png"` is --output, True sets a flag, a list is joined by commas,
     {"kd": 0.3} is name=value. Raises InputError and EnvironmentError with the message of the program. A result that fails
-    (exit code 1) is returned like any other; the output of json=True contains the failure.
+    (exit code 1) or is undecided (exit code 4) is returned like any other; the output of json=True contains the failure.
     """
     with tempfile.TemporaryDirectory(prefix="brdf_") as folder:
         files = _Files(pathlib.Path(folder))
@@ -97,7 +97,7 @@ def program(verb: str, *arguments: Any, **options: Any) -> Any:
     sentence = run.stderr.strip().rpartition("\n")[2].removeprefix("brdf: ")
     if run.returncode == BAD_INPUT:
         raise _brdf.InputError(sentence)
-    if run.returncode not in (0, 1):
+    if run.returncode not in (0, 1, UNDECIDED):
         raise _brdf.EnvironmentError(sentence or f"brdf {verb}: ended with {run.returncode}")
     return json.loads(run.stdout) if options.get("json") else run.stdout
 
@@ -136,6 +136,31 @@ def prove(*materials: Any, **options: Any) -> Any:
     """`brdf prove`: properties of forms over their whole domain, and of materials at their parameters; json=True: returns
     the results."""
     return program("prove", *materials, **options)
+
+
+def _several(verb: str, samples: tuple[Any, ...], repeated: Mapping[str, Any], options: Mapping[str, Any]) -> dict[str, Any]:
+    words = [word for name, values in repeated.items() for one in ([values] if isinstance(values, (str, os.PathLike)) else values)
+             for word in ("--" + name, one)]
+    found: dict[str, Any] = program(verb, *samples, *words, **{**options, "json": True})
+    return found
+
+
+def compare(first: Any, second: Any, budget: Any = (), **options: Any) -> dict[str, Any]:
+    """`brdf compare`: whether two tables are of the same surface, within their budgets. Returns the JSON of the verb.
+
+    budget: a file for both tables, or a list with one for each.
+    "answer" is "no_difference", "different", "cannot_be_told" (the tables have no budgets) or "undecided".
+    """
+    return _several("compare", (first, second), {"budget": budget}, options)
+
+
+def consensus(*samples: Any, at: Any = (), budget: Any = (), **options: Any) -> dict[str, Any]:
+    """`brdf consensus`: the consensus of several laboratories' tables of one surface. Returns the JSON of the verb.
+
+    at: directions of values of f, as "0:45" or a list of such words. budget: a file for all tables, or a list with one for
+    each. The "consensus" of a quantity is None if it is undecided.
+    """
+    return _several("consensus", samples, {"at": at, "budget": budget}, options)
 
 
 def trade(**options: Any) -> Any:

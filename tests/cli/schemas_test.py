@@ -60,6 +60,13 @@ with tempfile.TemporaryDirectory() as folder:
     subprocess.run([brdf, "plan", "fit", "stack", "--form", "ward", "-o", "job"], cwd=folder, check=True)
     check("plan", json.loads((pathlib.Path(folder) / "job/plan.json").read_text()))
     check("collect", said("collect", "job", "--json"))
+    for name, seed in (("one.csv", 1), ("two.csv", 2)):
+        subprocess.run([brdf, "synth", "--form", "ward", "--noise", "0.01", "--seed", str(seed), "-o", name], cwd=folder, check=True)
+    for name, kd in (("exact.csv", "0.2"), ("other.csv", "0.3")):
+        subprocess.run([brdf, "synth", "--form", "ward", "--set", "kd=" + kd, "-o", name], cwd=folder, check=True)
+    for tables in (("one.csv", "two.csv"), ("exact.csv", "other.csv")):  # without noise: undecided
+        check("consensus", said("consensus", *tables, "--form", "ward", "--json"))
+        check("compare", said("compare", *tables, "--form", "ward", "--json"))
     check("albedo", said("albedo", "--form", "ward", "--theta", "0,60", "--json"))
     check("albedo", said("albedo", "--material", "m.json", "--theta", "60", "--json"))
     start = (synthetic / "ward.csv").read_text().splitlines()

@@ -98,6 +98,10 @@ CASES = [
     Case("next", ["next", "samples.csv", "--reach", "reach.csv", "--form", "lambert", "--noise", "0.01", "--rows", "2", "-o",
                   "next.csv"], ["next.csv"], ["samples.csv"],
          before=[["synth", "--form", "lambert", "--grid", "hemisphere", "--step", "35", "-o", "reach.csv"]]),
+    Case("consensus", ["consensus", "samples.csv", "more.csv", "--form", "lambert", "--report", "consensus.html", "--json"],
+         ["consensus.html"], ["samples.csv", "more.csv"]),
+    Case("compare", ["compare", "samples.csv", "more.csv", "--form", "lambert", "--report", "difference.html", "--json"],
+         ["difference.html"], ["samples.csv", "more.csv"]),
     Case("study", ["study", "samples.csv", "more.csv", "--form", "lambert", "--jobs", "2", "-o", "out"],
          ["out/index.html", "out/study.json"] +
          [f"out/{sample}/{name}" for sample in ("samples", "more")

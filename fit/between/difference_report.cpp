@@ -1,0 +1,190 @@
+#include "fit/between/difference_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "fit/assess/reported.h"
+#include "fit/between/shared_report.h"
+#include "io/files/numbers.h"
+#include "io/files/provenance.h"
+#include "io/files/text.h"
+#include "io/page/html_report.h"
+
+namespace brdf::fit {
+namespace {
+
+// Returns a relative difference of a logarithm d: exp(d) - 1.
+double as_share(double difference, bool logarithmic) {
+  return logarithmic ? std::expm1(difference) : difference;
+}
+
+std::string name_in_text(const FittedTable& table) {
+  return io::printable(io::file_name(table.name));
+}
+
+std::string differences_of(const Difference& d, const std::vector<std::string>& names) {
+  std::vector<std::string> texts;
+  for (const ParameterDifference& p : d.parameters)
+    if (std::ranges::find(names, p.name) != names.end())
+      texts.push_back(p.name + " (" +
+                      signed_amount_text(as_share(-p.difference, p.logarithmic), p.logarithmic) + " in " +
+                      name_in_text(d.fits.tables[1]) + ")");
+  return listed(texts);
+}
+
+std::string statistic_text(const Difference& d) {
+  return "W " + io::short_number(d.statistic, 3) + " for " + io::plural(d.parameters.size(), "parameter") +
+         ", p " + probability_text(d.probability);
+}
+
+std::string size_text(const Explanation& e) {
+  if (e.cause == Cause::scale) return signed_amount_text(e.size, true, 2);
+  return (e.cause == Cause::aperture ? ""
+          : e.size < 0               ? "-"
+                                     : "+") +
+         io::short_number(std::abs(e.size), 2) + " degrees";
+}
+
+std::string cause_text(const Explanation& e) {
+  const std::string in = " in " + io::printable(io::file_name(e.table));
+  switch (e.cause) {
+    case Cause::scale:
+      return "a scale error of " + size_text(e) + in;
+    case Cause::zero_theta_i:
+      return "a zero error of theta_i of " + size_text(e) + in;
+    case Cause::zero_theta_o:
+      return "a zero error of theta_o of " + size_text(e) + in;
+    default:
+      return "an aperture of " + size_text(e) + in;
+  }
+}
+
+std::string limits_text(Cause cause) {
+  switch (cause) {
+    case Cause::scale:
+      return "a scale error up to " + io::percent(kLargestScale);
+    case Cause::zero_theta_i:
+      return "a zero error of theta_i up to " + io::short_number(kLargestZeroError) + " degrees";
+    case Cause::zero_theta_o:
+      return "a zero error of theta_o up to " + io::short_number(kLargestZeroError) + " degrees";
+    default:
+      return "an aperture up to " + io::short_number(kLargestAperture) + " degrees";
+  }
+}
+
+io::Json parameter_json(const ParameterDifference& p) {
+  return {{"name", p.name},
+          {"relative", p.logarithmic},
+          {"first", io::finite_or_null(p.first)},
+          {"second", io::finite_or_null(p.second)},
+          {"difference", io::finite_or_null(p.difference)},
+          {"standard_uncertainty", io::finite_or_null(p.uncertainty)}};
+}
+
+io::Json direction_json(const DirectionDifference& d, bool judged) {
+  io::Json json{{"theta_i", d.at.theta_i},
+                {"theta_o", d.at.theta_o},
+                {"phi", d.at.phi},
+                {"channel", d.channel},
+                {"difference", io::finite_or_null(d.difference)},
+                {"standard_uncertainty", io::finite_or_null(d.uncertainty)}};
+  json["beyond"] = judged ? io::Json(d.beyond) : io::Json(nullptr);
+  return json;
+}
+
+io::Json explanation_json(const Explanation& e) {
+  return {{"cause", name_of(e.cause)},
+          {"samples", e.table},
+          {"size", e.found ? io::finite_or_null(e.size) : io::Json(nullptr)},
+          {"standard_uncertainty", e.stated > 0 ? io::Json(e.stated) : io::Json(nullptr)},
+          {"unit", e.cause == Cause::scale ? "relative" : "degree"},
+          {"explains", e.explains}};
+}
+
+const char* name_of_answer(const Difference& d) {
+  if (!d.obstacle.empty()) return "undecided";
+  if (!d.fits.have_budgets()) return "cannot_be_told";
+  return d.sameness == Sameness::different ? "different" : "no_difference";
+}
+
+}  // namespace
+
+std::string answer(const Difference& d) {
+  if (!d.obstacle.empty()) return "undecided: " + d.obstacle;
+  if (!d.fits.have_budgets())
+    return "cannot be told: a common scale or angle error of either instrument is unknown (--budget)";
+  if (d.sameness == Sameness::no_difference)
+    return "no difference beyond the budgets (" + statistic_text(d) + ")";
+  return "different beyond the budgets: " + differences_of(d, d.differing()) + " (" + statistic_text(d) + ")";
+}
+
+std::string directions_in_words(const Difference& d) {
+  if (!d.fits.have_budgets() || d.directions.empty()) return {};
+  const auto beyond = std::ranges::count(d.directions, true, &DirectionDifference::beyond);
+  const std::string of = std::to_string(d.directions.size()) + " values in the plane of incidence";
+  if (beyond == 0) return "the fitted f differs beyond the budgets at 0 of " + of;
+  const auto most = std::ranges::max_element(d.directions, {}, [](const DirectionDifference& x) {
+    return x.beyond ? std::abs(x.difference) / x.uncertainty : 0;
+  });
+  return "the fitted f differs beyond the budgets at " + std::to_string(beyond) + " of " + of +
+         "; most clearly at theta_i:theta_o" + (most->at.phi == 180 ? " " : ":phi ") + to_text(most->at) +
+         (d.fits.channels.size() > 1 ? " (" + most->channel + ")" : "") + ", " +
+         signed_amount_text(as_share(-most->difference, true), true) + " in " +
+         name_in_text(d.fits.tables[1]) + ", standard uncertainty " + amount_text(most->uncertainty, true);
+}
+
+std::string in_words(const Explanation& e) {
+  if (!e.found) return "not explained by " + limits_text(e.cause);
+  std::string text =
+      e.explains ? "explained by " + cause_text(e) : "not explained by " + cause_text(e) + " alone";
+  if (e.stated > 0)
+    text += ", " + io::short_number(std::abs(e.size) / e.stated, 2) +
+            " times its standard uncertainty by the budgets";
+  return text;
+}
+
+void print(std::ostream& out, const Comparison& comparison) {
+  const Difference& d = comparison.difference;
+  for (const FittedTable& t : d.fits.tables) {
+    out << io::printable(t.name) << ": " << io::plural(t.rows, "row") << ", " << name_of(t.fit.verdict);
+    if (t.fit.verdict != Verdict::converged && !t.fit.findings.empty())
+      out << ": " << io::printable(t.fit.findings.front());
+    out << '\n';
+  }
+  out << "  " << form_and_metric(d.fits) << '\n';
+  out << answer(d) << '\n';
+  if (!d.obstacle.empty()) return;
+  for (const ParameterDifference& p : d.parameters)
+    out << "  " << p.name << " " << io::short_number(p.first) << " and " << io::short_number(p.second) << ": "
+        << signed_amount_text(as_share(-p.difference, p.logarithmic), p.logarithmic)
+        << ", standard uncertainty " << amount_text(p.uncertainty, p.logarithmic)
+        << (d.fits.have_budgets() ? "" : " (scatter alone)") << '\n';
+  if (const std::string text = directions_in_words(d); !text.empty()) out << "  " << text << '\n';
+  for (const Explanation& e : comparison.explanations) out << "  " << in_words(e) << '\n';
+}
+
+io::Json to_json(const Comparison& comparison) {
+  const Difference& d = comparison.difference;
+  io::Json json = fits_json(d.fits);
+  json["answer"] = name_of_answer(d);
+  json["sentence"] = answer(d);
+  if (!d.obstacle.empty()) json["reason"] = d.obstacle;
+  json["parameters"] = io::Json::array();
+  json["directions"] = io::Json::array();
+  json["explanations"] = io::Json::array();
+  const bool judged = d.obstacle.empty() && d.fits.have_budgets();
+  if (judged) {
+    json["statistic"] = io::finite_or_null(d.statistic);
+    json["p"] = io::finite_or_null(d.probability);
+    json["differing"] = d.differing();
+  }
+  if (d.obstacle.empty())
+    for (const ParameterDifference& p : d.parameters) json["parameters"].push_back(parameter_json(p));
+  for (const DirectionDifference& x : d.directions) json["directions"].push_back(direction_json(x, judged));
+  for (const Explanation& e : comparison.explanations) json["explanations"].push_back(explanation_json(e));
+  json["provenance"] = io::to_json(io::provenance());
+  return json;
+}
+
+}  // namespace brdf::fit
