@@ -63,6 +63,9 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
                   "Full angular width of the detector in degrees; the model is averaged over this width "
                   "(default: the width that the samples' file states, otherwise 0)")
       ->check(CLI::Range(0.0, 90.0));
+}
+
+void add_budget_option(CLI::App& verb, fit::FitChoice& choice) {
   verb.add_option("--budget", choice.budget,
                   "Uncertainty budget of the instrument, a table: its sources enter every interval (default: "
                   "the budget that the samples' file names, otherwise the scatter of the rows only)");
@@ -96,6 +99,7 @@ void add_normals_option(CLI::App& verb, work::StackOptions& options) {
 
 void add_task_options(CLI::App& verb, work::TaskOptions& options) {
   add_fit_options(verb, options.choice);
+  add_budget_option(verb, options.choice);
   add_bootstrap_option(verb, options.choice);
   add_normals_option(verb, options.stack);
   add_pictures_option(verb, options.no_pictures);

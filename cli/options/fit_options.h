@@ -14,6 +14,8 @@ namespace brdf::cli {
 // Adds --form, --metric and the other options of a fit. `choice` must outlive the parsing.
 void add_fit_options(CLI::App& verb, fit::FitChoice& choice);
 
+// Adds --budget of a single table.
+void add_budget_option(CLI::App& verb, fit::FitChoice& choice);
 // Adds --bootstrap.
 void add_bootstrap_option(CLI::App& verb, fit::FitChoice& choice);
 // Adds --tolerance; fit::tolerance_of() parses its text.

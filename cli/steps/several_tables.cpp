@@ -17,7 +17,6 @@ namespace brdf::cli {
 void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& description) {
   verb.add_option("SAMPLES", o.samples, description)->required();
   add_fit_options(verb, o.choice);
-  verb.remove_option(verb.get_option("--budget"));  // a fit has one
   add_repeated_option(
       verb, "--budget", o.budgets,
       "Uncertainty budget of an instrument, a table: once for all tables, or once for each in "

@@ -134,6 +134,7 @@ void add_fit(CLI::App& app) {
                    "photographs")
       ->required();
   add_fit_options(*verb, o.choice);
+  add_budget_option(*verb, o.choice);
   add_bootstrap_option(*verb, o.choice);
   add_shader_options(*verb, o.shader);
   verb->add_flag("--embed", o.shader.embed,

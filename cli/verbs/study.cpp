@@ -52,6 +52,7 @@ void add_study(CLI::App& app) {
                    "Sample tables (CSV, MERL, ...; - for standard input), or folders of them")
       ->required();
   add_fit_options(*verb, o.choice);
+  add_budget_option(*verb, o.choice);
   verb->add_option("-o,--output", o.output,
                    "Folder of the results: index.html, and with several samples a folder for each")
       ->required();

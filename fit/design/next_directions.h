@@ -116,7 +116,7 @@ NextModels next_models(const std::string& forms, NextOptions next);
 //     const auto samples = brdf::fit::arranged(brdf::io::read_samples("in_plane.csv"), {});
 //     const auto reach = brdf::io::read_directions("paint.csv");
 //     const auto next = next_directions(samples, reach, {{*brdf::find_form("lambert")}}, {},
-//                                       {.rows = 4, .noise = 0.01});
+//                                       {.rows = 4, .noise = 0.01, .model_error = {}});
 //     for (const brdf::fit::NextRow& row : next.rows)
 //       std::printf("%g %g %g %g\n", row.theta_i, row.phi_i, row.theta_o, row.phi_o);
 NextDirections next_directions(const Samples& samples, const io::SampleTable& reach,

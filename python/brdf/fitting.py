@@ -280,7 +280,7 @@ def next_directions(samples: Source, reach: Table | Path, form: str | Sequence[s
     forms = form if isinstance(form, str) else ",".join(form)
     choice = _choice(forms, metric, weights, robust, fix, start, bounds, tie, physical, anisotropic, per_channel,
                      free_scale, keep_fill, polarisation, repeats, quantity, mirror_side, layout, max_theta,
-                     aperture, starts, seed, shape)
+                     aperture, None, starts, seed, shape)
     found = table_or_path(samples, quantity, mirror_side, layout)
     table = found if isinstance(found, Table) else read(found, quantity=quantity, mirror_side=mirror_side, layout=layout)
     to_reach = reach._samples if isinstance(reach, Table) else _brdf.read_directions(path_of(reach))
