@@ -132,6 +132,58 @@ bool holds_abg(std::string_view text) {
          (has_word(names_of_lines, "A") && has_word(names_of_lines, "B") && has_word(names_of_lines, "g"));
 }
 
+// Returns whether a header or a line names each of these quantities, for parameters of a model. A table of
+// samples names its angles.
+bool names_all(std::string_view text, std::initializer_list<std::string_view> quantities) {
+  Words found;
+  for (const std::string_view line : first_lines(text.substr(0, kHeadOfText), kLinesOfHeader)) {
+    if (is_header_of_samples(line)) return false;
+    for (const std::string_view word : parts_of(line, " ,;:=|()[]{}#%!/\t\"'")) found.push_back(word);
+  }
+  return std::ranges::all_of(quantities, [&](std::string_view name) {
+    return std::ranges::any_of(found, [&](std::string_view word) {
+      std::string plain = lower_case(word);
+      std::erase(plain, '_');
+      return plain == name;
+    });
+  });
+}
+
+// The weights of the three kernels of MODIS' products (Lucht, Schaaf and Strahler 2000), by either of their
+// names.
+bool holds_kernel_weights(std::string_view text) {
+  return names_all(text, {"fiso", "fvol", "fgeo"}) || names_all(text, {"iso", "vol", "geo"});
+}
+
+bool holds_harvey_shack(std::string_view text) {
+  if (std::ranges::any_of(first_lines(text.substr(0, kHeadOfText), kLinesOfHeader), is_header_of_samples))
+    return false;
+  return has_part(lower_case(text.substr(0, kHeadOfText)), "harvey") || names_all(text, {"b0", "l", "s"});
+}
+
+// YAML begins with its mark, or consists of lines with a key; TOML has the names of its parts in brackets.
+std::string_view settings_language(std::string_view text) {
+  const std::vector<std::string_view> lines = first_lines(text.substr(0, kHeadOfText), kLinesOfHeader);
+  const auto starts_with_key = [](std::string_view line, char mark) {
+    const std::size_t end = line.find(mark);
+    return end != line.npos && end > 0 &&
+           line.substr(0, end).find_first_not_of(
+               "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_- ") == line.npos;
+  };
+  std::size_t keys = 0, parts = 0, assigned = 0, filled = 0;
+  for (const std::string_view line : lines) {
+    if (line.empty() || line.starts_with('#')) continue;
+    ++filled;
+    const std::string_view entry = line.starts_with("- ") ? line.substr(2) : line;
+    keys += starts_with_key(entry, ':') || line.starts_with("- ");
+    parts += line.starts_with('[') && line.ends_with(']') && line.find(',') == line.npos;
+    assigned += starts_with_key(line, '=');
+  }
+  if (!lines.empty() && (lines[0] == "---" || lines[0].starts_with("%YAML"))) return "YAML";
+  if (filled >= 3 && keys == filled) return "YAML";
+  return parts > 0 && assigned > 0 && parts + assigned == filled ? "TOML" : "";
+}
+
 bool refers_to_e2387(std::string_view text) {
   std::string head = lower_case(text.substr(0, kHeadOfText));
   std::erase_if(head, [](char c) { return c == ' ' || c == '-' || c == '_'; });
@@ -152,6 +204,16 @@ std::string program_format(std::string_view text) {
       has_part(head, "ScatterRadial") && has_part(head, "AOI") && has_part(head, "Side");
   if (is_light_tools) return "is a BSDF of LightTools" + unread;
   if (is_radiance_function(text)) return "is a function file of Radiance (.cal)" + unread;
+  constexpr std::size_t kHeadOfSpectrum = 400;
+  const std::string start = lower_case(text.substr(0, kHeadOfSpectrum));
+  const std::string spectrum =
+      ", which has no directions: a spectrum alone is no BRDF; " + std::string(kExportAsCsv);
+  if (start.starts_with("##title") || has_part(start, "##jcamp-dx"))
+    return "is a spectrum in JCAMP-DX" + spectrum;
+  if (start.starts_with("pe ") && has_part(start, "peds"))
+    return "is a spectrum of PerkinElmer (ASCII)" + spectrum;
+  if (start.starts_with("netcdf ") && has_part(start, "{"))
+    return "is CDL, the text of a NetCDF file, which is not read: write the table as CSV";
   return "";
 }
 
@@ -161,6 +223,18 @@ std::string advice_on_text(std::string_view text) {
            "the "
            "measured BSDF, or compute A/(B + |sin(theta_o) - sin(theta_i)|^g) for pairs of directions, and " +
            std::string(kExportAsCsv);
+  if (holds_harvey_shack(text))
+    return "holds parameters of Harvey and Shack's model of scatter, which are not read: export the measured "
+           "BSDF, or "
+           "compute b0 (1 + (|sin(theta_o) - sin(theta_i)|/L)^2)^(s/2) for pairs of directions, and " +
+           std::string(kExportAsCsv);
+  if (holds_kernel_weights(text))
+    return "holds weights of the kernels of MODIS' BRDF products, a formula and no samples, which are not "
+           "read: compute "
+           "the reflectance factor for pairs of directions, and " +
+           std::string(kExportAsCsv);
+  if (const std::string_view language = settings_language(text); !language.empty())
+    return "looks like " + std::string(language) + ", which is not read: " + std::string(kExportAsCsv);
   if (refers_to_e2387(text))
     return "refers to ASTM E2387, which gives no layout of files: " + std::string(kExportAsCsv) +
            ", or describe the table by a layout (`brdf describe-table FILE` proposes one)";

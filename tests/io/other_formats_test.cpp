@@ -136,6 +136,26 @@ TEST(OtherFormats, AbgCoefficientsAreNamed) {
   EXPECT_THAT(message("R,G,B,A\n1,1,1,1\n"), testing::Not(HasSubstr("ABg")));
 }
 
+TEST(OtherFormats, ParametersOfModelsAndSpectraAreNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"##TITLE=blue tile\n##JCAMP-DX=5.01\n##XYDATA=(X++(Y..Y))\n400 0.1 0.2\n",
+       "is a spectrum in JCAMP-DX"},
+      {"PE UV       SUBTECH     SPECTRUM    ASCII       PEDS        4.00\n-1\nblue.asc\n",
+       "is a spectrum of PerkinElmer (ASCII), which has no directions"},
+      {"netcdf paint {\ndimensions:\n  row = 2 ;\n", "is CDL, the text of a NetCDF file"},
+      {"Harvey-Shack\nb0 0.12\nL 0.01\ns -1.6\n", "holds parameters of Harvey and Shack's model"},
+      {"wavelength_nm,b0,L,s\n633,0.12,0.01,-1.6\n", "holds parameters of Harvey and Shack's model"},
+      {"band,f_iso,f_vol,f_geo\n1,0.2,0.05,0.02\n", "holds weights of the kernels of MODIS"},
+      {"---\nmaterial: tile\nvalues:\n  - 0.1\n", "looks like YAML, which is not read"},
+      {"material: tile\ntheta: 45\nvalue: 0.1\n", "looks like YAML, which is not read"},
+      {"[sample]\nname = \"tile\"\ntheta = 45\n", "looks like TOML, which is not read"}};
+  for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
+  // Tables of samples with such words stay tables.
+  for (const std::string head : {"# Harvey-Shack fit: b0 0.1 L 0.01 s -1.5\n", "# f_iso 1 f_vol 2 f_geo 3\n",
+                                 "# material: tile\n# note: yes\n"})
+    EXPECT_EQ(read(head + kHeader + kRow).rows(), 1u) << head;
+}
+
 TEST(OtherFormats, ReportsAfterE2387AreNamedIfTheyAreNoTables) {
   EXPECT_THAT(
       message("ASTM E2387-19 report\nAngle of incidence: 5 deg\n\nScatter angle (deg),BRDF (1/sr)\n6,1\n"),
