@@ -14,11 +14,10 @@ inline constexpr std::string_view kLuminaire =
 // empty string for other texts. `text` begins with its first character that is not a blank.
 std::string program_format(std::string_view text);
 
-// Returns advice on a text that cannot be read as a table of columns: coefficients of the models of ABg and of
-// Harvey and Shack, weights of MODIS' kernels, YAML, TOML, reports after ASTM E2387; as the end of a sentence
-// about the file. Returns an empty string for other texts. Some
-// of these texts are readable tables, with a layout or without one, so that the advice is for a table that
-// has been refused.
+// Returns advice on a text that cannot be read as a table of columns: coefficients of the models of ABg and
+// of Harvey and Shack, weights of MODIS' kernels, YAML, TOML, reports after ASTM E2387; as the end of a
+// sentence about the file. Returns an empty string for other texts. Some of these texts are readable tables,
+// with a layout or without one, so that the advice is for a table that has been refused.
 std::string advice_on_text(std::string_view text);
 
 }  // namespace brdf::io
