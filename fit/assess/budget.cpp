@@ -211,7 +211,11 @@ void add_budget(const InstrumentCovariance& instrument, const Model& model, Repo
   if (!e.high_open) e.high = widened.high;
   e.low_open = e.low_open || e.low <= r.min;
   e.high_open = e.high_open || e.high >= r.max;
-  e.standard_error = e.budget->standard_uncertainty;
+  // At a bound the interval has one side, and a standard uncertainty has no meaning.
+  if (e.status == Status::at_bound)
+    e.budget.reset();
+  else
+    e.standard_error = e.budget->standard_uncertainty;
 }
 
 }  // namespace brdf::fit

@@ -43,7 +43,7 @@ InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span
                                            double freedom);
 
 // Adds the budget to the estimate of a parameter: its standard error becomes the combined standard
-// uncertainty, and its interval becomes that of with_budget().
+// uncertainty, and its interval becomes that of with_budget(). At a bound only the interval changes.
 void add_budget(const InstrumentCovariance& instrument, const Model& model, Reported& r);
 
 // Returns the interval with its half widths multiplied by `kept` and widened in quadrature by 1.96 times the

@@ -144,6 +144,17 @@ TEST(Budget, ItsSourcesComeBackFromAMaterialFile) {
       {{"covariance", {{"parameters", {"a"}}, {"components", {{1}, {1}}}, {"freedom", {9, 9}}}}}));
 }
 
+// A slope of 0 is at its bound: its interval has the budget, but no standard uncertainty is stated, which
+// would be that of the square.
+TEST(Budget, AParameterAtItsBoundHasAnIntervalAlone) {
+  const FormFit f = fitted(read_by({}, matt(0.5)), {}, "oren_nayar");
+  const Estimate& sigma = estimate(f, "sigma");
+  EXPECT_EQ(sigma.status, Status::at_bound);
+  EXPECT_FALSE(sigma.budget);
+  EXPECT_NEAR(sigma.high, 0.03, 0.01);
+  EXPECT_THAT(testing::PrintToString(budget_in_words(f)), Not(HasSubstr("uncertainty of sigma")));
+}
+
 // A lobe as narrow as a few zero errors: first order is not enough, and the report states it.
 TEST(Budget, ANarrowHighlightIsBeyondFirstOrder) {
   Material mirror = glossy();
