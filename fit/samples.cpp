@@ -20,7 +20,7 @@ Samples arranged(io::SampleTable read, const FitOptions& options) {
   samples.budget = options.budget;
   if (samples.budget) return samples;
   if (std::optional<io::Budget> stated = io::stated_budget(samples.table)) {
-    samples.table.warnings.push_back("intervals contain the budget " + stated->file + " that the file names");
+    samples.table.warnings.push_back("the file names the uncertainty budget " + stated->file);
     samples.budget = std::make_shared<const io::Budget>(*std::move(stated));
   }
   return samples;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/products.h"
 #include "fit/between/tables.h"
 #include "fit/choice.h"
 
@@ -21,6 +22,15 @@ struct SeveralTables {
   bool json = false;
 };
 
+// The options of add_table_options(), for the table of a verb's options (cli/options/products.h).
+inline constexpr OptionOf kTableOptions[] = {
+    {"SAMPLES --form --metric --anisotropic --per-channel --shape --free-scale --keep-fill --polarisation "
+     "--repeats --quantity --mirror-side --layout --budget --max-theta --fix --start --bounds --tie "
+     "--physical "
+     "--robust --weights --starts --aperture --report --json",
+     1},
+    {"--seed", 1, "--starts"}};
+
 // Adds the samples, the options of a fit, --report and --json. --budget may be repeated.
 void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& description);
 
@@ -28,7 +38,7 @@ void add_table_options(CLI::App& verb, SeveralTables& o, const std::string& desc
 // names the caller in warnings.
 std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::string& verb);
 
-// Writes the page, if there is one, and returns the request to open it.
+// Writes the page, if one was requested.
 void write_page(const SeveralTables& o, const std::string& html);
 
 }  // namespace brdf::cli

@@ -25,7 +25,8 @@ Exit exit_of(const fit::Difference& difference) {
   }
 }
 
-Exit run_compare(const SeveralTables& o) {
+Exit run_compare(const CLI::App& verb, const SeveralTables& o) {
+  refuse_without_effect(verb, kTableOptions, 1, "a comparison");
   const auto models = fit::models_of(o.choice.form);
   if (o.samples.size() != 2) throw InputError("SAMPLES: two tables are compared");
   const std::vector<fit::TableToFit> tables = tables_to_fit(o, "compare");
@@ -60,7 +61,8 @@ void add_compare(CLI::App& app) {
       "goniometer.csv\n"
       "          brdf compare before.csv after.csv --form auto --report difference.html\n"
       "          brdf compare before.csv after.csv --form ward --json");
-  on_run(*verb, [options] { return run_compare(*options); });
+  require_every_option(*verb, kTableOptions);
+  on_run(*verb, [options, verb] { return run_compare(*verb, *options); });
 }
 
 }  // namespace brdf::cli

@@ -21,7 +21,10 @@ struct ConsensusCall {
   std::vector<double> albedo;
 };
 
-Exit run_consensus(const ConsensusCall& o) {
+constexpr OptionOf kConsensusOptions[] = {kTableOptions[0], kTableOptions[1], {"--at --albedo", 1}};
+
+Exit run_consensus(const CLI::App& verb, const ConsensusCall& o) {
+  refuse_without_effect(verb, kConsensusOptions, 1, "a consensus");
   fit::AskedQuantities asked{{}, o.albedo};
   for (const std::string& text : o.at) asked.at.push_back(fit::asked_directions("--at", text));
   if (asked.at.empty()) asked.at.emplace_back();
@@ -68,7 +71,8 @@ void add_consensus(CLI::App& app) {
       "round_robin.html\n"
       "          brdf consensus lab_1.csv lab_2.csv --form ward --budget budget_1.csv --budget budget_2.csv\n"
       "          brdf consensus lab_1.csv lab_2.csv lab_3.csv --form cook_torrance --albedo 8,45 --json");
-  on_run(*verb, [options] { return run_consensus(*options); });
+  require_every_option(*verb, kConsensusOptions);
+  on_run(*verb, [options, verb] { return run_consensus(*verb, *options); });
 }
 
 }  // namespace brdf::cli

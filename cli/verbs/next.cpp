@@ -11,6 +11,7 @@
 #include "cli/verb.h"
 #include "fit/design/next_report.h"
 #include "io/csv/csv.h"
+#include "io/files/numbers.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"
 #include "io/files/standard_input.h"
@@ -85,11 +86,14 @@ void add_next(CLI::App& app) {
   verb->add_option("-o,--output", o.output, "CSV of the chosen directions to write (- for standard output)");
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer(
-      "The choice trusts the form as far as its error is known. An error of the form is taken from the\n"
-      "residuals; below four values per parameter it is assumed to be three times the noise. An error that\n"
-      "the measured rows do not show is not taken into account: a choice without it can be worse than a\n"
-      "choice at random, so state --model-error if the form is in doubt. The result is for a fit in first\n"
-      "order about the present parameters; choose again when they have moved.\n"
+      "The choice trusts the form as far as its error is known. An error of the form is taken from the "
+      "residuals; below " +
+      io::short_number(fit::kFewValues) + " values per parameter it is assumed to be " +
+      io::short_number(fit::kAssumedError) +
+      " times the noise. An error that the measured rows do not show is not taken into account: a choice "
+      "without it can be worse than a choice at random, so state --model-error if the form is in doubt. The "
+      "result is for a fit in first order about the present parameters; choose again when they have "
+      "moved.\n"
       "Examples: brdf next samples.csv --reach directions.csv --form cook_torrance --fix f0=0.04 --rows 8\n"
       "          brdf next samples.csv --reach directions.csv --noise 0.01 --model-error 0.02 -o next.csv\n"
       "          brdf next samples.csv --reach directions.csv --form ward --form cook_torrance --json\n"

@@ -37,6 +37,14 @@ io::Json row_json(const AlbedoRow& row, const AlbedoChoice& choice) {
   return json;
 }
 
+// Returns the albedo of every channel.
+std::vector<double> channel_albedos(const Material& material, Angle theta, Angle phi,
+                                    const AlbedoOptions& options) {
+  std::vector<double> all;
+  for (const AlbedoResult& r : directional_albedo(material, theta, phi, options)) all.push_back(r.value);
+  return all;
+}
+
 // Sets the 95 % interval and the standard uncertainty of each row from the fit that produced the material.
 void add_uncertainty(const io::MaterialFile& file, double theta, double phi, AlbedoOptions options,
                      std::span<AlbedoRow> rows) {
@@ -46,10 +54,7 @@ void add_uncertainty(const io::MaterialFile& file, double theta, double phi, Alb
   std::vector<double> values;
   for (const AlbedoRow& row : rows) values.push_back(row.result.value);
   const auto albedo = [&](const Material& m) {
-    std::vector<double> all;
-    for (const AlbedoResult& r : directional_albedo(m, degrees(theta), degrees(phi), options))
-      all.push_back(r.value);
-    return all;
+    return channel_albedos(m, degrees(theta), degrees(phi), options);
   };
   const auto found = intervals(file.material, known, values, albedo);
   for (std::size_t k = 0; found && k < rows.size(); ++k) rows[k].interval = (*found)[k];
@@ -75,6 +80,15 @@ AlbedoOptions options_of(const AlbedoChoice& o) {
   if (!rule) throw InputError("--rule '" + o.rule + "': must be one of " + known_names<Rule>());
   options.rule = *rule;
   return options;
+}
+
+std::vector<double> albedos_at(const Material& material, std::span<const double> theta) {
+  AlbedoOptions options;
+  options.tolerance = kDifferenceTolerance;
+  std::vector<double> out;
+  for (const double angle : theta)
+    for (const double albedo : channel_albedos(material, degrees(angle), {}, options)) out.push_back(albedo);
+  return out;
 }
 
 std::vector<AlbedoRow> albedo_rows(const io::MaterialFile& file, const AlbedoChoice& choice) {

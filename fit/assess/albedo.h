@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct AlbedoRow {
 
 // Returns the options of the integrals. Throws InputError if an angle, a tolerance or a name is not valid.
 AlbedoOptions options_of(const AlbedoChoice& choice);
+
+// Returns the directional albedo of every channel at polar angles of incidence in degrees, to a relative
+// error of 1e-8, at which albedos can be subtracted from each other: first all channels at the first angle.
+std::vector<double> albedos_at(const Material& material, std::span<const double> theta);
 
 // Computes the albedo of every channel at each angle, in the order of the angles.
 std::vector<AlbedoRow> albedo_rows(const io::MaterialFile& file, const AlbedoChoice& choice);

@@ -191,9 +191,8 @@ void compare_parameters(const ComparedParameters& a, const ComparedParameters& b
   const auto inverse = inverse_of(out.covariance);
   if (!inverse) {
     out.obstacle =
-        "the covariance of the parameters is singular: the values have no scatter, or the samples do not "
-        "tell "
-        "the parameters apart";
+        "the covariance of the parameters is singular: the values have no scatter, or the samples do "
+        "not tell the parameters apart";
     return;
   }
   const Eigen::VectorXd along = *inverse * d;

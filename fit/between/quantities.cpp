@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/integrals.h"
+#include "brdf/material.h"
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
@@ -70,16 +70,6 @@ std::vector<double> values_at(const Material& material, std::span<const AskedDir
          direction(degrees(d.theta_o), degrees(kLightAzimuth + d.phi)), f);
     out.insert(out.end(), f.begin(), f.end());
   }
-  return out;
-}
-
-std::vector<double> albedos_at(const Material& material, std::span<const double> theta) {
-  AlbedoOptions options;
-  options.tolerance = 1e-8;  // the integrals are subtracted from each other
-  std::vector<double> out;
-  for (const double angle : theta)
-    for (const AlbedoResult& r : directional_albedo(material, degrees(angle), degrees(0), options))
-      out.push_back(r.value);
   return out;
 }
 

@@ -26,10 +26,6 @@ std::string to_text(const AskedDirections& at);
 // Returns f of every channel at each of the directions, 1/sr: first all channels at the first directions.
 std::vector<double> values_at(const Material& material, std::span<const AskedDirections> at);
 
-// Returns the directional albedo of every channel at polar angles of incidence in degrees, to a relative
-// error of 1e-8: first all channels at the first angle.
-std::vector<double> albedos_at(const Material& material, std::span<const double> theta);
-
 // The parameters that a fit determines, with their covariance. A logarithmic parameter is compared as ln, so
 // that its differences are relative.
 struct ComparedParameters {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/assess/albedo.h"
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "io/files/text.h"

@@ -1,4 +1,4 @@
-// What is known of the errors of a reading and of a model, and what is expected of a parameter.
+// The known errors of a reading and of a model, and the expected standard errors of parameters.
 #pragma once
 
 #include <array>

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "brdf/integrals.h"
 #include "brdf/material.h"
+#include "fit/assess/albedo.h"
 #include "fit/assess/derived.h"
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
@@ -54,6 +54,10 @@ std::string uncertainty_text(const std::string& name, double value, const Combin
          relative_text(c.standard_uncertainty, value) + "); shares of the variance: " + largest_parts(c);
 }
 
+bool has_intervals(const FormFit& fit) {
+  return std::ranges::any_of(fit.estimates, [](const Estimate& e) { return !std::isnan(e.low); });
+}
+
 std::string scope_of_intervals(const FormFit& fit) {
   if (!fit.budget) return std::string("intervals: ") + kScatterOnly;
   return "intervals: the budget " + io::file_name(fit.budget->budget->file) + " is in them";
@@ -90,16 +94,9 @@ std::vector<DerivedUncertainty> derived_uncertainties(const FormFit& fit) {
     std::string name;
     Derived value;
   };
-  AlbedoOptions exact;
-  exact.tolerance = 1e-8;  // the integrals are subtracted from each other
   const std::array quantities{
       Quantity{"albedo at 8 degrees",
-               [&](const Material& m) {
-                 std::vector<double> all;
-                 for (const AlbedoResult& r : directional_albedo(m, degrees(kAlbedoAngle), degrees(0), exact))
-                   all.push_back(r.value);
-                 return all;
-               }},
+               [&](const Material& m) { return albedos_at(m, std::span(&kAlbedoAngle, 1)); }},
       Quantity{"f at 0:45", [&](const Material& m) {
                  std::vector<double> all(m.channels.size());
                  eval(m, direction(degrees(0), degrees(0)), direction(degrees(kViewAngle), degrees(0)), all);

@@ -15,6 +15,8 @@ namespace brdf::fit {
 inline constexpr const char* kScatterOnly =
     "scatter only: a common scale or angle error is not in it (--budget FILE adds it)";
 
+// Returns whether some parameter of the fit has an interval; too few rows give none.
+bool has_intervals(const FormFit& fit);
 // Returns the sentence that states which errors the intervals of a fit contain.
 std::string scope_of_intervals(const FormFit& fit);
 // Returns the budget of the rows and the combined standard uncertainty of every parameter, with its largest

@@ -38,7 +38,7 @@ void add_parts(io::HtmlReport& report, const std::vector<Line>& lines) {
     for (const Combined::Part& part : line.combined->parts)
       if (std::ranges::find(sources, part.source) == sources.end()) sources.push_back(part.source);
   std::vector<std::string> heading{"quantity", "value", "standard uncertainty", "relative",
-                                   "expanded (95 %)"};
+                                   "1.96 standard uncertainties"};
   heading.insert(heading.end(), sources.begin(), sources.end());
   constexpr double kCoverage = 1.96;
   std::vector<io::Row> rows;
@@ -102,8 +102,9 @@ void add_budget(io::HtmlReport& report, const FormFit& fit, const io::SampleTabl
   for (const DerivedUncertainty& d : derived)
     lines.push_back({label(d.quantity, d.channel), d.value, &d.uncertainty});
   report.paragraph(
-      "Standard uncertainties, and the share of each source in the variance. The expanded "
-      "uncertainty is 1.96 standard uncertainties.");
+      "Standard uncertainties, and the share of each source in the variance. 1.96 standard uncertainties are "
+      "a 95 % interval if the errors are normal and the scatter is well known; the intervals above do not "
+      "assume the latter.");
   add_parts(report, lines);
   if (fit.budget->beyond_first_order > 0)
     report.paragraph("The budget is of first order. For " +

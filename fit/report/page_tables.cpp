@@ -170,7 +170,7 @@ void add_parameters(io::HtmlReport& report, const FormFit& fit) {
   report.paragraph(fit.lack_of_fit.beyond_scatter ? "Small print: 95 % confidence intervals with lack of "
                                                     "fit, because the form does not fit within the noise."
                                                   : "Small print: 95 % confidence intervals.");
-  report.paragraph("Scope of the " + scope_of_intervals(fit) + ".");
+  if (has_intervals(fit)) report.paragraph("Scope of the " + scope_of_intervals(fit) + ".");
   if (fit.intervals == IntervalsBy::curvature)
     report.paragraph("These intervals are approximate: they are derived from the curvature at the minimum.");
   add_intervals(report, fit);

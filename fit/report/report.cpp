@@ -250,7 +250,7 @@ void print(std::ostream& out, const FitResult& result, const io::SampleTable& ta
       out << "  " << estimate_text(e, label(parameter.symbol, e.channel), best.lack_of_fit.beyond_scatter)
           << '\n';
   for (const SmoothCurve& curve : best.smooth) out << "  " << in_words(curve) << '\n';
-  if (!best.estimates.empty()) out << "  " << io::printable(scope_of_intervals(best)) << '\n';
+  if (has_intervals(best)) out << "  " << io::printable(scope_of_intervals(best)) << '\n';
   for (const std::string& line : budget_in_words(best)) out << "  " << io::printable(line) << '\n';
   if (const std::string text = recommendation(result); !text.empty()) out << text << '\n';
 }

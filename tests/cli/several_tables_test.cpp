@@ -85,6 +85,11 @@ TEST_F(SeveralTables, ReportsArePages) {
 }
 
 TEST_F(SeveralTables, BadCallsAreRefusedBeforeAnyFit) {
+  for (const char* verb : {"compare", "consensus"}) {
+    const Outcome seeded = run(std::string(verb) + " a.csv b.csv --seed 3");
+    EXPECT_EQ(seeded.exit_code, 2) << verb;
+    EXPECT_NE(seeded.err.find("--seed: has no effect without --starts"), std::string::npos) << seeded.err;
+  }
   const std::pair<const char*, const char*> calls[] = {
       {"compare a.csv", "SAMPLES: two tables are compared"},
       {"compare a.csv b.csv wide.csv", "SAMPLES: two tables are compared"},

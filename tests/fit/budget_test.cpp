@@ -115,6 +115,22 @@ TEST(Budget, WithoutABudgetTheReportStatesThatScatterAloneIsInIt) {
   EXPECT_LE(held, 8);
 }
 
+// Two rows give no interval, so that no sentence may state what is in it.
+TEST(Budget, WithoutIntervalsNothingIsStatedOfThem) {
+  io::SampleTable table;
+  table.set_channels({"f"});
+  table.add_directions(10, 180, 20, 0);
+  table.add_directions(10, 180, 30, 0);
+  table.values = {{0.1, 0.11}};
+  FitOptions options{.metric = Metric::log_relative};
+  options.budget = budget_of({});
+  const FitResult result = fit(table, {{*find_form("oren_nayar")}}, options);
+  std::ostringstream text;
+  print(text, result, table, options);
+  EXPECT_FALSE(has_intervals(result.ranking.front()));
+  EXPECT_THAT(text.str(), Not(HasSubstr("intervals:")));
+}
+
 TEST(Budget, EveryIntervalStatesThatItContainsTheBudget) {
   FitOptions options{.metric = Metric::log_relative, .fix = {{"f0", {0.05}}}};
   options.budget = budget_of({});
