@@ -162,14 +162,11 @@ TEST_F(Outputs, ASolverThatFailsWritesNothingOfItsOwnToTheTerminal) {
 TEST_F(Outputs, AnInterruptedFitKeepsTheMaterialThatIsThere) {
   write("old.json", "old");
   ASSERT_EQ(run("synth --form ward --set alpha=0.1 --grid hemisphere --noise 0.1 -o big.csv").exit_code, 0);
-  const std::string command =
-      "cd '" + folder_.path().string() +
-      "' && env --default-signal=INT timeout --preserve-status -s INT 1 '" BRDF_EXECUTABLE
-      "' fit big.csv --form every --starts 1000 -o old.json >o 2>e";
-  const int status = std::system(command.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 1) << text("e");
+  const Outcome outcome =
+      run_interrupted("fit big.csv --form every --starts 1000 -o old.json", folder_.path());
+  EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(text("old.json"), "old");
-  EXPECT_THAT(text("e"), HasSubstr("interrupted: old.json is kept unchanged"));
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted: old.json is kept unchanged"));
 }
 
 }  // namespace

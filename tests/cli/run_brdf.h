@@ -45,16 +45,34 @@ class Setting {
   std::optional<std::string> old_;
 };
 
-// Runs the built executable in this folder with these arguments, in the syntax of a shell.
-inline Outcome run_brdf(const std::string& arguments, const std::filesystem::path& folder) {
+// Runs this command of the shell in this folder.
+inline Outcome run_shell(const std::string& command, const std::filesystem::path& folder) {
   const std::filesystem::path out = folder / ".out", err = folder / ".err";
-  const std::string command = "cd '" + folder.string() + "' && '" BRDF_EXECUTABLE "' " + arguments + " >'" +
-                              out.string() + "' 2>'" + err.string() + "'";
-  const int status = std::system(command.c_str());
+  const int status = std::system(("cd '" + folder.string() + "' && { " + command + "; } >'" + out.string() +
+                                  "' 2>'" + err.string() + "'")
+                                     .c_str());
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), file_text(out),
                   file_text(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);
+  return outcome;
+}
+
+// Runs the built executable in this folder with these arguments, in the syntax of a shell.
+inline Outcome run_brdf(const std::string& arguments, const std::filesystem::path& folder) {
+  return run_shell("'" BRDF_EXECUTABLE "' " + arguments, folder);
+}
+
+// Does the same, and interrupts as Ctrl-C does. The run must last much longer than its start. An interruption before the
+// work has begun ends the program by the signal (130), so a busy machine gets a longer delay.
+inline Outcome run_interrupted(const std::string& arguments, const std::filesystem::path& folder) {
+  Outcome outcome;
+  for (double delay = 0.25; delay < 60; delay *= 2) {
+    outcome = run_shell("env --default-signal=INT timeout --preserve-status -s INT " + std::to_string(delay) +
+                            " '" BRDF_EXECUTABLE "' " + arguments,
+                        folder);
+    if (outcome.exit_code != 130) break;
+  }
   return outcome;
 }
 

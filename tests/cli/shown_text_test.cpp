@@ -115,15 +115,13 @@ TEST_F(ShownText, OfJsonIsEscapedAsJson) {
 }
 
 TEST_F(ShownText, OfAnInterruptedRunNamesTheRestInOneLine) {
-  constexpr int kSamples = 400;
+  constexpr int kSamples = 2000;
   for (int k = 0; k < kSamples; ++k) write("in/s" + std::to_string(k) + ".csv", kTable);
   for (const std::string verb : {"study", "fit"}) {
-    const std::string command = "cd '" + folder_.path().string() +
-                                "' && timeout --foreground -s INT 1 '" BRDF_EXECUTABLE "' " + verb +
-                                " in --form ward --no-pictures -o " + verb + ".out >out.txt 2>err.txt";
-    std::system(command.c_str());
-    const std::string err = file_text(folder_.path() / "err.txt"),
-                      out = file_text(folder_.path() / "out.txt");
+    const Outcome outcome =
+        run_interrupted(verb + " in --form ward --no-pictures -o " + verb + ".out", folder_.path());
+    const auto& [exit_code, out, err] = outcome;
+    EXPECT_NE(exit_code, 0);
     const std::string line = "brdf " + verb + ": interrupted: ";
     ASSERT_THAT(err,
                 AllOf(HasSubstr(line), HasSubstr(" of " + std::to_string(kSamples) + " not processed\n")));
