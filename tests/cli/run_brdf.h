@@ -63,8 +63,8 @@ inline Outcome run_brdf(const std::string& arguments, const std::filesystem::pat
   return run_shell("'" BRDF_EXECUTABLE "' " + arguments, folder);
 }
 
-// Does the same, and interrupts as Ctrl-C does. The run must last much longer than its start. An interruption before the
-// work has begun ends the program by the signal (130), so a busy machine gets a longer delay.
+// Does the same, and interrupts as Ctrl-C does. The run must last much longer than its start: an interruption
+// before the work has begun ends the program by the signal (130), so a busy machine gets a longer delay.
 inline Outcome run_interrupted(const std::string& arguments, const std::filesystem::path& folder) {
   Outcome outcome;
   for (double delay = 0.25; delay < 60; delay *= 2) {
