@@ -90,11 +90,18 @@ Plan plan_in(const JsonPlace& root) {
   return plan;
 }
 
+// Returns the key of the units that this program does. A plan of another version has another key here, so that
+// the results of two versions are never put together: the units of the other version are done again.
+std::string unit_key(const Plan& plan) {
+  const std::string mine = io::provenance().version;
+  return plan.version == mine ? plan.key : io::sha256(plan.key + " " + mine);
+}
+
 // A unit's file begins with a line that identifies the unit and holds the hash of all that follows. The
 // unit's files follow: for each, a line with the lengths of name and content, and then name and content.
 std::string head_of(const Plan& plan, std::size_t unit, std::string_view rest) {
-  return std::string(kUnitFormat) + " " + plan.key + " " + std::to_string(unit) + " " + io::sha256(rest) +
-         "\n";
+  return std::string(kUnitFormat) + " " + unit_key(plan) + " " + std::to_string(unit) + " " +
+         io::sha256(rest) + "\n";
 }
 
 std::string packed(const std::vector<UnitFile>& files) {
@@ -185,9 +192,6 @@ Plan read_plan(const fs::path& job) {
   const Json json = io::read_json(file);
   Plan plan = plan_in({json, file.string()});
   if (plan.key != key_of(plan)) throw InputError(file.string() + ": the plan was changed after it was made");
-  if (const std::string mine = io::provenance().version; plan.version != mine)
-    throw InputError(file.string() + ": was planned by version " + plan.version + ", but this is version " +
-                     mine);
   return plan;
 }
 

@@ -50,8 +50,8 @@ Plan completed(Plan plan, const std::vector<std::string>& inputs);
 // Writes JOB/plan.json. Writing the same plan again changes nothing. Throws InputError if the folder holds a
 // different plan.
 void write_plan(const std::filesystem::path& job, const Plan& plan);
-// Reads JOB/plan.json. Throws InputError if the file does not exist, was changed, or was made by another
-// version of the program.
+// Reads JOB/plan.json, also of another version of the program. Throws InputError if the file does not exist or
+// was changed.
 Plan read_plan(const std::filesystem::path& job);
 
 // Checks an input against the plan. Throws InputError if the length of the file differs or, if `content` is
@@ -65,8 +65,8 @@ struct UnitFile {
 
 enum class UnitState { done, missing, damaged };
 
-// Returns the state of a unit. A file is damaged if it belongs to another plan, is too short, or differs
-// from the bytes that were written.
+// Returns the state of a unit. A file is damaged if it belongs to another plan or was made by another version
+// of the program, is too short, or differs from the bytes that were written.
 UnitState state_of(const std::filesystem::path& job, const Plan& plan, std::size_t unit);
 // Returns the content of a unit's file, or std::nullopt unless the unit is done.
 std::optional<std::vector<UnitFile>> read_unit(const std::filesystem::path& job, const Plan& plan,

@@ -158,7 +158,7 @@ TEST(SampledShader, EveryMutationIsFound) {
        {"density_mass", "sample_distribution", "sample_mean"},
        "integrates to"},
   };
-  const std::size_t step = thorough() ? 1 : 3;
+  const std::size_t step = thorough() ? 1 : 4;
   for (std::size_t k = 0; k < std::size(mutations); k += step) {
     const Mutation& m = mutations[k];
     const Findings found = judged(replaced(kSound, m.from, m.to));

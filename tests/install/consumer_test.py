@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: install.find_package label=install timeout=3600 needs=install find_package @build@ @source@
-# ctest: install.pkg_config label=install timeout=3600 needs=install pkg_config @build@ @source@
+# ctest: install.pkg_config label=slow timeout=3600 needs=install pkg_config @build@ @source@
 # ctest: install.fetch label=slow timeout=3600 needs=install fetch @build@ @source@
 """consumer_test.py find_package|pkg_config|fetch BUILD SOURCE: tests that examples/consumer, built in this way, prints the same
 values as the program, and that the core of libbrdf needs only the standard library."""

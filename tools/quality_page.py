@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# ctest: style.quality label=style --check
+"""Measures the project's quality and writes docs/quality.md: tests of each room, coverage, executions of the fuzz targets, injected faults,
+proofs, test clients and benchmarks, each with its command and date.
+
+    tools/quality_page.py --measure NAME...   run the commands of these rows, record their figures with the date, and write the page
+    tools/quality_page.py --check             fail if the page differs from the records (tests/quality.json), or if a row has no record
+
+The commands need the release build, and the packages of ./test --full for the longer ones. A command that fails records nothing.
+"""
+import argparse
+import collections
+import datetime
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+RECORDS, PAGE = ROOT / "tests/quality.json", ROOT / "docs/quality.md"
+
+
+def tests_by_label(out):
+    rooms = collections.Counter()
+    for test in json.loads(out)["tests"]:
+        labels = {p["name"]: p["value"] for p in test.get("properties", [])}.get("LABELS", ["without a label"])
+        rooms[labels[0]] += 1
+    return {"tests": sum(rooms.values()), **dict(sorted(rooms.items()))}
+
+
+def coverage_of_rooms(out):
+    return {room: f"{share} % of {lines} lines" for room, share, lines in re.findall(r"^(\w+) +([\d.]+) % of (\d+) lines", out, re.M)}
+
+
+def executions(out):
+    rows = re.findall(r"^(\w+) +(\d+) +\d+ .*?(\w[\w :,-]*)$", out, re.M)
+    return {"targets": len(rows), "executions": sum(int(row[1]) for row in rows), "targets with a finding": sum(row[2] != "clean" for row in rows)}
+
+
+def injected(out):
+    points, deviations = re.findall(r"(\d+) points, (\d+) deviations", out)[-1]
+    return {"injected faults": int(points), "deviations": int(deviations)}
+
+
+def verdicts(out):
+    results = json.loads(out)["results"]
+    counts = collections.Counter(r["verdict"] for r in results)
+    return {"results": len(results), **{key.replace("_", " "): counts[key] for key in sorted(counts)}}
+
+
+def of_suite(out):
+    failed, tests = re.search(r"(\d+) tests failed out of (\d+)", out).groups()
+    return {"test clients and their checks": int(tests), "failed": int(failed),
+            "left out (a program is missing)": len(re.findall(r"\*\*\*Skipped", out))}
+
+
+def shares_of_limits(out):
+    found = re.findall(r"^ *(\w+) +(double|float) .*?(\d\.\d+)\s*$", out, re.M)
+    return {f"{form}, {scalar}": float(share) for form, scalar, share in found}
+
+
+# Name of a row: (command, function from its output to figures, heading, explanation).
+FAULTS = "tests/faults/run --brdf build/release/brdf --library build/release/tests/libfaults.so"
+ROWS = {
+    "tests": ("ctest --test-dir build/release --show-only=json-v1", tests_by_label, "Tests",
+              "Tests by their first label: a room of the code, or a piece of `./test`."),
+    "coverage": ("tools/coverage", coverage_of_rooms, "Coverage", "Lines that the quick suite runs."),
+    "fuzz": ("tests/fuzz/run 20", executions, "Fuzzing", "Every target for 20 s on seeds and on the inputs that earlier runs kept."),
+    "faults": (f"{FAULTS} --short", injected, "Injected faults",
+               "A system call fails, a signal arrives, or a disk is full; a deviation is a lost file or an unclear message."),
+    "proofs": ("build/release/brdf prove --all --json", verdicts, "Proofs",
+               "Properties of the forms over their whole domain. A refuted property has a witness, and is a known violation."),
+    "clients": ("ctest --test-dir build/release -L ^interop$ -j2", of_suite, "Test clients",
+                "Programs that read exported materials, and what they show."),
+    "benchmarks": ("build/release/bench/bench_eval", shares_of_limits, "Benchmarks",
+                   "Batches: the share of the machine's limit for the form's operations."),
+}
+
+
+def cells(figures):
+    return "\n".join(f"| {subject} | {figure:,} |" if isinstance(figure, int) else f"| {subject} | {figure} |"
+                     for subject, figure in figures.items())
+
+
+def page(records):
+    parts = ["# Quality\n\nEach figure was printed by the command above it on the stated day. `tools/quality_page.py --measure NAME` measures a\n"
+             "part again and writes this page. Parts that were never measured are absent.\n"]
+    for name, (command, _, heading, explanation) in ROWS.items():
+        if name in records:
+            r = records[name]
+            parts.append(f"## {heading}\n\n{explanation}\n\n`{command}`, {r['date']}, version {r['version']}:\n\n"
+                         f"| subject | figure |\n|---|---:|\n{cells(r['figures'])}\n")
+    return "\n".join(parts)
+
+
+def measure(name, records):
+    command, figures, _, _ = ROWS[name]
+    done = subprocess.run(shlex.split(command), cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1) or (done.returncode and name != "proofs"):
+        sys.exit(f"{name}: {command} ended with {done.returncode}:\n{(done.stdout + done.stderr)[-1500:]}")
+    found = figures(done.stdout)
+    if not found:
+        sys.exit(f"{name}: the output of {command} has no figure")
+    version = re.search(r"project\(brdf VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
+    records[name] = {"date": datetime.date.today().isoformat(), "version": version, "figures": found}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    choice = parser.add_mutually_exclusive_group(required=True)
+    choice.add_argument("--measure", nargs="+", choices=ROWS, metavar="NAME", help=", ".join(ROWS))
+    choice.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    records = json.loads(RECORDS.read_text()) if RECORDS.exists() else {}
+    if options.check:
+        if unknown := records.keys() - ROWS.keys():
+            sys.exit(f"{RECORDS.name} has rows that no command measures: {', '.join(sorted(unknown))}")
+        if PAGE.read_text() != page(records):
+            sys.exit("docs/quality.md differs from tests/quality.json: tools/quality_page.py --measure writes both")
+        print(f"{len(records)} of {len(ROWS)} parts are measured")
+        return
+    for name in options.measure:
+        measure(name, records)
+        RECORDS.write_text(json.dumps(records, indent=1) + "\n")
+        PAGE.write_text(page(records))
+        print(name, records[name]["figures"])
+
+
+if __name__ == "__main__":
+    main()
