@@ -90,7 +90,7 @@ Plan plan_in(const JsonPlace& root) {
   return plan;
 }
 
-// Returns the key of the units that this program does. A plan of another version has another key here, so that
+// Returns the key of the units that this program does. The key of a plan of another version differs, so that
 // the results of two versions are never put together: the units of the other version are done again.
 std::string unit_key(const Plan& plan) {
   const std::string mine = io::provenance().version;

@@ -50,8 +50,8 @@ Plan completed(Plan plan, const std::vector<std::string>& inputs);
 // Writes JOB/plan.json. Writing the same plan again changes nothing. Throws InputError if the folder holds a
 // different plan.
 void write_plan(const std::filesystem::path& job, const Plan& plan);
-// Reads JOB/plan.json, also of another version of the program. Throws InputError if the file does not exist or
-// was changed.
+// Reads JOB/plan.json, also of another version of the program. Throws InputError if the file does not exist
+// or was changed.
 Plan read_plan(const std::filesystem::path& job);
 
 // Checks an input against the plan. Throws InputError if the length of the file differs or, if `content` is

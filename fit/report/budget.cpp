@@ -29,8 +29,8 @@ RowSummary summary_of(const RowBudget& rows) {
   for (std::size_t c = 0; c < rows.values.size(); ++c)
     for (std::size_t k = 0; k < rows.row.size(); ++k) all.push_back(rows.combined(c, k));
   if (all.empty()) return {};
-  const auto [least, largest] = std::ranges::minmax(all);
-  return {least, io::median(all), largest, all.size()};
+  const auto [least, largest] = std::minmax_element(all.begin(), all.end());
+  return {*least, io::median(all), *largest, all.size()};
 }
 
 std::string relative_text(double uncertainty, double value) {

@@ -72,8 +72,7 @@ TEST(LookupTables, TheTableOfThreeHasItsPublishedValues) {
 }
 
 TEST(LookupTables, LayoutsDifferAsTheirProgramsDo) {
-  const LookupTable filament = table_of("cook_torrance", TableKind::dfg, "filament"),
-                    unity = table_of("cook_torrance", TableKind::dfg, "unity");
+  const LookupTable filament = table_of("cook_torrance", TableKind::dfg, "filament");
   EXPECT_EQ(filament.channels, (std::vector<std::string>{"bias", "white"}));
   // The first row of Filament has roughness 1, and white is scale + bias.
   const TableFunction function(lobe("cook_torrance"), TableKind::dfg, false);
@@ -83,6 +82,8 @@ TEST(LookupTables, LayoutsDifferAsTheirProgramsDo) {
   // The second row, too: the coordinate is one texel high.
   const auto second = function.directional(63.5 / 128, std::pow(127.5 / 128, 2));
   EXPECT_NEAR(filament.texels[0][128 + 63], second.values[1], 1e-5);
+  if (!thorough()) return;
+  const LookupTable unity = table_of("cook_torrance", TableKind::dfg, "unity");
   // Unity's axis is the root of the cosine, with 0 and 1 at the outer texels.
   const auto corner = function.directional(1, 1);
   EXPECT_NEAR(unity.texels[1].back(), corner.values[0] + corner.values[1], 1e-5);
