@@ -1,6 +1,5 @@
 #!/usr/bin/env python3
 # ctest: platforms.aarch64 label=platforms timeout=3600 needs=plain @source@ @build@ @here@/aarch64 aarch64-linux-gnu-g++ --link=-static --run qemu-aarch64-static
-# ctest: platforms.libcxx label=platforms timeout=3600 needs=plain @source@ @build@ @here@/libcxx clang++-16 --compile=-stdlib=libc++ --link=-stdlib=libc++
 # ctest: platforms.clang label=platforms timeout=3600 needs=plain @source@ @build@ @here@/clang clang++-16
 # ctest: platforms.wasm label=wasm timeout=900 needs=plain @source@ @build@ @here@/wasm em++ --library @source@/build/wasm --run node
 """Tests that libbrdf has the same bits on another platform: f_r in double and in float and their derivatives, of every form and target.
