@@ -83,7 +83,7 @@ def elsewhere():
         sources, objects = [PROGRAM], [o.library / "libbrdf/libbrdf.a"]
         flags = [*flags, "-fwasm-exceptions", "-msimd128", f"-isystem{o.source}/build/wasm-packages/include", "-include",
                  o.source / "browser/old_standard_library.h"]
-        link = [*link, "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1"]
+        link = [*link, "-fwasm-exceptions", "-sALLOW_MEMORY_GROWTH=1", "-sSINGLE_FILE=1"]
     else:
         sources = [PROGRAM, *sorted((o.source / "libbrdf/src").rglob("*.cpp")), *sorted(generated.glob("*.cpp"))]
         objects = []
