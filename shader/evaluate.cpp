@@ -153,18 +153,6 @@ void ShaderReflectance::eval_cos(const ParameterValues<float>& p, const Directio
   evaluate_all(p, d, true, out);
 }
 
-template <class T>
-void ShaderReflectance::lobes_of(std::span<const T> shape, const Directions<T>& d,
-                                 const LobeRows<T>& out) const {
-  const int f0 = info_.weight_index(Role::f0);
-  for (std::size_t k = 0; k < lobes_.size(); ++k) {
-    std::vector<T> weights(weights_.size(), T(0));
-    weights[lobes_[k].weight] = T(1);
-    if (f0 >= 0) weights[std::size_t(f0)] = T(lobes_[k].factor == LobeWeight::Factor::f0 ? 1 : 0);
-    evaluate_all<T>({weights, weights, shape}, d, false, out.data + k * out.stride);
-  }
-}
-
 void ShaderReflectance::derivatives(const std::vector<double>& values, const std::vector<std::size_t>& by,
                                     bool by_phi, std::size_t component, const Directions<double>& d,
                                     double* first, std::size_t stride) const {
@@ -205,10 +193,9 @@ void ShaderReflectance::derivatives(const std::vector<double>& values, const std
 }
 
 void ShaderReflectance::lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
-                              const LobeRows<double>& out) const {
-  if (partial == Partial::none) return lobes_of(shape, d, out);
+                              const LobeRows& out) const {
   const bool by_phi = partial == Partial::shape_and_phi;
-  const std::size_t rows = 1 + shape_.size() + by_phi;
+  const std::size_t rows = partial == Partial::none ? 1 : 1 + shape_.size() + by_phi;
   const int f0 = info_.weight_index(Role::f0);
   try {
     for (std::size_t k = 0; k < lobes_.size(); ++k) {
@@ -218,31 +205,16 @@ void ShaderReflectance::lobes(std::span<const double> shape, Partial partial, co
       const ParameterValues<double> p{weights, weights, shape};
       double* const row = out.data + k * rows * out.stride;
       evaluate_all(p, d, false, row);
-      derivatives(values_of(p), shape_, by_phi, 0, d, row + out.stride, out.stride);
+      if (partial != Partial::none)
+        derivatives(values_of(p), shape_, by_phi, 0, d, row + out.stride, out.stride);
     }
   } catch (const EndlessLoop& loop) {
     endless(loop);
   }
 }
 
-void ShaderReflectance::lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
-                              const LobeRows<float>& out) const {
-  if (partial == Partial::none) return lobes_of(shape, d, out);
-  const std::size_t rows = lobes_.size() * (1 + shape_.size() + (partial == Partial::shape_and_phi));
-  DirectionArrays<double> wide(d.count);
-  for (std::size_t k = 0; k < d.count; ++k) {
-    const Vec3<float> wi = d.wi(k), wo = d.wo(k);
-    wide.set(k, {wi.x, wi.y, wi.z}, {wo.x, wo.y, wo.z});
-  }
-  std::vector<double> values(rows * d.count);
-  const std::vector<double> at(shape.begin(), shape.end());
-  lobes(std::span<const double>(at), partial, wide.view(), {values.data(), d.count});
-  for (std::size_t r = 0; r < rows; ++r)
-    for (std::size_t k = 0; k < d.count; ++k) out.data[r * out.stride + k] = float(values[r * d.count + k]);
-}
-
 void ShaderReflectance::gradient(const ParameterValues<double>& p, const Directions<double>& d,
-                                 const LobeRows<double>& out) const {
+                                 const LobeRows& out) const {
   std::vector<std::size_t> by = shape_;
   by.insert(by.end(), weights_.begin(), weights_.end());
   const std::size_t component = std::min<std::size_t>(p.channel, 2);

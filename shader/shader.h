@@ -36,11 +36,9 @@ class ShaderReflectance final : public ReflectanceModel {
   void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override;
   void eval_cos(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override;
   void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
-             const LobeRows<double>& out) const override;
-  void lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
-             const LobeRows<float>& out) const override;
+             const LobeRows& out) const override;
   void gradient(const ParameterValues<double>& p, const Directions<double>& d,
-                const LobeRows<double>& out) const override;
+                const LobeRows& out) const override;
   std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override;
   std::string glsl(const GlslOptions& options) const override;
 
@@ -63,8 +61,6 @@ class ShaderReflectance final : public ReflectanceModel {
   template <class T, int W>
   void evaluate_block(const std::vector<T>& values, const Directions<T>& d, bool times_cosine,
                       const Components<T>& out) const;
-  template <class T>
-  void lobes_of(std::span<const T> shape, const Directions<T>& d, const LobeRows<T>& out) const;
   // Writes derivatives by the parameters in the order of `by` and, last, by the tangent's azimuth. `first`
   // is row 1.
   void derivatives(const std::vector<double>& values, const std::vector<std::size_t>& by, bool by_phi,

@@ -117,9 +117,8 @@ enum class Partial {
 
 // Output rows for lobes. Row k (1 + D) holds lobe k, and the D rows after it hold its derivatives. Row r
 // starts at data + r * stride. stride is at least the number of directions.
-template <class T>
 struct LobeRows {
-  T* data;
+  double* data;
   std::size_t stride;
 };
 
@@ -152,15 +151,13 @@ class ReflectanceModel {
 
   // Compute the lobes and their derivatives, 0 below the horizon. Valid only if info().lobes is not empty.
   virtual void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
-                     const LobeRows<double>& out) const;
-  virtual void lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
-                     const LobeRows<float>& out) const;
+                     const LobeRows& out) const;
 
   // Row 0 receives f_r, the next rows its derivatives by the shape parameters, then by the weights. If
   // `first` is the same array as the weights, the derivatives by the weights include both. Valid only if
   // info().differentiable.
   virtual void gradient(const ParameterValues<double>& p, const Directions<double>& d,
-                        const LobeRows<double>& out) const;
+                        const LobeRows& out) const;
 
   // Returns the weights computed from the weights of the lobes, each with its derivatives by them. Valid
   // only if info().lobes is not empty.

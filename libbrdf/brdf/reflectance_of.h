@@ -34,20 +34,21 @@ void eval_directions(const ParameterValues<T>& p, const Directions<T>& direction
 }
 
 // Returns a direction that rotates with the frame. Its last derivative is the derivative by tangent_phi.
-template <class T, int D>
-Vec3<Dual<T, D>> turning(const Vec3<T>& w) {
-  const auto last = [](T value, T derivative) {
-    return Dual<T, D>(value,
-                      Partials<T, D>::make([&](std::size_t k) { return k + 1 == D ? derivative : T(0); }));
+template <int D>
+Vec3<Dual<double, D>> turning(const Vec3<double>& w) {
+  const auto last = [](double value, double derivative) {
+    const auto partial = [&](std::size_t k) { return k + 1 == D ? derivative : 0; };
+    return Dual<double, D>(value, Partials<double, D>::make(partial));
   };
-  return {last(w.x, w.y), last(w.y, -w.x), last(w.z, T(0))};
+  return {last(w.x, w.y), last(w.y, -w.x), last(w.z, 0)};
 }
 
-template <Form F, class T, Partial kPartial>
-void lobe_directions(std::span<const T> shape, const Directions<T>& directions, const LobeRows<T>& out) {
-  constexpr std::size_t P = parameter_count<typename F::template Shape<T>>;
+template <Form F, Partial kPartial>
+void lobe_directions(std::span<const double> shape, const Directions<double>& directions,
+                     const LobeRows& out) {
+  constexpr std::size_t P = parameter_count<typename F::template Shape<double>>;
   constexpr int D = kPartial == Partial::none ? 0 : int(P) + (kPartial == Partial::shape_and_phi);
-  using S = Dual<T, D>;
+  using S = Dual<double, D>;
   using Shape = typename F::template Shape<S>;
   std::array<S, P> variables;
   for (std::size_t k = 0; k < P; ++k)
@@ -56,15 +57,15 @@ void lobe_directions(std::span<const T> shape, const Directions<T>& directions, 
                      out](std::size_t i) {
     const auto g = [&] {
       if constexpr (kPartial == Partial::shape_and_phi)
-        return geometry(turning<T, D>(d.wi(i)), turning<T, D>(d.wo(i)));
+        return geometry(turning<D>(d.wi(i)), turning<D>(d.wo(i)));
       else
         return geometry(d.wi(i), d.wo(i));
     }();
     const auto lobes = F::lobes(s, g);
-    const bool below = smaller(d.wi_z[i], d.wo_z[i]) < T(0);
+    const bool below = smaller(d.wi_z[i], d.wo_z[i]) < 0;
     [&]<std::size_t... k>(std::index_sequence<k...>) {
-      const auto put = [&](std::size_t row, const T& value) {
-        out.data[row * out.stride + i] = below ? T(0) : value;
+      const auto put = [&](std::size_t row, double value) {
+        out.data[row * out.stride + i] = below ? 0 : value;
       };
       const auto put_lobe = [&](std::size_t lobe, const S& value) {
         put(lobe * (D + 1), value.a);
@@ -78,15 +79,16 @@ void lobe_directions(std::span<const T> shape, const Directions<T>& directions, 
   repeat(body, directions.count);
 }
 
-template <Form F, class T>
-void lobes_with(std::span<const T> shape, Partial partial, const Directions<T>& d, const LobeRows<T>& out) {
+template <Form F>
+void lobes_with(std::span<const double> shape, Partial partial, const Directions<double>& d,
+                const LobeRows& out) {
   switch (partial) {
     case Partial::none:
-      return lobe_directions<F, T, Partial::none>(shape, d, out);
+      return lobe_directions<F, Partial::none>(shape, d, out);
     case Partial::shape:
-      return lobe_directions<F, T, Partial::shape>(shape, d, out);
+      return lobe_directions<F, Partial::shape>(shape, d, out);
     case Partial::shape_and_phi:
-      return lobe_directions<F, T, Partial::shape_and_phi>(shape, d, out);
+      return lobe_directions<F, Partial::shape_and_phi>(shape, d, out);
   }
 }
 
@@ -203,16 +205,12 @@ class FormModel final : public ReflectanceModel {
   }
 
   void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
-             const LobeRows<double>& out) const override {
-    if constexpr (LinearForm<F>) lobes_with<F, double>(shape, partial, d, out);
-  }
-  void lobes(std::span<const float> shape, Partial partial, const Directions<float>& d,
-             const LobeRows<float>& out) const override {
-    if constexpr (LinearForm<F>) lobes_with<F, float>(shape, partial, d, out);
+             const LobeRows& out) const override {
+    if constexpr (LinearForm<F>) lobes_with<F>(shape, partial, d, out);
   }
 
   void gradient(const ParameterValues<double>& p, const Directions<double>& d,
-                const LobeRows<double>& out) const override {
+                const LobeRows& out) const override {
     constexpr std::size_t P = parameter_count<Shape<double>>, W = parameter_count<Weights<double>>;
     using D = Dual<double, int(P + W)>;
     std::array<D, P> shape;

@@ -92,11 +92,9 @@ void ReflectanceModel::eval_cos(const ParameterValues<float>& p, const Direction
   by_double(p, d, out, [&](const auto&... arguments) { eval_cos(arguments...); });
 }
 void ReflectanceModel::lobes(std::span<const double>, Partial, const Directions<double>&,
-                             const LobeRows<double>&) const {}
-void ReflectanceModel::lobes(std::span<const float>, Partial, const Directions<float>&,
-                             const LobeRows<float>&) const {}
+                             const LobeRows&) const {}
 void ReflectanceModel::gradient(const ParameterValues<double>&, const Directions<double>&,
-                                const LobeRows<double>&) const {}
+                                const LobeRows&) const {}
 std::vector<ReflectanceModel::TableWeight> ReflectanceModel::weights_of(std::span<const double>) const {
   return {};
 }

@@ -93,7 +93,7 @@ class Torn final : public Lambda {
  public:
   Torn() : Lambda(matt) { info_.differentiable = true; }
   void gradient(const ParameterValues<double>& p, const Directions<double>& d,
-                const LobeRows<double>& out) const override {
+                const LobeRows& out) const override {
     eval(p, d, out.data);
     for (std::size_t i = 0; i < d.count; ++i) {
       out.data[out.stride + i] = 0;
