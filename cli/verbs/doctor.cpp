@@ -68,8 +68,8 @@ std::vector<Part> parts() {
                      "install a driver; mesa-vulkan-drivers has one without hardware",
                      [] { return render::Device().name(); }));
   out.push_back(part("fonts", "labels in pictures of render, and view", "install fonts-dejavu-core", [] {
-    render::Font plain(render::Font::kPlain), bold(render::Font::kBold);
-    return std::string(render::Font::kPlain);
+    render::Font plain(render::Font::plain()), bold(render::Font::bold());
+    return render::Font::plain().string();
   }));
 #else
   out.push_back({"Vulkan driver", "render, lobes, parity, validate --gpu, view", false,

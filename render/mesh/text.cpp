@@ -158,7 +158,7 @@ Mesh make_text_sphere(std::string_view text, const std::filesystem::path& font) 
   if (const std::size_t letters = code_points(text).size(); letters > kMostLetters)
     throw InputError("text mesh: " + std::to_string(letters) + " letters; at most " +
                      std::to_string(kMostLetters) + " are drawn");
-  auto [contours, width] = text_outlines(text, font.empty() ? Font::kBold : font);
+  auto [contours, width] = text_outlines(text, font.empty() ? Font::bold() : font);
   if (contours.empty()) throw InputError("text mesh: \"" + std::string(text) + "\" has no visible letter");
   // The longitude is proportional to x, and the text goes round at most once; the middle of the capitals
   // lies on the equator.

@@ -26,7 +26,7 @@ std::vector<char32_t> shown_characters(const std::string& text) {
 template <class Visit>
 float for_each_glyph(const std::string& text, int pixels, Visit visit) {
   // Each thread has its own font, because drawing changes the state of FreeType's faces.
-  thread_local const Font font(Font::kPlain);
+  thread_local const Font font(Font::plain());
   FT_Set_Pixel_Sizes(font.face(), 0, FT_UInt(pixels));
   float pen = 0;
   for (const char32_t code : shown_characters(text)) {

@@ -8,8 +8,26 @@
 #include <string>
 
 #include "io/files/error.h"
+#include "io/files/installed.h"
 
 namespace brdf::render {
+namespace {
+
+std::filesystem::path font_file(const std::string& name) {
+  const std::filesystem::path of_system = "/usr/share/fonts/truetype/dejavu/" + name;
+  const std::filesystem::path of_program = io::installed_file("brdf/fonts/" + name);
+  return std::filesystem::exists(of_system) || of_program.empty() ? of_system : of_program;
+}
+
+}  // namespace
+
+std::filesystem::path Font::bold() {
+  return font_file("DejaVuSans-Bold.ttf");
+}
+
+std::filesystem::path Font::plain() {
+  return font_file("DejaVuSans.ttf");
+}
 
 void Font::LibraryCloser::operator()(FT_LibraryRec_* library) const {
   FT_Done_FreeType(library);

@@ -13,8 +13,9 @@ namespace brdf::render {
 
 class Font {
  public:
-  static constexpr const char* kBold = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
-  static constexpr const char* kPlain = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+  // Return the files of DejaVu Sans: those of the system, or else those installed with the program.
+  static std::filesystem::path bold();
+  static std::filesystem::path plain();
 
   // Throws EnvironmentError if the font cannot be read.
   explicit Font(const std::filesystem::path& file);

@@ -24,8 +24,8 @@ void add_font(float scale) {
   static const ImWchar ranges[] = {0x20,   0x17F,  0x370,  0x3FF,  0x2010, 0x2044,
                                    0x2190, 0x21FF, 0x2200, 0x22FF, 0};
   const float size = std::round(kLetters * scale);
-  if (std::filesystem::exists(Font::kPlain))
-    fonts.AddFontFromFileTTF(Font::kPlain, size, nullptr, ranges);
+  if (const std::filesystem::path font = Font::plain(); std::filesystem::exists(font))
+    fonts.AddFontFromFileTTF(font.c_str(), size, nullptr, ranges);
   else
     ImGui::GetIO().FontGlobalScale = scale;  // the built-in font
 }
