@@ -1,5 +1,5 @@
-// Prints the verdicts and parameters of all forms fitted to the tables of the arguments. A program for another
-// processor must print the same numbers within the bound of aarch64_test.py.
+// Prints the verdicts and parameters of all forms fitted to the tables of the arguments. A program for
+// another processor must print the same numbers within the bound of aarch64_test.py.
 #include <cstdio>
 
 #include "fit/choice.h"
