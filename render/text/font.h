@@ -13,7 +13,7 @@ namespace brdf::render {
 
 class Font {
  public:
-  // Return the files of DejaVu Sans: those of the system, or else those installed with the program.
+  // Return the files of DejaVu Sans: of the system, or else the files installed with the program.
   static std::filesystem::path bold();
   static std::filesystem::path plain();
 
