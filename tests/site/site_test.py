@@ -4,7 +4,7 @@
 """The web site of the documents: site_test.py FOLDER [BROWSER]
 
 The site is built in FOLDER. Every link of every page leads to a file and to a place of that file, no page
-loads anything from another address, and the site is smaller than 15 MB. A document that docs/index.md does
+loads anything from another address, and the site is smaller than 17 MB. A document that docs/index.md does
 not list and a link to a file that does not exist are errors of tools/site. With BROWSER the site has the
 pages of the public headers too. Its first page and the first page of the headers have no message in the
 console and nothing wider than the window at 390, 1280 and 1920 pixels, light and dark. No document
