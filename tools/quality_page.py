@@ -57,8 +57,13 @@ def of_suite(out):
 
 
 def shares_of_limits(out):
-    found = re.findall(r"^ *(\w+) +(double|float) .*?(\d\.\d+)\s*$", out, re.M)
-    return {f"{form}, {scalar}": float(share) for form, scalar, share in found}
+    shares, scalar = {}, ""
+    for line in out.splitlines():
+        if heading := re.match(r"(double|float), ns per evaluation", line):
+            scalar = heading[1]
+        elif scalar and (row := re.match(r"(\w+) .* (\d+) % ", line)):
+            shares[f"{row[1]}, {scalar}"] = f"{row[2]} %"
+    return shares
 
 
 # Name of a row: (command, function from its output to figures, heading, explanation).
@@ -75,7 +80,7 @@ ROWS = {
     "clients": ("ctest --test-dir build/release -L ^interop$ -j2", of_suite, "Test clients",
                 "Programs that read exported materials, and what they show."),
     "benchmarks": ("build/release/bench/bench_eval", shares_of_limits, "Benchmarks",
-                   "Batches: the share of the machine's limit for the form's operations."),
+                   "Batches: the share of the limit that the machine's throughput sets for the operations of a form. The figures depend on the machine."),
 }
 
 
