@@ -4,13 +4,14 @@
 proofs, test clients and benchmarks, each with its command and date.
 
     tools/quality_page.py --measure NAME...   run the commands of these rows, record their figures with the date, and write the page
-    tools/quality_page.py --check             fail if the page differs from the records (tests/quality.json), or if a row has no record
+    tools/quality_page.py --check             fail if the page differs from the records (tests/quality.json)
 
 The commands need the release build, and the packages of ./test --full for the longer ones. A command that fails records nothing.
 """
 import argparse
 import collections
 import datetime
+import doctest
 import json
 import pathlib
 import re
@@ -31,15 +32,29 @@ def tests_by_label(out):
 
 
 def coverage_of_rooms(out):
+    """
+    >>> coverage_of_rooms("io          97.7 % of 9000 lines; floor 97.6 %")
+    {'io': '97.7 % of 9000 lines'}
+    """
     return {room: f"{share} % of {lines} lines" for room, share, lines in re.findall(r"^(\w+) +([\d.]+) % of (\d+) lines", out, re.M)}
 
 
 def executions(out):
-    rows = re.findall(r"^(\w+) +(\d+) +\d+ .*?(\w[\w :,-]*)$", out, re.M)
-    return {"targets": len(rows), "executions": sum(int(row[1]) for row in rows), "targets with a finding": sum(row[2] != "clean" for row in rows)}
+    """The columns are target, executions, executions per second, slowest input in s, largest memory in MB, result.
+
+    >>> executions("csv   1200   60   0   98  clean\\nply   10   1   0   99  SUMMARY: heap-use-after-free")
+    {'targets': 2, 'executions': 1210, 'targets with a finding': 1}
+    """
+    rows = re.findall(r"^\w+ +(\d+) +[\d.]+ +[\d.]+ +[\d.]+ +(.+)$", out, re.M)
+    return {"targets": len(rows), "executions": sum(int(count) for count, _ in rows),
+            "targets with a finding": sum(result != "clean" for _, result in rows)}
 
 
 def injected(out):
+    """
+    >>> injected("295 points, 2 deviations")
+    {'injected faults': 295, 'deviations': 2}
+    """
     points, deviations = re.findall(r"(\d+) points, (\d+) deviations", out)[-1]
     return {"injected faults": int(points), "deviations": int(deviations)}
 
@@ -51,12 +66,20 @@ def verdicts(out):
 
 
 def of_suite(out):
+    """
+    >>> of_suite("1/3 Test #1: a .....***Skipped   0.1 sec\\n67% tests passed, 1 tests failed out of 3")
+    {'test clients and their checks': 3, 'failed': 1, 'left out (a program is missing)': 1}
+    """
     failed, tests = re.search(r"(\d+) tests failed out of (\d+)", out).groups()
     return {"test clients and their checks": int(tests), "failed": int(failed),
             "left out (a program is missing)": len(re.findall(r"\*\*\*Skipped", out))}
 
 
 def shares_of_limits(out):
+    """
+    >>> shares_of_limits("float, ns per evaluation of f cos_i\\nward   30.78   47.09   2.824   1.524   10.9   16.7   54 %   1.98")
+    {'ward, float': '54 %'}
+    """
     shares, scalar = {}, ""
     for line in out.splitlines():
         if heading := re.match(r"(double|float), ns per evaluation", line):
@@ -91,7 +114,7 @@ def cells(figures):
 
 def page(records):
     parts = ["# Quality\n\nEach figure was printed by the command above it on the stated day. `tools/quality_page.py --measure NAME` measures a\n"
-             "part again and writes this page. Parts that were never measured are absent.\n"]
+             f"part again and writes this page. Not measured yet: {', '.join(sorted(ROWS.keys() - records.keys())) or 'no part'}.\n"]
     for name, (command, _, heading, explanation) in ROWS.items():
         if name in records:
             r = records[name]
@@ -120,6 +143,8 @@ def main():
     options = parser.parse_args()
     records = json.loads(RECORDS.read_text()) if RECORDS.exists() else {}
     if options.check:
+        if doctest.testmod().failed:
+            sys.exit("an example of this program has another result")
         if unknown := records.keys() - ROWS.keys():
             sys.exit(f"{RECORDS.name} has rows that no command measures: {', '.join(sorted(unknown))}")
         if PAGE.read_text() != page(records):

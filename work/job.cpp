@@ -177,8 +177,9 @@ Plan completed(Plan plan, const std::vector<std::string>& inputs) {
 void write_plan(const fs::path& job, const Plan& plan) {
   if (fs::exists(job / kPlanFile)) {
     if (read_plan(job).key == plan.key) return;
-    throw InputError(job.string() +
-                     ": contains a plan with different inputs, options or units: use another folder");
+    throw InputError(
+        job.string() +
+        ": contains a plan with different inputs, options, units or version: use another folder");
   }
   io::make_folder(job);
   Json j = content_of(plan);

@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 source, build, folder = (pathlib.Path(word).resolve() for word in sys.argv[1:4])
-BOUND = 1e-9  # relative, and absolute below 1: the parameters of converged fits
+BOUND = 2e-14  # relative, and absolute below 1: the parameters of converged fits; 6.3e-15 so far
 TABLES = ("lambert.csv", "ward_grazing.csv", "phong_sparse.csv", "instrument.csv")
 PACKAGES = ("libc6-dev libstdc++-12-dev libceres-dev libblas-dev liblapack-dev libopenexr-dev libimath-dev nlohmann-json3-dev "
             "libexpat1-dev libutfcpp-dev libnanoflann-dev libeigen3-dev libstb-dev libboost-dev").split()
@@ -88,7 +88,7 @@ there = fits("qemu-aarch64-static", "-L", root, make_program("aarch64-linux-gnu-
 assert here.keys() == there.keys() and len(here) >= 4 * len(TABLES), (sorted(here.keys() ^ there.keys()), len(here))
 worst = 0.0, ("", "")
 for key, (verdict, values) in here.items():
-    assert verdict == there[key][0], (key, verdict, there[key][0])
+    assert verdict == there[key][0] and len(values) == len(there[key][1]), (key, verdict, there[key])
     if verdict in ("converged", "breaks_energy"):
         worst = max(worst, *((abs(a - b) / max(1, abs(a)), key) for a, b in zip(values, there[key][1])))
 print(f"{len(here)} fits have the same verdicts; the parameters of converged fits differ by at most {worst[0]:.2g} ({worst[1]})")

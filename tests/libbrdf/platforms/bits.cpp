@@ -1,8 +1,10 @@
 // Prints hashes of the bits of every form and target: of f_r in double and in float, and of the derivatives.
 // Programs for different processors must print the same hashes (platforms_test.py). Albedos follow in full.
+#include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <vector>
 
