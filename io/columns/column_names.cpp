@@ -10,6 +10,7 @@
 #include "io/columns/metadata_names.h"
 #include "io/columns/plain_names.h"
 #include "io/columns/polarisation_names.h"
+#include "io/columns/stated_angles.h"
 #include "io/columns/value_columns.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/error.h"
@@ -102,8 +103,11 @@ class HeaderReading {
     return true;
   }
 
-  // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side.
+  // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side. A line
+  // above the header may state a polar angle.
   bool states(bool azimuth, AngleSide side) const {
+    if (!azimuth && facts_.stated_angles && facts_.stated_angles->has(side == AngleSide::light ? 0 : 2))
+      return true;
     return std::ranges::any_of(angles_, [&](const auto& angle) {
       return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
     });
@@ -191,6 +195,7 @@ class HeaderReading {
                "columns " + shown(first->second) + " and " + shown(names_[k]) + " are both " + ours);
       announce_angle(column, ours);
     }
+    for (const std::size_t angle : {0, 2}) place_stated_angle(angle);
     place_weak_angles();
     const bool of_light = out_.has_angle(1), of_viewer = out_.has_angle(3);
     if (of_light != of_viewer) out_.only_azimuth = of_light ? 1 : 3;
@@ -202,6 +207,20 @@ class HeaderReading {
                  " does not name the direction of its azimuth, and another column gives " +
                  std::string(kAngleNames[1]));
     refuse_other_angles();
+  }
+
+  // Accepts a polar angle that a line above the header row states, if no column is this angle and a column is
+  // the other one.
+  void place_stated_angle(std::size_t angle) {
+    const auto side = [](std::size_t a) { return a == 0 ? AngleSide::light : AngleSide::viewer; };
+    if (!facts_.stated_angles || out_.has_angle(angle) || weak_angle(side(angle)) ||
+        !(out_.has_angle(2 - angle) || weak_angle(side(2 - angle))))
+      return;
+    const StatedAngle* stated = facts_.stated_angles->find(angle, facts_.where);
+    if (!stated) return;
+    out_.constants.emplace_back(stated->column, stated->number);
+    out_.assume(std::string(kAngleNames[angle]) + " is " + to_text(stated->degrees()) +
+                " degrees in all rows, as line " + std::to_string(stated->line) + " states");
   }
 
   // Accepts a phase angle in place of the azimuths.
@@ -349,10 +368,12 @@ bool is_unit(std::string_view field) {
   return field.empty() || field == "-" || unit_named(field);
 }
 
-bool names_angles(const std::vector<std::string_view>& names) {
+bool names_angles(const std::vector<std::string_view>& names, std::size_t at_least) {
   std::size_t count = 0;
   bool has_light = false, has_azimuth = false;  // of a road table
-  for (const std::string_view name : names)
+  double number;
+  for (const std::string_view name : names) {
+    if (parse_number(name, number)) continue;  // most fields of a line that is no header row
     for (const auto& [bare, unit] : ways_to_part(name)) {
       has_light = has_light || is_tangent_name(bare) || is_road_incidence_name(bare);
       has_azimuth = has_azimuth || is_road_azimuth_name(bare);
@@ -361,7 +382,8 @@ bool names_angles(const std::vector<std::string_view>& names) {
       ++count;
       break;
     }
-  return count >= 2 || (has_light && has_azimuth);
+  }
+  return count >= at_least || (has_light && has_azimuth);
 }
 
 bool Columns::has_angle(std::size_t angle) const {

@@ -14,6 +14,8 @@
 
 namespace brdf::io {
 
+class StatedAngles;
+
 struct Column {
   // `aside`: a column without values; its cells are not read. `rotation`: the angle by which the sample was
   // rotated. `phase`: the angle between the two directions, which replaces the azimuths.
@@ -98,6 +100,8 @@ struct HeaderFacts {
   // A table in our own format that states f_r. All columns other than angles are channels, whatever their
   // names.
   bool keeps_names = false;
+  // The angles that lines above the header row state, used for polar angles without a column.
+  const StatedAngles* stated_angles = nullptr;
   // If set, the reasons against reading columns are added here instead of thrown, for a proposal of a
   // layout (io/csv/describe_table.h). The columns concerned stay as far as they were understood.
   std::vector<ColumnDoubt>* doubts = nullptr;
@@ -107,8 +111,8 @@ struct HeaderFacts {
 // 1/sr, nm. An empty field and "-" count as units.
 bool is_unit(std::string_view field);
 
-// Returns whether a row of names is a header row, that is, names at least two angles.
-bool names_angles(const std::vector<std::string_view>& names);
+// Returns whether a row of names is a header row, that is, names at least two angles, or `at_least` ones.
+bool names_angles(const std::vector<std::string_view>& names, std::size_t at_least = 2);
 
 // Interprets a header row. `names` may be:
 // - the plain names theta_i, phi_i, theta_o, phi_o, sigma_CHANNEL;

@@ -31,24 +31,8 @@ bool all_numbers(Dialect dialect, std::string_view line) {
          std::ranges::all_of(fields, [&](std::string_view f) { return is_number(dialect, f); });
 }
 
-// Returns whether the line is a header row beyond doubt. Lines above such a row are titles. A line of too
-// many fields counts as a header row, which is refused.
-bool is_header(Dialect dialect, std::string_view line) {
-  Fields names;
-  return dialect.split_header(line, names) &&
-         (names.size() > kWidestTable || names_angles(names) || matrix_header(names, dialect));
-}
-
 // The characters with which programs open comments, apart from '#'.
 constexpr std::string_view kOtherSigns = "%!/";
-
-// Returns a header row behind such characters ("% theta_i, phi_i, ...") without them, and any other line
-// unchanged.
-std::string_view behind_sign(const Dialect& dialect, std::string_view line) {
-  const std::string_view bare =
-      trimmed(line.substr(std::min(line.size(), line.find_first_not_of(kOtherSigns))));
-  return bare.size() < line.size() && is_header(dialect, bare) ? bare : line;
-}
 
 // Names and units may be in two separate rows. Adds the units to the names, as in "theta_i (deg)". Returns
 // false if the fields are not units.
@@ -72,6 +56,25 @@ void CsvHeader::fail(const std::string& what) const {
   throw InputError(reader_.where() + ": " + what);
 }
 
+// Returns whether the line is a header row beyond doubt. Lines above such a row are titles. A line of too
+// many fields counts as a header row, which is refused. Below a line that states an angle, a header row names
+// only one.
+bool CsvHeader::is_header(std::string_view line, bool has_stated_angle) const {
+  Fields names;
+  Dialect dialect = dialect_;
+  return dialect.split_header(line, names) &&
+         (names.size() > kWidestTable || names_angles(names) || matrix_header(names, dialect) ||
+          (has_stated_angle && names.size() > 1 && names_angles(names, 1) && !stated_angle(line)));
+}
+
+// Returns a header row behind such characters ("% theta_i, phi_i, ...") without them, and any other line
+// unchanged.
+std::string_view CsvHeader::behind_sign(std::string_view line, bool has_stated_angle) const {
+  const std::string_view bare =
+      trimmed(line.substr(std::min(line.size(), line.find_first_not_of(kOtherSigns))));
+  return bare.size() < line.size() && is_header(bare, has_stated_angle) ? bare : line;
+}
+
 void CsvHeader::read_comment(std::string_view line) {
   const std::string_view text = line.substr(comment_sign().size());
   if (!is_read()) {
@@ -79,6 +82,8 @@ void CsvHeader::read_comment(std::string_view line) {
     last_comment_line_ = reader_.line();
   }
   const auto words = quantity_in_comment(text);
+  if (!is_read()) stated_angles_.add(text, reader_.line());
+  if (is_read()) refuse_other_angle(text);
   if (!words) {
     keep_comment(table_, parse_comment(text));
     if (!is_read() && table_.metadata.back().first.empty())
@@ -122,11 +127,23 @@ bool CsvHeader::read(std::string_view line) {
   return true;
 }
 
+// Returns whether the line states an angle and words follow. The line is then a title: as the header row of a
+// matrix with one column, numbers would follow.
+bool CsvHeader::is_above_words(std::string_view line) const {
+  if (!stated_angle(line)) return false;
+  LineReader ahead = reader_;
+  for (std::string_view next; ahead.next(next);)
+    if (next = trimmed(next); !next.empty() && next.front() != '#') return !all_numbers(dialect_, next);
+  return false;
+}
+
 // Skips lines without '#' above the header row, as instruments write them, and returns the header row. The
 // lines become comments and may name the quantity.
 std::string_view CsvHeader::behind_titles(std::string_view line) {
-  line = behind_sign(dialect_, line);
-  if (is_header(dialect_, line)) return line;
+  bool has_stated_angle = !stated_angles_.is_empty();
+  line = behind_sign(line, has_stated_angle);
+  if (is_header(line, has_stated_angle) && !is_above_words(line)) return line;
+  has_stated_angle = has_stated_angle || stated_angle(line);
   LineReader ahead = reader_;
   std::size_t titles = 1;
   bool found = false;
@@ -134,7 +151,8 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
     next = trimmed(next);
     if (next.empty() || next.front() == '#') continue;
     if (all_numbers(dialect_, next)) return line;
-    found = is_header(dialect_, behind_sign(dialect_, next));
+    found = is_header(behind_sign(next, has_stated_angle), has_stated_angle);
+    has_stated_angle = has_stated_angle || stated_angle(next);
     titles += !found;
   }
   if (!found) return line;
@@ -145,7 +163,7 @@ std::string_view CsvHeader::behind_titles(std::string_view line) {
     if (reader_.line() == ahead.line()) {
       table_.warnings.push_back(std::to_string(titles) + (titles == 1 ? " line" : " lines") +
                                 " above the header row interpreted as titles");
-      return behind_sign(dialect_, next);
+      return behind_sign(next, has_stated_angle);
     }
     next.front() == '#' ? read_comment(next) : add_title(next);
   }
@@ -157,6 +175,7 @@ void CsvHeader::add_title(std::string_view title) {
     return layout_ && layout_->quantity ? compare_with_layout(*words)
                                         : stated_.add_comment(*words, reader_.line(), reader_.where());
   if (!layout_) stated_.add_title(title, reader_.line(), reader_.where());
+  stated_angles_.add(title, reader_.line());
   const Comment pair = parse_comment(title);
   constexpr std::size_t kLongestKey = 40;
   const bool has_key =
@@ -175,6 +194,7 @@ void CsvHeader::read_names(std::string_view line) {
   std::vector<std::string> names(fields.begin(), fields.end());
   HeaderFacts facts{reader_.where(), stated_.result(), need_values_, {}};
   facts.doubts = doubts_;
+  facts.stated_angles = &stated_angles_;
   look_ahead(names, facts);
   columns_ = understand_columns({names.begin(), names.end()}, facts);
   if (columns_.has_unnamed && !doubts_)
@@ -184,6 +204,19 @@ void CsvHeader::read_names(std::string_view line) {
   check_columns();
   table_.channels = columns_.channels;
   check_channel_names(table_.channels, facts.where);
+}
+
+// Refuses a comment between the rows that states another angle than the lines above the header row.
+void CsvHeader::refuse_other_angle(std::string_view text) const {
+  if (layout_ || columns_.constants.empty()) return;
+  const auto stated = stated_angle(text);
+  if (!stated) return;
+  const double degrees = stated->degrees();
+  for (const auto& [column, number] : columns_.constants)
+    if (!column.name.empty() && column.index == stated->column.index && column.converted(number) != degrees)
+      fail(shown(stated->column.name) + " is " + to_text(degrees) + " degrees here, and " +
+           to_text(column.converted(number)) + " above the header row: add a column '" +
+           std::string(kAngleNames[column.index]) + "' with the angle of each row");
 }
 
 // Names are searched for quantities and units from each separator on, so that a hostile name would take a
@@ -337,7 +370,9 @@ void CsvHeader::check_columns() const {
            (!refused_values().empty() ? refused_values()
             : is_a_title()            ? "; lines above the header row begin with '#'"
             : columns_.has_angle(2 - angle)
-                ? std::string("; no column has the ") + (angle == 0 ? "angle of incidence" : "viewing angle")
+                ? std::string("; no column has the ") +
+                      (angle == 0 ? "angle of incidence" : "viewing angle") +
+                      ", and no line above states it, as in '# " + std::string(kAngleNames[angle]) + ": 45'"
                 : ""));
   if (need_values_ && columns_.channels.empty()) {
     std::string others;

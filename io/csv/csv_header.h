@@ -9,6 +9,7 @@
 
 #include "io/columns/column_names.h"
 #include "io/columns/layout.h"
+#include "io/columns/stated_angles.h"
 #include "io/columns/stated_quantity.h"
 #include "io/columns/supplied.h"
 #include "io/csv/csv_layout.h"
@@ -80,7 +81,11 @@ class CsvHeader {
   bool is_header_in_comment(std::string_view line) const;
   std::string_view behind_titles(std::string_view line);
   void add_title(std::string_view title);
+  bool is_header(std::string_view line, bool has_stated_angle) const;
+  bool is_above_words(std::string_view line) const;
+  std::string_view behind_sign(std::string_view line, bool has_stated_angle) const;
   void read_names(std::string_view line);
+  void refuse_other_angle(std::string_view text) const;
   void check_width(std::size_t columns) const;
   void check_lengths(std::span<const std::string_view> names) const;
   std::string refused_values() const;
@@ -98,6 +103,7 @@ class CsvHeader {
   SampleTable& table_;
   bool need_values_;
   StatedQuantities stated_;
+  StatedAngles stated_angles_;
   Columns columns_;
   std::optional<MatrixHeader> matrix_;
   std::string last_comment_;  // the last comment above the header row

@@ -115,13 +115,18 @@ bool has_word(const Words& words, std::string_view word) {
   return std::ranges::find(words, word) != words.end();
 }
 
-// Coefficients of the ABg model have A, B and g as the names of three columns or of three lines. A table of
-// samples whose comments hold a fit of this model names its angles.
-bool holds_abg(std::string_view text) {
+// Returns the lines that may name parameters of a model. A table of samples names its angles and has no such
+// lines, because its comments may hold a fit of the model.
+Words lines_of_parameters(std::string_view text) {
+  Words lines = first_lines(text.substr(0, kHeadOfText), kLinesOfHeader);
+  return std::ranges::any_of(lines, is_header_of_samples) ? Words() : lines;
+}
+
+// Coefficients of the ABg model have A, B and g as the names of three columns or of three lines.
+bool holds_abg(const Words& lines) {
   bool has_columns = false;
   Words names_of_lines;
-  for (const std::string_view line : first_lines(text.substr(0, kHeadOfText), kLinesOfHeader)) {
-    if (is_header_of_samples(line)) return false;
+  for (const std::string_view line : lines) {
     const Words words = parts_of(line, " ,;:=|()[]#%!/\t");
     has_columns = has_columns || (has_word(words, "A") && has_word(words, "B") && has_word(words, "g"));
     double number;
@@ -132,14 +137,11 @@ bool holds_abg(std::string_view text) {
          (has_word(names_of_lines, "A") && has_word(names_of_lines, "B") && has_word(names_of_lines, "g"));
 }
 
-// Returns whether a header or a line names each of these quantities, for parameters of a model. A table of
-// samples names its angles.
-bool names_all(std::string_view text, std::initializer_list<std::string_view> quantities) {
+// Returns whether these lines name each of these quantities.
+bool names_all(const Words& lines, std::initializer_list<std::string_view> quantities) {
   Words found;
-  for (const std::string_view line : first_lines(text.substr(0, kHeadOfText), kLinesOfHeader)) {
-    if (is_header_of_samples(line)) return false;
+  for (const std::string_view line : lines)
     for (const std::string_view word : parts_of(line, " ,;:=|()[]{}#%!/\t\"'")) found.push_back(word);
-  }
   return std::ranges::all_of(quantities, [&](std::string_view name) {
     return std::ranges::any_of(found, [&](std::string_view word) {
       std::string plain = lower_case(word);
@@ -151,14 +153,14 @@ bool names_all(std::string_view text, std::initializer_list<std::string_view> qu
 
 // The weights of the three kernels of MODIS' products (Lucht, Schaaf and Strahler 2000), by either of their
 // names.
-bool holds_kernel_weights(std::string_view text) {
-  return names_all(text, {"fiso", "fvol", "fgeo"}) || names_all(text, {"iso", "vol", "geo"});
+bool holds_kernel_weights(const Words& lines) {
+  return names_all(lines, {"fiso", "fvol", "fgeo"}) || names_all(lines, {"iso", "vol", "geo"});
 }
 
-bool holds_harvey_shack(std::string_view text) {
-  if (std::ranges::any_of(first_lines(text.substr(0, kHeadOfText), kLinesOfHeader), is_header_of_samples))
-    return false;
-  return has_part(lower_case(text.substr(0, kHeadOfText)), "harvey") || names_all(text, {"b0", "l", "s"});
+bool holds_harvey_shack(const Words& lines) {
+  return std::ranges::any_of(lines,
+                             [](std::string_view line) { return has_part(lower_case(line), "harvey"); }) ||
+         names_all(lines, {"b0", "l", "s"});
 }
 
 // YAML begins with its mark, or consists of lines with a key; TOML has the names of its parts in brackets.
@@ -218,17 +220,18 @@ std::string program_format(std::string_view text) {
 }
 
 std::string advice_on_text(std::string_view text) {
-  if (holds_abg(text))
+  const Words lines = lines_of_parameters(text);
+  if (holds_abg(lines))
     return "holds coefficients of the ABg model of scatter (A, B, g), which are not read: export "
            "the "
            "measured BSDF, or compute A/(B + |sin(theta_o) - sin(theta_i)|^g) for pairs of directions, and " +
            std::string(kExportAsCsv);
-  if (holds_harvey_shack(text))
+  if (holds_harvey_shack(lines))
     return "holds parameters of Harvey and Shack's model of scatter, which are not read: export the measured "
            "BSDF, or "
            "compute b0 (1 + (|sin(theta_o) - sin(theta_i)|/L)^2)^(s/2) for pairs of directions, and " +
            std::string(kExportAsCsv);
-  if (holds_kernel_weights(text))
+  if (holds_kernel_weights(lines))
     return "holds weights of the kernels of MODIS' BRDF products, a formula and no samples, which are not "
            "read: compute "
            "the reflectance factor for pairs of directions, and " +

@@ -157,10 +157,12 @@ TEST(OtherFormats, ParametersOfModelsAndSpectraAreNamed) {
 }
 
 TEST(OtherFormats, ReportsAfterE2387AreNamedIfTheyAreNoTables) {
-  EXPECT_THAT(
-      message("ASTM E2387-19 report\nAngle of incidence: 5 deg\n\nScatter angle (deg),BRDF (1/sr)\n6,1\n"),
-      AllOf(HasSubstr("file: refers to ASTM E2387, which gives no layout of files: export columns"),
-            HasSubstr("(as a table of columns: ")));
+  EXPECT_THAT(message("ASTM E2387-19 report\nWavelength: 633 nm\n\nScatter angle (deg),BRDF (1/sr)\n6,1\n"),
+              AllOf(HasSubstr("file: refers to ASTM E2387, which gives no layout of files: export columns"),
+                    HasSubstr("(as a table of columns: ")));
+  const char* with_angle =
+      "ASTM E2387-19 report\nAngle of incidence: 5 deg\n\nScatter angle (deg),BRDF (1/sr)\n6,1\n";
+  EXPECT_THAT(read(with_angle).theta_i, testing::ElementsAre(5));
   EXPECT_EQ(read("# measured after ASTM E 2387\n" + std::string(kHeader) + kRow).rows(), 1u);
   EXPECT_THAT(message("Scatter angle (deg),BRDF (1/sr)\n6,1\n"), testing::Not(HasSubstr("E2387")));
 }

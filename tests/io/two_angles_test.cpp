@@ -160,6 +160,44 @@ TEST(Matrix, ThatIsDamagedIsRefusedWithLineAndColumn) {
               HasSubstr("in a matrix of two angles the first cell names both angles"));
 }
 
+// A polar angle that a line above the header row states for the whole table, and the rows with the angle in a
+// column.
+TEST(StatedAngle, AboveTheTableIsThatOfAllRows) {
+  const std::string rows = "-40,.06\n0,.07\n50,1.4\n70,.5\n";
+  for (const char* above :
+       {"# Incidence angle: 50 deg\nscatter angle,fr\n", "# theta_i = 50\ntheta_s,fr\n",
+        "AOI,50\nwavelength,633\nscatter angle (deg),fr\n", "Incident angle 50°\n\nscatter angle,fr\n",
+        "# theta_i (rad): 0.872664625997165\ntheta_o,fr\n", "# light elevation: 40\ntheta_o,fr\n",
+        "operator: nobody\nangle of incidence: 50\n% theta_o,fr\n",
+        "# theta_i: 50\n# theta_i: 50.0\nmeasurement,fr\n"}) {
+    const SampleTable t = read(above + rows);
+    EXPECT_THAT(in_plane_angles(t), ElementsAre(-40, 0, 50, 70)) << above;
+    EXPECT_THAT(t.theta_i, testing::Each(testing::DoubleNear(50, 1e-12))) << above;
+    EXPECT_THAT(t.assumptions, Contains(testing::StartsWith("theta_i is 50"))) << above;
+  }
+  const SampleTable viewer = read("# detector angle: 20\ntheta_i,phi_i,fr\n30,0,.1\n50,90,.2\n");
+  EXPECT_THAT(viewer.theta_o, ElementsAre(20, 20));
+  EXPECT_THAT(viewer.assumptions, Contains("theta_o is 20 degrees in all rows, as line 1 states"));
+}
+
+TEST(StatedAngle, IsNotTakenFromOtherLines) {
+  const std::string rows = "10,.1\n20,.2\n";
+  // A word with other meanings, another unit, no number, an azimuth.
+  for (const char* above : {"# source: 30\n", "# incidence angle: 30 mm\n", "# incidence angle: several\n",
+                            "# phi_i: 30\n", "# incidence angle: 30 to 60\n"})
+    EXPECT_THAT(message(above + ("theta_o,fr\n" + rows)), HasSubstr("column 'theta_i' is missing")) << above;
+  EXPECT_THAT(message("# theta_i: 95\ntheta_o,fr\n" + rows), HasSubstr("line 1 is beyond 90 degrees"));
+  EXPECT_THAT(message("# theta_i: 30\n# AOI: 45\ntheta_o,fr\n" + rows),
+              HasSubstr("the angle 45 of line 2 contradicts the angle 30 of line 1: add a column 'theta_i'"));
+  EXPECT_THAT(message("# theta_i: 30\ntheta_o,fr\n10,.1\n# theta_i: 45\n20,.2\n"),
+              HasSubstr("line 4: 'theta_i' is 45 degrees here, and 30 above the header row"));
+  // A column is the angle, whatever a comment states; a matrix of one column stays one.
+  const SampleTable column = read("# theta_i: 30\ntheta_i,theta_o,fr\n10,20,.1\n20,30,.2\n");
+  EXPECT_THAT(column.theta_i, ElementsAre(10, 20));
+  const SampleTable matrix = read("incidence,45\n10,.3\n20,.2\n");
+  EXPECT_THAT(matrix.theta_i, ElementsAre(10, 20));
+}
+
 // Names of angles that are not measured from the normal are refused by name.
 TEST(OtherAngles, AreRefusedByName) {
   const std::pair<const char*, const char*> cases[] = {
@@ -170,7 +208,7 @@ TEST(OtherAngles, AreRefusedByName) {
       {"incidence,aspecular angle,BRF\n10,5,1\n", "is an angle from the mirror direction"},
       {"src_z RF\n30 0.9\n", "column 'theta_o' is missing"},
       {"src_z RF\n30 0.9\n", "no column has the viewing angle"},
-      {"theta_i,fr\n30,.9\n", "no column has the viewing angle"}};
+      {"theta_i,fr\n30,.9\n", "no column has the viewing angle, and no line above states it"}};
   for (const auto& [text, expected] : cases) EXPECT_THAT(message(text), HasSubstr(expected)) << text;
 }
 
