@@ -139,21 +139,13 @@ bool is_phase_name(std::string_view name) {
   return key == "phase" || key == "phaseangle";
 }
 
-bool is_tangent_name(std::string_view name) {
+std::optional<RoadAngle> road_angle_named(std::string_view name) {
   const std::string key = plain_spelling(name);
-  return key == "tangamma" || key == "tan(gamma)" || key == "tggamma" || key == "tg(gamma)";
-}
-
-bool is_road_azimuth_name(std::string_view name) {
-  return plain_spelling(name) == "beta";
-}
-
-bool is_road_incidence_name(std::string_view name) {
-  return plain_spelling(name) == "gamma";
-}
-
-bool is_road_viewer_name(std::string_view name) {
-  return plain_spelling(name) == "alpha";
+  if (key == "tangamma" || key == "tan(gamma)" || key == "tggamma" || key == "tg(gamma)")
+    return RoadAngle::tangent;
+  if (key == "gamma") return RoadAngle::incidence;
+  if (key == "beta") return RoadAngle::azimuth;
+  return key == "alpha" ? std::optional(RoadAngle::viewer) : std::nullopt;
 }
 
 std::optional<RefusedAngle> refused_angle(std::string_view name) {
@@ -177,7 +169,7 @@ std::optional<RefusedAngle> refused_angle(std::string_view name) {
       key == "deltatheta" || key == "dtheta")
     return RefusedAngle{
         "is an angle from the mirror direction, which is not read: write columns theta_i and theta_o"};
-  if (is_tangent_name(name))
+  if (road_angle_named(name) == RoadAngle::tangent)
     return RefusedAngle{
         "is the tangent of an r-table's angle of incidence: such a table has columns beta, tan gamma and r, "
         "or is a matrix with 'tan gamma \\ beta' in its first cell"};

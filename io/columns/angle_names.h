@@ -37,14 +37,10 @@ bool is_like_azimuth(std::string_view name);
 
 // Returns whether the name is that of the phase angle, between the directions of the light and the viewer.
 bool is_phase_name(std::string_view name);
-// Returns whether the name is that of the tangent of the angle of incidence (tan gamma), or of the azimuth
-// (beta), of an r-table of road lighting.
-bool is_tangent_name(std::string_view name);
-bool is_road_azimuth_name(std::string_view name);
-// Returns whether the name is that of the angle of incidence itself (gamma), or of the viewer's angle above
-// the road (alpha), of an r-table with a row for each value.
-bool is_road_incidence_name(std::string_view name);
-bool is_road_viewer_name(std::string_view name);
+// An angle of an r-table of road lighting: the angle of incidence (gamma) or its tangent (tan gamma), the
+// azimuth (beta), and the viewer's angle above the road (alpha), of a table with a row for each value.
+enum class RoadAngle { tangent, incidence, azimuth, viewer };
+std::optional<RoadAngle> road_angle_named(std::string_view name);
 
 // An angle that is recognised but not read: an angle from the mirror direction, a sine.
 struct RefusedAngle {

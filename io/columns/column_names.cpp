@@ -139,12 +139,12 @@ class HeaderReading {
   // Places an angle of a road table if this column has its name. Returns whether it does.
   static bool read_as_road_angle(Column& column) {
     for (const auto& [bare, unit] : ways_to_part(column.name)) {
-      const bool is_tangent = is_tangent_name(bare), is_viewer = is_road_viewer_name(bare);
-      const bool is_light = is_tangent || is_road_incidence_name(bare);
-      if (!(is_light || is_viewer || is_road_azimuth_name(bare))) continue;
+      const std::optional<RoadAngle> road = road_angle_named(bare);
+      if (!road) continue;
+      const bool is_tangent = road == RoadAngle::tangent, is_viewer = road == RoadAngle::viewer;
       if (!(unit.empty() || (is_angle_unit(unit) && !is_tangent))) continue;
       column.kind = Column::Kind::angle;
-      column.index = is_light ? 0 : is_viewer ? 2 : 1;
+      column.index = road == RoadAngle::azimuth ? 1 : is_viewer ? 2 : 0;
       column.is_tangent = is_tangent;
       column.is_elevation = is_viewer;
       if (!unit.empty() || is_tangent) column.unit = unit_named(unit.empty() ? "deg" : unit);
@@ -375,8 +375,9 @@ bool names_angles(const std::vector<std::string_view>& names, std::size_t at_lea
   for (const std::string_view name : names) {
     if (parse_number(name, number)) continue;  // most fields of a line that is no header row
     for (const auto& [bare, unit] : ways_to_part(name)) {
-      has_light = has_light || is_tangent_name(bare) || is_road_incidence_name(bare);
-      has_azimuth = has_azimuth || is_road_azimuth_name(bare);
+      const std::optional<RoadAngle> road = road_angle_named(bare);
+      has_light = has_light || road == RoadAngle::tangent || road == RoadAngle::incidence;
+      has_azimuth = has_azimuth || road == RoadAngle::azimuth;
       const auto angle = angle_named(bare);
       if (!angle || (angle->is_weak && unit.empty()) || !(unit.empty() || is_angle_unit(unit))) continue;
       ++count;

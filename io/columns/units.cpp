@@ -261,7 +261,7 @@ constexpr Symbol kRaised[] = {{"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "
 template <std::size_t n>
 const Symbol* symbol_at(std::string_view text, const Symbol (&symbols)[n]) {
   for (const Symbol& symbol : symbols)
-    if (text.starts_with(symbol.sign)) return &symbol;
+    if (text.front() == symbol.sign.front() && text.starts_with(symbol.sign)) return &symbol;
   return nullptr;
 }
 

@@ -37,7 +37,8 @@ AngleSide side_of(const Column& column) {
 // azimuth 180 degrees.
 std::optional<Column> road_axis(std::string_view name) {
   for (const auto& [bare, unit] : ways_to_part(trimmed(name))) {
-    const bool is_tangent = is_tangent_name(bare), is_azimuth = is_road_azimuth_name(bare);
+    const std::optional<RoadAngle> road = road_angle_named(bare);
+    const bool is_tangent = road == RoadAngle::tangent, is_azimuth = road == RoadAngle::azimuth;
     const auto named = unit_named(unit);
     if (!(is_tangent || is_azimuth) || !(unit.empty() || (named && named->kind() == Unit::Kind::angle)))
       continue;
