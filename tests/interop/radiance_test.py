@@ -2,9 +2,11 @@
 # ctest: exports.radiance label=exports @brdf@ @here@/radiance
 """radiance_test.py BRDF FOLDER: tests that exports to Radiance are modifiers as its reader takes them (words of at most 127
 characters, comments of at most 2047), and that their formula, written here from normal.c, aniso.c and raytrace.c, has the stated
-values. Values that Radiance's own lines gave for the same files are in radiance_seen.csv."""
+values. Values that Radiance's own lines gave for the same files are in radiance_seen.csv, those of a Klems matrix in
+radiance_matrix_seen.csv."""
 import csv
 import itertools
+import json
 import math
 import pathlib
 import shlex
@@ -72,6 +74,48 @@ def value(modifiers, name, wi, wo):
     return [c * (1 - specular) / math.pi + (c if kind.startswith("metal") else 1) * gloss for c in colour]
 
 
+BRUSHED = {"format": "brdf-material", "version": 1, "name": "brushed", "form": "ward_bounded", "channels": ["fr"],
+           "weights": {"kd": [0.3], "ks": [0.4]}, "shape": {"alpha_x": 0.5, "alpha_y": 0.25}, "tangent_phi": 30}
+# LBNL/Klems Full: the lower bound of theta in degrees and the number of patches of each ring.
+RINGS = ((0, 1), (5, 8), (15, 16), (25, 20), (35, 24), (45, 24), (55, 24), (65, 16), (75, 12), (90, 0))
+
+
+def centre(theta, phi):
+    """Returns the centre of the patch that holds a direction of the viewer, in degrees."""
+    ring = max(k for k, (lower, _) in enumerate(RINGS) if lower <= theta)
+    step = 360 / RINGS[ring][1]
+    return (RINGS[ring][0] + RINGS[ring + 1][0]) / 2 if ring else 0, round(phi / step) * step % 360
+
+
+def check_matrix(brdf, folder):
+    """The values that Radiance's reader takes from a matrix are those that `brdf convert` reads, on both surfaces."""
+    def run(*words):
+        subprocess.run([brdf, "convert", "-q", *words], check=True)
+
+    (folder / "brushed.json").write_text(json.dumps(BRUSHED))
+    run(folder / "brushed.json", folder / "brushed.xml")
+    seen = list(measured_rows(pathlib.Path(__file__).with_name("radiance_matrix_seen.csv").read_text()))
+    for surface in ("front", "back"):
+        run(folder / "brushed.xml", folder / f"{surface}.csv", "--matrix", surface)
+        table = {}
+        for row in measured_rows((folder / f"{surface}.csv").read_text()):
+            place = [round(float(row[key]) % 360, 6) for key in ("theta_i", "phi_i", "theta_o", "phi_o")]
+            table[tuple(0 if place[k - k % 2] == 0 else x for k, x in enumerate(place))] = float(row["Visible"])
+        # Radiance takes the same values for both surfaces, in axes that differ by the sign of z alone.
+        apart = []
+        for row in seen:
+            light = centre(float(row["theta_i"]), float(row["phi_i"]) - 180)
+            place = (light[0], (light[1] + 180) % 360 if light[0] else 0, *centre(float(row["theta_o"]), float(row["phi_o"])))
+            here, there = table[tuple(round(x, 6) for x in place)], float(row[surface])
+            apart.append(abs(here - there) / there)
+        print(f"matrix, {surface}: {len(apart)} pairs of Radiance, largest relative difference {max(apart):.2g}")
+        assert len(apart) == 24 and max(apart) < 1e-6, max(apart)
+
+
+def measured_rows(text):
+    return csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
+
+
 def main():
     brdf, folder = sys.argv[1], pathlib.Path(sys.argv[2])
     shutil.rmtree(folder, ignore_errors=True)
@@ -88,6 +132,7 @@ def main():
     lines = pathlib.Path(__file__).with_name("radiance_seen.csv").read_text().splitlines()
     for case, *row in csv.reader(line for line in lines if not line.startswith(("#", "case,"))):
         seen.setdefault(case, []).append([float(x) for x in row])
+    check_matrix(brdf, folder)
     kinds = set()
     for case, words in CASES.items():
         text = export(words, case)
