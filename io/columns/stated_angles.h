@@ -32,7 +32,8 @@ class StatedAngles {
   // Returns whether a line states the angle with this index of kAngleNames.
   bool has(std::size_t angle) const;
   // Returns the statement of the angle with this index of kAngleNames, or a null pointer if no line states
-  // the angle. Throws InputError if two lines state different angles, and for angles beyond 90 degrees. `where` opens the message.
+  // the angle. Throws InputError if two lines state different angles, and for angles beyond 90 degrees.
+  // `where` opens the message.
   const StatedAngle* find(std::size_t angle, const std::string& where) const;
 
  private:
