@@ -15,6 +15,19 @@ namespace {
 
 constexpr std::string_view kLittle = "\x03\x02\x23\x07", kBig = "\x07\x23\x02\x03";
 
+// Names the source's language unknown. The language has no effect on a module's meaning, but SPIRV-Tools refuse
+// languages that are younger than themselves: Slang, WGSL, Rust.
+void forget_language(std::vector<std::uint32_t>& words) {
+  constexpr std::size_t kHeader = 5;
+  for (std::size_t at = kHeader; at + 1 < words.size();) {
+    const std::size_t count = words[at] >> spv::WordCountShift;
+    if ((words[at] & spv::OpCodeMask) == spv::OpSource && count > 1)
+      words[at + 1] = spv::SourceLanguageUnknown;
+    if (count == 0) return;
+    at += count;
+  }
+}
+
 }  // namespace
 
 bool is_module(std::string_view bytes) {
@@ -35,6 +48,8 @@ std::vector<std::uint32_t> module_words(const std::string& name, std::string_vie
 
 Translated checked_module(const Source& source, Places) {
   Translated out;
+  out.spirv = source.module;
+  forget_language(out.spirv);
 #ifdef BRDF_CHECKS_MODULES
   spvtools::SpirvTools tools(SPV_ENV_UNIVERSAL_1_6);
   tools.SetMessageConsumer(
@@ -43,14 +58,14 @@ Translated checked_module(const Source& source, Places) {
           out.messages =
               source.name + ": is not valid SPIR-V (word " + std::to_string(position.index) + "): " + message;
       });
-  if (!tools.Validate(source.module)) {
+  if (!tools.Validate(out.spirv)) {
     if (out.messages.empty()) out.messages = source.name + ": is not valid SPIR-V";
+    out.spirv.clear();
     return out;
   }
 #else
   out.note = "the module was not checked by the rules of SPIR-V, because this build has no SPIRV-Tools";
 #endif
-  out.spirv = source.module;
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <glslang/SPIRV/spirv.hpp>
 #include <spirv-tools/libspirv.hpp>
 
@@ -180,6 +181,12 @@ std::string assembled(const std::string& text) {
   return bytes_of(words);
 }
 
+Words words_of(const std::string& bytes) {
+  Words words(bytes.size() / sizeof(Words::value_type));
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  return words;
+}
+
 // 1/4 of the default 0.5 times the cosine of the half vector, which is 1 for the mirror pair.
 constexpr double kMirror = 0.125;
 
@@ -189,6 +196,20 @@ TEST(Module, OfALibraryIsReadByItsExportedName) {
   const auto shine = shader_of(bytes, {.file = "", .entry = "shine(L, V, N, k)"}, "own.spv");
   EXPECT_NEAR(value_at(shine, 50, 0, 50, 180), kMirror, 1e-15);
   EXPECT_NEAR(value_at(shine, 60, 0, 0, 0), kMirror * std::cos(30 * kPi / 180), 1e-15);
+}
+
+// SPIRV-Tools refuse languages of the source that are younger than themselves. The language has no effect.
+TEST(Module, OfAYoungLanguageIsRead) {
+  std::string text = kLibrary;
+  text.insert(text.find("OpDecorate %10"), "OpSource GLSL 450\n");
+  for (const std::uint32_t language : {2u, 10u, 11u, 99u}) {
+    Words words = words_of(assembled(text));
+    const auto source = std::ranges::find(words, 3u << 16 | std::uint32_t(spv::OpSource));
+    ASSERT_NE(source, words.end());
+    source[1] = language;
+    const auto shine = shader_of(bytes_of(words), {.file = "", .entry = "shine(L, V, N, k)"}, "own.spv");
+    EXPECT_NEAR(value_at(shine, 50, 0, 50, 180), kMirror, 1e-15) << language;
+  }
 }
 
 TEST(Module, OfAnEntryPointIsReadByLocations) {
