@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kLittle = "\x03\x02\x23\x07", kBig = "\x07\x23\x02\x03";
 
-// Names the source's language unknown. The language has no effect on a module's meaning, but SPIRV-Tools refuse
+// Sets the language of the source to unknown. It has no effect on a module's meaning, but SPIRV-Tools refuse
 // languages that are younger than themselves: Slang, WGSL, Rust.
 void forget_language(std::vector<std::uint32_t>& words) {
   constexpr std::size_t kHeader = 5;
