@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/functions.h"
 
 namespace brdf {
 
 std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings) {
   if (!(full_width > Angle{})) return {{{0, 0, 1}, 1}};
-  const double sin_quarter = std::sin(full_width.radians() / 4);
+  const double sin_quarter = integrals::sin(full_width.radians() / 4);
   const double height = 2 * sin_quarter * sin_quarter;  // 1 - cos of the half angle, without cancellation
   const int steps = std::max(8, 2 * rings);
   const quadrature::GaussRule& rule = quadrature::gauss_legendre(rings);
@@ -19,7 +20,8 @@ std::vector<ApertureNode> aperture_nodes(Angle full_width, int rings) {
     const double radius = std::sqrt(t * (2 - t));
     for (int step = 0; step < steps; ++step) {
       const double phi = 2 * kPi * (step + (k % 2 ? 0.5 : 0.0)) / steps;
-      nodes.push_back({{radius * std::cos(phi), radius * std::sin(phi), 1 - t}, rule.weight[k] / steps});
+      nodes.push_back(
+          {{radius * integrals::cos(phi), radius * integrals::sin(phi), 1 - t}, rule.weight[k] / steps});
     }
   }
   return nodes;

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "brdf/scalar.h"
+#include "libbrdf/src/integrals/functions.h"
 
 namespace brdf::quadrature {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 GaussRule legendre(int n) {
   GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    double x = std::cos(kPi * (k + 0.75) / (n + 0.5)), derivative = 1;
+    double x = integrals::cos(kPi * (k + 0.75) / (n + 0.5)), derivative = 1;
     for (int step = 0; step < 100; ++step) {
       double previous = 1, value = x;
       for (int j = 2; j <= n; ++j) {
@@ -37,7 +38,7 @@ GaussRule lobatto(int n) {
   const int degree = n - 1;
   GaussRule rule{std::vector<double>(n), std::vector<double>(n)};
   for (int k = 0; k < (n + 1) / 2; ++k) {
-    double x = std::cos(kPi * k / degree), value = 1;
+    double x = integrals::cos(kPi * k / degree), value = 1;
     for (int step = 0; step < 100; ++step) {
       double previous = 1;
       value = x;

@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/functions.h"
 #include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf::integrals {
@@ -34,8 +35,8 @@ class Adaptive {
  public:
   Adaptive(const Integrand& integrand, const FixedDirection& fixed)
       : integrand_(integrand), elevation_(std::max(fixed.elevation, 0.0)), phi_(fixed.phi) {
-    const double s = std::cos(elevation_);
-    fixed_ = {s * std::cos(phi_), s * std::sin(phi_), std::sin(elevation_)};
+    const double s = integrals::cos(elevation_);
+    fixed_ = {s * integrals::cos(phi_), s * integrals::sin(phi_), integrals::sin(elevation_)};
   }
 
   std::vector<AlbedoResult> run(double tolerance, long max_evaluations) {
@@ -104,8 +105,9 @@ class Adaptive {
 
   // Returns the half vector of a point, in units of the widths of the lobe (its sines, which are bounded).
   std::array<double, 2> in_widths(double t, double phi) const {
-    const double e = kPi / 2 * t * t, s = std::cos(e), azimuth = phi_ + kPi + phi;
-    const Vec3<double> h = Vec3<double>{s * std::cos(azimuth), s * std::sin(azimuth), std::sin(e)} + fixed_;
+    const double e = kPi / 2 * t * t, s = integrals::cos(e), azimuth = phi_ + kPi + phi;
+    const Vec3<double> h =
+        Vec3<double>{s * integrals::cos(azimuth), s * integrals::sin(azimuth), integrals::sin(e)} + fixed_;
     const double length = std::sqrt(std::max(dot(h, h), 1e-30));
     return {h.x / length / integrand_.features().width_x, h.y / length / integrand_.features().width_y};
   }
@@ -115,14 +117,16 @@ class Adaptive {
   // `most` cells are needed the remaining cells stay coarse, and the result is not marked as converged.
   void cover(Cell cell, int depth, std::size_t most, std::vector<Cell>& cells) {
     const double t = (cell.t0 + cell.t1) / 2, phi = (cell.phi0 + cell.phi1) / 2;
-    const auto apart = [](const auto& a, const auto& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); };
+    const auto apart = [](const auto& a, const auto& b) {
+      return integrals::hypot(a[0] - b[0], a[1] - b[1]);
+    };
     const auto centre = in_widths(t, phi);
     const double along_t =
         std::max(apart(centre, in_widths(cell.t0, phi)), apart(centre, in_widths(cell.t1, phi)));
     const double along_phi =
         std::max(apart(centre, in_widths(t, cell.phi0)), apart(centre, in_widths(t, cell.phi1)));
     const double size = along_t + along_phi;
-    const double from_lobe = std::max(0.0, std::hypot(centre[0], centre[1]) - size);
+    const double from_lobe = std::max(0.0, integrals::hypot(centre[0], centre[1]) - size);
     const bool small = size < 0.7 + from_lobe / 2, full = cells.size() >= most;
     coarse_ = coarse_ || (full && !small);
     if (depth == 0 || small || full) {
@@ -155,11 +159,11 @@ class Adaptive {
     const double twice = integrand_.features().anisotropic() ? 1 : 2;
     for (std::size_t i = 0; i < rule_t.node.size(); ++i) {
       const double t = c.t0 + (c.t1 - c.t0) * rule_t.node[i];
-      const double e = kPi / 2 * t * t, s = std::cos(e), z = std::sin(e);
+      const double e = kPi / 2 * t * t, s = integrals::cos(e), z = integrals::sin(e);
       const double weight = twice * s * kPi * t * (c.t1 - c.t0) * rule_t.weight[i] * (c.phi1 - c.phi0);
       for (std::size_t j = 0; j < rule_phi.node.size(); ++j) {
         const double phi = phi_ + kPi + c.phi0 + (c.phi1 - c.phi0) * rule_phi.node[j];
-        sum.add(s * std::cos(phi), s * std::sin(phi), z, weight * rule_phi.weight[j]);
+        sum.add(s * integrals::cos(phi), s * integrals::sin(phi), z, weight * rule_phi.weight[j]);
       }
     }
     auto columns = sum.sums();
@@ -197,9 +201,9 @@ class Adaptive {
     const double phi = phi_ + kPi + (c.phi0 + c.phi1) / 2;
     for (std::size_t i = 0; i <= kFine; ++i) {
       const double v = i < kFine ? rule.node[i] : 1, t = c.t0 + (c.t1 - c.t0) * v, e = kPi / 2 * t * t;
-      x[i] = std::cos(e) * std::cos(phi);
-      y[i] = std::cos(e) * std::sin(phi);
-      z[i] = std::sin(e);
+      x[i] = integrals::cos(e) * integrals::cos(phi);
+      y[i] = integrals::cos(e) * integrals::sin(phi);
+      z[i] = integrals::sin(e);
       weight[i] = 1;
       for (std::size_t j = 0; j < kFine; ++j)
         if (j != i) weight[i] *= i < kFine ? (1 - rule.node[j]) / (v - rule.node[j]) : 1;

@@ -5,6 +5,7 @@
 
 #include "brdf/quadrature.h"
 #include "libbrdf/src/integrals/convergence.h"
+#include "libbrdf/src/integrals/functions.h"
 #include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf {
@@ -76,7 +77,7 @@ double rounding_of(const Integrand& integrand, const FixedDirection& fixed, long
   constexpr double kRounding = 4e-15;  // of a sum of ten thousand terms with one sign
   const double width = std::min(integrand.features().width_x, integrand.features().width_y);
   const double stored =
-      1e-15 / (width * std::max(std::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
+      1e-15 / (width * std::max(integrals::sin(fixed.elevation), width / 4) * std::sqrt(double(evaluations)));
   return kRounding + stored;
 }
 
@@ -157,7 +158,7 @@ AlbedoResult average_albedo(const Term& term, std::size_t channel, const AlbedoO
       // Elevation e = pi/2 v^2: the albedo varies like a root of the cosine at the horizon. For every form
       // of the catalogue the four quadrants are equal; a quarter turn of azimuths is therefore sufficient.
       const double v = rule.node[k], e = kPi / 2 * v * v;
-      const double weight = 2 * std::sin(e) * std::cos(e) * kPi * v * rule.weight[k];
+      const double weight = 2 * integrals::sin(e) * integrals::cos(e) * kPi * v * rule.weight[k];
       const int turns = anisotropic ? n : 1;
       for (int j = 0; j < turns; ++j) {
         const double phi = anisotropic ? kPi / 2 * rule.node[std::size_t(j)] : 0;

@@ -8,6 +8,7 @@
 #include "brdf/fresnel.h"
 #include "brdf/quadrature.h"
 #include "libbrdf/src/integrals/convergence.h"
+#include "libbrdf/src/integrals/functions.h"
 #include "libbrdf/src/integrals/integrand.h"
 
 namespace brdf {
@@ -18,7 +19,7 @@ namespace {
 constexpr std::array kGlossOrders{8, 12, 16, 24, 32, 48, 64, 96};
 
 double half_extent(Angle width) {
-  return std::tan(width.radians() / 2);
+  return integrals::tan(width.radians() / 2);
 }
 
 // The plane of a stop: its axis, and the unit vectors in the plane of incidence and across it.
@@ -26,9 +27,11 @@ struct StopFrame {
   Vec3<double> axis, in_plane, across;
 
   StopFrame(double theta, double phi)
-      : axis{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)},
-        in_plane{std::cos(theta) * std::cos(phi), std::cos(theta) * std::sin(phi), -std::sin(theta)},
-        across{-std::sin(phi), std::cos(phi), 0} {}
+      : axis{integrals::sin(theta) * integrals::cos(phi), integrals::sin(theta) * integrals::sin(phi),
+             integrals::cos(theta)},
+        in_plane{integrals::cos(theta) * integrals::cos(phi), integrals::cos(theta) * integrals::sin(phi),
+                 -integrals::sin(theta)},
+        across{-integrals::sin(phi), integrals::cos(phi), 0} {}
 
   // Returns the direction of the point (x, y), and its solid angle per area in `density`.
   Vec3<double> at(double x, double y, double& density) const {
@@ -41,11 +44,13 @@ struct StopFrame {
 // Nodes on [-extent, extent] that gather at `centre` on the length `scale`.
 std::vector<quadrature::UnitNode> gathered(int n, double extent, double centre, double scale) {
   const GaussRule& rule = gauss_legendre(n);
-  const double low = std::asinh((-extent - centre) / scale), high = std::asinh((extent - centre) / scale);
+  const double low = integrals::asinh((-extent - centre) / scale),
+               high = integrals::asinh((extent - centre) / scale);
   std::vector<quadrature::UnitNode> nodes;
   for (std::size_t k = 0; k < rule.node.size(); ++k) {
     const double t = low + (high - low) * rule.node[k];
-    nodes.push_back({centre + scale * std::sinh(t), rule.weight[k] * (high - low) * scale * std::cosh(t)});
+    nodes.push_back(
+        {centre + scale * integrals::sinh(t), rule.weight[k] * (high - low) * scale * integrals::cosh(t)});
   }
   return nodes;
 }

@@ -1,4 +1,5 @@
 #include "libbrdf/src/integrals/integrand.h"
+#include "libbrdf/src/integrals/functions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,8 @@ namespace {
 
 // Returns the moving direction that has a half vector of this slope together with the normal.
 Vec3<double> at_slope(double slope) {
-  const double angle = 2 * std::atan(slope);
-  return {std::sin(angle), 0, std::cos(angle)};
+  const double angle = 2 * integrals::atan(slope);
+  return {integrals::sin(angle), 0, integrals::cos(angle)};
 }
 
 }  // namespace

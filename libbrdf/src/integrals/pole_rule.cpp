@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/functions.h"
 #include "libbrdf/src/integrals/integrand.h"
 #include "libbrdf/src/integrals/rows.h"
 
@@ -48,8 +49,8 @@ class PoleRule {
       : features_(integrand.features()),
         a_(features_.width_x),
         e_o_(std::max(fixed.elevation, 0.0)),
-        sin_o_(std::cos(e_o_)),
-        cos_o_(std::sin(e_o_)),
+        sin_o_(integrals::cos(e_o_)),
+        cos_o_(integrals::sin(e_o_)),
         rule_(gauss_legendre(n)),
         sum_(integrand, {-sin_o_, 0, cos_o_}) {}
 
@@ -57,22 +58,22 @@ class PoleRule {
     const double theta_o = kPi / 2 - e_o_;
     const bool limit = e_o_ < kGrazing;
     // No part of a compact lobe is farther from theta_o than this.
-    const double reach = features_.compact ? 2 * std::atan(kReach * a_) : kPi;
+    const double reach = features_.compact ? 2 * integrals::atan(kReach * a_) : kPi;
     // From the normal to theta_o.
-    const double b = limit ? a_ : std::min(a_, std::tan(e_o_));
+    const double b = limit ? a_ : std::min(a_, integrals::tan(e_o_));
     const bool root = limit && features_.kink == Kink::mirror_edge;  // the row behaves like sin^n
-    outer(-std::asinh(std::tan(std::min(theta_o, reach) / 2) / b), 0, root,
+    outer(-integrals::asinh(integrals::tan(std::min(theta_o, reach) / 2) / b), 0, root,
           [&](double s, double& jacobian) { return from_mirror(b, s, jacobian); });
     if (limit) return {sum_.sums(), sum_.evaluations()};
     // From theta_o half way to the horizon, and from the horizon up to the same point.
-    outer(0, std::asinh(std::tan(std::min(e_o_ / 2, reach) / 2) / a_), false,
+    outer(0, integrals::asinh(integrals::tan(std::min(e_o_ / 2, reach) / 2) / a_), false,
           [&](double s, double& jacobian) { return from_mirror(a_, s, jacobian); });
     const double lowest = std::max(e_o_ - reach, 0.0);
-    outer(std::asinh(std::tan(lowest) / a_), std::asinh(std::tan(e_o_ / 2) / a_),
+    outer(integrals::asinh(integrals::tan(lowest) / a_), integrals::asinh(integrals::tan(e_o_ / 2) / a_),
           features_.root_at_horizon && lowest == 0, [&](double s, double& jacobian) {
-            const double t = a_ * std::sinh(s);
-            jacobian = a_ * std::cosh(s) / (1 + t * t);
-            const double e = std::atan(t);
+            const double t = a_ * integrals::sinh(s);
+            jacobian = a_ * integrals::cosh(s) / (1 + t * t);
+            const double e = integrals::atan(t);
             return Polar{e, e_o_ - e};
           });
     return {sum_.sums(), sum_.evaluations()};
@@ -80,9 +81,9 @@ class PoleRule {
 
  private:
   Polar from_mirror(double scale, double s, double& jacobian) const {
-    const double t = scale * std::sinh(s);
-    jacobian = 2 * scale * std::cosh(s) / (1 + t * t);
-    const double delta = 2 * std::atan(t);
+    const double t = scale * integrals::sinh(s);
+    jacobian = 2 * scale * integrals::cosh(s) / (1 + t * t);
+    const double delta = 2 * integrals::atan(t);
     return {e_o_ - delta, delta};
   }
 
@@ -113,7 +114,7 @@ class PoleRule {
     const auto excess = [&](double s, double target) {
       double jacobian;
       const Polar p = map(s, jacobian);
-      const double sin_i = std::cos(p.elevation), cos_i = std::sin(p.elevation);
+      const double sin_i = integrals::cos(p.elevation), cos_i = integrals::sin(p.elevation);
       return row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_).cosine - target;
     };
     constexpr int kGrid = 128;
@@ -142,19 +143,21 @@ class PoleRule {
   }
 
   void row(const Polar& p, double weight) {
-    const double sin_i = std::cos(p.elevation), cos_i = std::sin(p.elevation);
-    const double sd = std::sin(p.delta / 2), cd = std::cos(p.delta / 2);
-    const double tilt = features_.mirror_lobe ? 1 : std::sin((p.elevation + e_o_) / 2);
+    const double sin_i = integrals::cos(p.elevation), cos_i = integrals::sin(p.elevation);
+    const double sd = integrals::sin(p.delta / 2), cd = integrals::cos(p.delta / 2);
+    const double tilt = features_.mirror_lobe ? 1 : integrals::sin((p.elevation + e_o_) / 2);
     const double d = 4 * square(tilt) * (sd * sd + a_ * a_ * cd * cd);
     const double ratio = std::sqrt(d / std::max(4 * sin_i * sin_o_, 1e-300));
-    const double eta = std::min(2 * std::asinh(ratio), 1e6);  // theta_o = 0: all azimuths are equivalent
-    double s_end = std::asinh(kPi / eta);
+    const double eta =
+        std::min(2 * integrals::asinh(ratio), 1e6);  // theta_o = 0: all azimuths are equivalent
+    double s_end = integrals::asinh(kPi / eta);
     if (features_.compact) {  // the exponent is t^2 + (1 + t^2)(phi/eta)^2, t = tan(D/2)/a
       const double steepness = 1 + square(sd / (a_ * cd));
-      s_end = std::min(s_end, std::asinh(std::sqrt((kReach * kReach + 1) / steepness)));
+      s_end = std::min(s_end, integrals::asinh(std::sqrt((kReach * kReach + 1) / steepness)));
     }
     const RowKink kink = row_kink(features_.kink, sin_i, cos_i, sin_o_, cos_o_);
-    const double s_kink = kink.present() ? std::min(std::asinh(std::acos(kink.cosine) / eta), s_end) : s_end;
+    const double s_kink =
+        kink.present() ? std::min(integrals::asinh(integrals::acos(kink.cosine) / eta), s_end) : s_end;
     // The row is even in phi; twice the integral over [0, pi].
     panel(0, s_kink, eta, sin_i, cos_i, 2 * weight * sin_i);
     if (s_kink < s_end) panel(s_kink, s_end, eta, sin_i, cos_i, 2 * weight * sin_i);

@@ -10,6 +10,7 @@
 
 #include "brdf/geometry.h"
 #include "brdf/quadrature.h"
+#include "libbrdf/src/integrals/functions.h"
 #include "libbrdf/src/integrals/integrand.h"
 #include "libbrdf/src/integrals/v_cavity.h"
 
@@ -28,7 +29,7 @@ class SlopeRule {
         swapped_(features_.width_y < features_.width_x),
         wp_(std::min(features_.width_x, features_.width_y)),
         wq_(std::max(features_.width_x, features_.width_y)),
-        oz_(std::max(std::sin(fixed.elevation), kMinCosine<double>)),
+        oz_(std::max(integrals::sin(fixed.elevation), kMinCosine<double>)),
         rule_(gauss_legendre(n)),
         sum_(integrand, direction_of(fixed)) {
     const Vec3<double> o = direction_of(fixed);
@@ -45,8 +46,8 @@ class SlopeRule {
 
  private:
   static Vec3<double> direction_of(const FixedDirection& d) {
-    const double s = std::cos(d.elevation);
-    return {s * std::cos(d.phi), s * std::sin(d.phi), std::sin(d.elevation)};
+    const double s = integrals::cos(d.elevation);
+    return {s * integrals::cos(d.phi), s * integrals::sin(d.phi), integrals::sin(d.elevation)};
   }
 
   // Calls visit(x, x - low, high - x, weight). The distances are computed without cancellation.
@@ -94,7 +95,7 @@ class SlopeRule {
     limited_.clear();
     for (const End& end : ends) {
       double scale = end.scale;
-      for (const End& other : ends) scale = std::min(scale, std::hypot(end.at - other.at, other.scale));
+      for (const End& other : ends) scale = std::min(scale, integrals::hypot(end.at - other.at, other.scale));
       limited_.push_back(scale);
     }
     for (std::size_t k = 0; k < ends.size(); ++k) ends[k].scale = limited_[k];
@@ -113,7 +114,7 @@ class SlopeRule {
     disc_low_ = p_low;
     disc_high_ = p_high;
     std::vector<End> ends{{p_low, edge_scale(p_low), true}, {0, wp_, false}};
-    const double along = std::hypot(ox_, oz_);
+    const double along = integrals::hypot(ox_, oz_);
     for (const double sign : {-1.0, 1.0}) {
       // The circle crosses q = 0 at the roots of o_z (p^2 - 1) - 2 o_x p.
       const double p = ox_ * sign >= 0 ? (ox_ + sign * along) / oz_ : -oz_ / (ox_ - sign * along);
@@ -180,7 +181,7 @@ class SlopeRule {
       const double slope = oz_ * length / (1 + p * p + q * q);  // of the moving cosine, at the horizon
       double scale = std::max(horizon_cosine(p, q) / slope, 1e-14 * length);
       // If the ridge lies outside, the integrand varies on the distance to the ridge at the fastest.
-      if (from > 0 || to < 0) scale = std::min(scale, std::hypot(q, ridge));
+      if (from > 0 || to < 0) scale = std::min(scale, integrals::hypot(q, ridge));
       return End{q, scale, features_.root_at_horizon};
     };
     std::vector<End>& ends = row_ends_;

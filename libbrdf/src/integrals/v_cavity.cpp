@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "brdf/scalar.h"
+#include "libbrdf/src/integrals/functions.h"
 
 namespace brdf::integrals {
 namespace {
@@ -24,11 +25,11 @@ void add_cubic_roots(double a, double b, double c, double d, std::vector<double>
   const double q = (B * B - 3 * C) / 9, r = (2 * B * B * B - 9 * B * C + 27 * D) / 54;
   std::vector<double> found;
   if (r * r < q * q * q) {
-    const double t = std::acos(std::clamp(r / std::sqrt(q * q * q), -1.0, 1.0));
+    const double t = integrals::acos(std::clamp(r / std::sqrt(q * q * q), -1.0, 1.0));
     for (const double turn : {0.0, 2 * kPi, -2 * kPi})
-      found.push_back(-2 * std::sqrt(q) * std::cos((t + turn) / 3) - B / 3);
+      found.push_back(-2 * std::sqrt(q) * integrals::cos((t + turn) / 3) - B / 3);
   } else {
-    const double s = -std::copysign(std::cbrt(std::abs(r) + std::sqrt(r * r - q * q * q)), r);
+    const double s = -std::copysign(integrals::cbrt(std::abs(r) + std::sqrt(r * r - q * q * q)), r);
     found.push_back(s + (s == 0 ? 0 : q / s) - B / 3);
   }
   for (double x : found) {
@@ -92,7 +93,7 @@ std::vector<double> v_cavity_kinks(double ox, double oy, double oz, double p, do
 std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_low, double p_high) {
   const double scale = 0.1 * oz;
   const auto branches_at = [&](double s) {
-    const double p = scale * std::sinh(s);
+    const double p = scale * integrals::sinh(s);
     const double c = oz * (p * p - 1) - 2 * ox * p, d = oy * oy - oz * c;
     if (!(d > 0)) return 0;
     const double t = oy + std::copysign(std::sqrt(d), oy);
@@ -101,7 +102,7 @@ std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_lo
   // The slopes span decades, from o_z to 1/o_z, if the fixed direction grazes. The grid is therefore
   // uniform in asinh.
   constexpr int kGrid = 400;
-  const double s_low = std::asinh(p_low / scale), s_high = std::asinh(p_high / scale);
+  const double s_low = integrals::asinh(p_low / scale), s_high = integrals::asinh(p_high / scale);
   std::vector<double> breaks;
   double left = s_low;
   int before = 0;
@@ -114,7 +115,7 @@ std::vector<double> v_cavity_breaks(double ox, double oy, double oz, double p_lo
         const double middle = (a + b) / 2;
         (branches_at(middle) == before ? a : b) = middle;
       }
-      breaks.push_back(scale * std::sinh((a + b) / 2));
+      breaks.push_back(scale * integrals::sinh((a + b) / 2));
     }
     left = right;
     before = after;
