@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "brdf/math.h"
+#include "libbrdf/src/integrals/functions.h"
 
 namespace brdf {
 namespace {
@@ -82,6 +83,35 @@ TYPED_TEST(Kernels, ErfcxIsWithinThreeUlp) {
       20000, [](T t) { return T(10.5) * t; }, [](T x) { return math::erfcx(x); },
       [](long double x) { return expl(x * x) * erfcl(x); });
   expect_between(worst, 0.6, 3.0);
+}
+
+// The functions of the integrals, over the quarters that sines are reduced to and over both series.
+TEST(IntegralFunctions, AreWithinAFewUlp) {
+  struct Case {
+    const char* name;
+    double (*ours)(double);
+    long double (*exact)(long double);
+    double from, to, low, high;
+  };
+  const Case cases[] = {
+      {"sin", integrals::sin, sinl, -9, 10, .6, 1.5},    {"cos", integrals::cos, cosl, -9, 10, .6, 1.5},
+      {"tan", integrals::tan, tanl, -1.57, 1.57, 1, 3},  {"atan", integrals::atan, atanl, -5, 7, .8, 3},
+      {"acos", integrals::acos, acosl, -1, 1, .8, 4},    {"sinh", integrals::sinh, sinhl, -3, 4, .6, 3},
+      {"cosh", integrals::cosh, coshl, -30, 40, .4, 2},  {"asinh", integrals::asinh, asinhl, -50, 60, .6, 3},
+      {"cbrt", integrals::cbrt, cbrtl, 1e-9, 900, .4, 2}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    expect_between(worst_ulp<double>(
+                       100000, [&](double t) { return c.from + (c.to - c.from) * t; }, c.ours, c.exact),
+                   c.low, c.high);
+  }
+  // Next to a zero the rest of pi decides.
+  EXPECT_NEAR(integrals::sin(3.141592653589793), 1.2246467991473532e-16, 1e-25);
+  EXPECT_EQ(integrals::sin(0), 0);
+  EXPECT_EQ(integrals::cos(0), 1);
+  EXPECT_EQ(integrals::cbrt(0), 0);
+  EXPECT_EQ(integrals::acos(1), 0);
+  EXPECT_DOUBLE_EQ(integrals::hypot(3, -4), 5);
 }
 
 TYPED_TEST(Kernels, ExpFlushesToZeroInsteadOfSubnormals) {
