@@ -29,13 +29,15 @@ namespace detail {
 
 // The multiple of pi/2 nearest to x, and the rest in [-pi/4, pi/4], by two parts of pi/2 (Cody and Waite 1980).
 struct Reduced {
-  double quarter, rest;
+  int quarter;  // 0 to 3
+  double rest;
 };
 inline Reduced reduced(double x) {
   constexpr double kHigh = 1.57079632673412561417,
-                   kLow = 6.07710050650619224932e-11;  // fdlibm: pio2_1, pio2_1t
-  const double n = std::floor(x * (2 / kPi) + 0.5);
-  return {n - 4 * std::floor(n / 4), (x - n * kHigh) - n * kLow};
+                   kLow = 6.07710050650619224932e-11;           // fdlibm: pio2_1, pio2_1t
+  constexpr double kMagic = kernels::Precision<double>::magic;  // rounds to the nearest integer
+  const double n = (x * (2 / kPi) + kMagic) - kMagic;
+  return {int(n) & 3, (x - n * kHigh) - n * kLow};
 }
 // Sine and cosine of x in [-pi/4, pi/4].
 inline double sine(double x) {
@@ -55,13 +57,13 @@ inline double cosine(double x) {
 // |x| must be at most 1e5. Next to a zero the error is at most 1e-25 for |x| up to 10.
 inline double sin(double x) {
   const auto [quarter, rest] = detail::reduced(x);
-  const double value = quarter == 0 || quarter == 2 ? detail::sine(rest) : detail::cosine(rest);
-  return quarter < 2 ? value : -value;
+  const double value = quarter & 1 ? detail::cosine(rest) : detail::sine(rest);
+  return quarter & 2 ? -value : value;
 }
 inline double cos(double x) {
   const auto [quarter, rest] = detail::reduced(x);
-  const double value = quarter == 0 || quarter == 2 ? detail::cosine(rest) : detail::sine(rest);
-  return quarter == 1 || quarter == 2 ? -value : value;
+  const double value = quarter & 1 ? detail::sine(rest) : detail::cosine(rest);
+  return (quarter + 1) & 2 ? -value : value;
 }
 inline double tan(double x) {
   return sin(x) / cos(x);
