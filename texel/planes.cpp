@@ -21,9 +21,15 @@ std::string to_exr(const Planes& planes) {
   Imf::Header header(int(planes.width), int(planes.height));
   header.setTileDescription({kTile, kTile, Imf::ONE_LEVEL});
   Imf::FrameBuffer frame;
+  std::vector<std::vector<half>> halves;  // of each plane, if the file stores 16-bit floats
+  if (planes.in_half)
+    for (const std::vector<float>& plane : planes.values) halves.emplace_back(plane.begin(), plane.end());
+  const Imf::PixelType type = planes.in_half ? Imf::HALF : Imf::FLOAT;
   for (std::size_t k = 0; k < planes.names.size(); ++k) {
-    header.channels().insert(planes.names[k], Imf::Channel(Imf::FLOAT));
-    frame.insert(planes.names[k], Imf::Slice::Make(Imf::FLOAT, planes.values[k].data(), header.dataWindow()));
+    header.channels().insert(planes.names[k], Imf::Channel(type));
+    const void* values =
+        planes.in_half ? static_cast<const void*>(halves[k].data()) : planes.values[k].data();
+    frame.insert(planes.names[k], Imf::Slice::Make(type, values, header.dataWindow()));
   }
   for (const auto& [key, value] : planes.attributes) header.insert(key, Imf::StringAttribute(value));
   Imf::StdOSStream bytes;

@@ -25,6 +25,7 @@ struct Planes {
   std::vector<std::string> names;          // "alpha_x", "kd.r": OpenEXR's layers
   std::vector<std::vector<float>> values;  // [name][texel], row by row
   std::vector<std::pair<std::string, std::string>> attributes = {};
+  bool in_half = false;  // the file stores 16-bit floats; values are rounded to the nearest
 
   // Returns the plane of this name, or null.
   const std::vector<float>* find(std::string_view name) const;
@@ -34,8 +35,8 @@ struct Planes {
 // one.
 std::string plane_name(const std::string& parameter, const std::string& channel);
 
-// Writes a tiled image (64 x 64) of 32-bit floats, lossless, one channel per plane, with the attributes as
-// strings. The file is written completely or not at all. The same planes give the same bytes.
+// Writes a tiled image (64 x 64) of 32-bit floats, or of 16-bit floats if in_half is set, lossless, one channel
+// per plane, with the attributes as strings. The file is written completely or not at all. The same planes give the same bytes.
 void write_planes(const std::filesystem::path& path, const Planes& planes);
 // Reads every channel of an image as float. Throws InputError if the file is not an image.
 Planes read_planes(const std::filesystem::path& path);
