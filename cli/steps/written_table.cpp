@@ -42,7 +42,8 @@ void write_image(const std::string& path, std::size_t, std::size_t, const Planes
 // Throws InputError unless the path's suffix is a format of file that holds the table's numbers.
 void check_suffix(const std::string& path, interop::TableFormat format) {
   const std::string suffix = std::filesystem::path(path).extension();
-  if (suffix == ".exr" || (suffix == ".png" && format == interop::TableFormat::bits8)) return;
+  if (suffix == ".exr" || suffix.empty() || (suffix == ".png" && format == interop::TableFormat::bits8))
+    return;
   throw InputError(path + ": " +
                    (suffix == ".png"
                         ? "the table holds numbers of " + std::string(name_of_format(format)) +

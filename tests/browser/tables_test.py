@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: browser.tables label=wasm timeout=3600 serial @brdf@ chromium firefox-esr @source@/build/wasm/browser @here@/tables
 """tables_test.py BRDF CHROMIUM FIREFOX PAGE FOLDER: both browsers fit every table of data/synthetic and the measured ones of
-BRDF_DATA_DIR, on the page from a disk (PAGE/brdf.html) and from a web server (PAGE/site). The verdicts are those of the program, the
-saved materials have its parameters within 1e-9, its intervals within 1e-6 and those of other metrics within 1e-4. No request leaves the page, and its console is empty.
+BRDF_DATA_DIR, on the page from a disk (PAGE/brdf.html) and from a web server (PAGE/site). The verdicts equal the program's, the
+saved materials have its parameters within 1e-9, its intervals within 1e-6, and its intervals by other metrics within 1e-4. No request leaves the page, and its console is empty.
 Exit code 77: the page has not been built."""
 import json
 import os

@@ -82,7 +82,7 @@ ways = {
 for name, way in ways.items():
     for check, finding in findings(*way).items():
         assert finding == right[check], (name, check, finding, right[check])
-    print(f"{name}: {len(right)} findings equal those of the GLSL text")
+    print(f"{name}: {len(right)} findings equal the GLSL text's")
 
 glsl = findings(texts / "layered.glsl", "--define", "HALF")
 failed = [check for check, (verdict, _) in glsl.items() if verdict == "fail"]

@@ -2,7 +2,7 @@
 # ctest: exports.radiance label=exports @brdf@ @here@/radiance
 """radiance_test.py BRDF FOLDER: tests that exports to Radiance are modifiers as its reader takes them (words of at most 127
 characters, comments of at most 2047), and that their formula, written here from normal.c, aniso.c and raytrace.c, has the stated
-values. Values that Radiance's own lines gave for the same files are in radiance_seen.csv, those of a Klems matrix in
+values. Values that Radiance's own lines gave for the same files are in radiance_seen.csv, values of a Klems matrix in
 radiance_matrix_seen.csv."""
 import csv
 import itertools
@@ -88,7 +88,7 @@ def centre(theta, phi):
 
 
 def check_matrix(brdf, folder):
-    """The values that Radiance's reader takes from a matrix are those that `brdf convert` reads, on both surfaces."""
+    """The values that Radiance's reader takes from a matrix equal the values that `brdf convert` reads, on both surfaces."""
     def run(*words):
         subprocess.run([brdf, "convert", "-q", *words], check=True)
 
