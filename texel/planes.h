@@ -35,8 +35,9 @@ struct Planes {
 // one.
 std::string plane_name(const std::string& parameter, const std::string& channel);
 
-// Writes a tiled image (64 x 64) of 32-bit floats, or of 16-bit floats if in_half is set, lossless, one channel
-// per plane, with the attributes as strings. The file is written completely or not at all. The same planes give the same bytes.
+// Writes a tiled image (64 x 64) of 32-bit floats, or of 16-bit floats if in_half is set, lossless, one
+// channel per plane, with the attributes as strings. The file is written completely or not at all. The same
+// planes give the same bytes.
 void write_planes(const std::filesystem::path& path, const Planes& planes);
 // Reads every channel of an image as float. Throws InputError if the file is not an image.
 Planes read_planes(const std::filesystem::path& path);

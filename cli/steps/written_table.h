@@ -22,9 +22,9 @@ struct WrittenTable {
 };
 
 // Computes the table `to` of the material and writes it to `path`. An OpenEXR image has 16-bit floats if the
-// layout's program holds these, and otherwise 32-bit floats, with the sentences on the table as attributes. A PNG
-// is written for layouts of 8 bits. dfg and albedo have the layout of this name and the channels R and G; ltc has the
-// layout of its only source, RGBA for the matrix and two further channels for the albedo.
+// layout's program holds these, and otherwise 32-bit floats, with the sentences on the table as attributes. A
+// PNG is written for layouts of 8 bits. dfg and albedo have the layout of this name and the channels R and G;
+// ltc has the layout of its only source, RGBA for the matrix and two further channels for the albedo.
 // Throws InputError if the path ends in another suffix, if this build has no OpenEXR, and for materials that
 // the table cannot hold.
 WrittenTable write_lookup_table(std::string_view to, const Material& material, std::string_view layout,

@@ -77,7 +77,10 @@ scalar_of<W> above_horizon(const W& w, const W& first, const Shape& shape, const
     const auto weight = w.linear();
     const auto lobe = F::lobes(shape, g);
     scalar_of<W> f = weight[0] * lobe[0];
-    for (std::size_t k = 1; k < lobe.size(); ++k) f = f + weight[k] * lobe[k];
+    // A loop over many lobes would keep the loop over directions from vectorising.
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      ((f = f + weight[k + 1] * lobe[k + 1]), ...);
+    }(std::make_index_sequence<std::tuple_size_v<std::remove_const_t<decltype(lobe)>> - 1>{});
     return f;
   } else if constexpr (CosineForm<F>) {
     return F::value_cos(w, first, shape, g) / g.cos_i;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "brdf/names.h"
 #include "brdf/scalar.h"
@@ -141,21 +142,24 @@ consteval bool table_is_sound() {
   return true;
 }
 
-// Returns the values of a struct in table order.
+// Returns the values of a struct in table order. Expanded by a template, because compilers keep a loop over
+// many parameters, and a loop body that contains a loop does not vectorise.
 template <class T, ParameterStruct P>
 constexpr std::array<T, parameter_count<P>> to_values(const P& p) {
-  std::array<T, parameter_count<P>> values{};
-  std::size_t k = 0;
-  for (const auto& field : P::fields()) values[k++] = p.*(field.member);
-  return values;
+  constexpr auto fields = P::fields();
+  return [&]<std::size_t... k>(std::index_sequence<k...>) {
+    return std::array<T, parameter_count<P>>{p.*(fields[k].member)...};
+  }(std::make_index_sequence<parameter_count<P>>{});
 }
 
 // Returns the struct with these values, given in table order.
 template <class P, class T>
 constexpr P from_values(std::span<const T> values) {
+  constexpr auto fields = P::fields();
   P p{};
-  std::size_t k = 0;
-  for (const auto& field : P::fields()) p.*(field.member) = values[k++];
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    ((p.*(fields[k].member) = values[k]), ...);
+  }(std::make_index_sequence<fields.size()>{});
   return p;
 }
 

@@ -1,5 +1,6 @@
-// Elementary functions of double for integrals, from sums, products, quotients and roots alone. The functions of
-// C libraries differ in their last bits between processors and libraries; these give the same bits everywhere.
+// Elementary functions of double for integrals, from sums, products, quotients and roots alone. The functions
+// of C libraries differ in their last bits between processors and libraries; these give the same bits
+// everywhere.
 // Largest error unless stated: 3 ulp.
 #pragma once
 
@@ -27,7 +28,8 @@ inline constexpr std::array kCos{1.0,
 
 namespace detail {
 
-// The multiple of pi/2 nearest to x, and the rest in [-pi/4, pi/4], by two parts of pi/2 (Cody and Waite 1980).
+// The multiple of pi/2 nearest to x, and the rest in [-pi/4, pi/4], by two parts of pi/2 (Cody and Waite
+// 1980).
 struct Reduced {
   int quarter;  // 0 to 3
   double rest;
