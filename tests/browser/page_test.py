@@ -188,7 +188,7 @@ def main():
         print(f"skipped: {built} has no page; `cmake --preset wasm && cmake --build --preset wasm` builds it")
         sys.exit(77)
     if not (npm / "axe-core").exists():
-        sys.exit(f"no {npm}/axe-core: tools/setup interop installs it")
+        sys.exit(f"no {npm}/axe-core: tools/setup wasm installs it")
     folder.mkdir(parents=True, exist_ok=True)
     large, server = large_table(), Server(built / "site")
     with Browser(chromium, *SOFTWARE, server="127.0.0.1") as browser:
