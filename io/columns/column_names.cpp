@@ -103,11 +103,13 @@ class HeaderReading {
     return true;
   }
 
-  // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side. A line
-  // above the header may state a polar angle.
+  // Returns whether a line above the header states the polar angle of this side.
+  bool is_stated_above(AngleSide side) const {
+    return facts_.stated_angles && facts_.stated_angles->has(side == AngleSide::light ? 0 : 2);
+  }
+
+  // Returns whether the header has an azimuth, or otherwise a polar angle or elevation, of this side.
   bool states(bool azimuth, AngleSide side) const {
-    if (!azimuth && facts_.stated_angles && facts_.stated_angles->has(side == AngleSide::light ? 0 : 2))
-      return true;
     return std::ranges::any_of(angles_, [&](const auto& angle) {
       return angle && !angle->is_weak && is_azimuth(*angle) == azimuth && angle->side == side;
     });
@@ -129,6 +131,8 @@ class HeaderReading {
     if (!light && !viewer && is_azimuth(angle) &&
         states(false, AngleSide::light) != states(false, AngleSide::viewer))
       return states(false, AngleSide::light) ? AngleSide::viewer : AngleSide::light;
+    if (!light && !viewer && is_stated_above(AngleSide::light) != is_stated_above(AngleSide::viewer))
+      return is_stated_above(AngleSide::light) ? AngleSide::viewer : AngleSide::light;
     if (light == viewer)
       refuse(k, ColumnDoubt::Of::meaning,
              "column " + shown(names_[k]) + " may belong to the incident or to the scattering direction: " +

@@ -34,8 +34,9 @@ bool is_angle_unit_or_none(const std::optional<Unit>& unit) {
 }  // namespace
 
 std::optional<StatedAngle> stated_angle(std::string_view text) {
-  constexpr std::size_t kLongest = 100;  // bytes
-  text = trimmed(text);
+  constexpr std::size_t kLongest = 100;         // bytes
+  constexpr std::string_view kSigns = "#%!/ ";  // that open comments
+  text = trimmed(text.substr(std::min(text.size(), text.find_first_not_of(kSigns))));
   const std::size_t end = end_of_name(text);
   if (text.size() > kLongest || end >= text.size()) return std::nullopt;
   StatedAngle stated;

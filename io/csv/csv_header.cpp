@@ -82,8 +82,7 @@ void CsvHeader::read_comment(std::string_view line) {
     last_comment_line_ = reader_.line();
   }
   const auto words = quantity_in_comment(text);
-  if (!is_read()) stated_angles_.add(text, reader_.line());
-  if (is_read()) refuse_other_angle(text);
+  is_read() ? refuse_other_angle(text) : stated_angles_.add(text, reader_.line());
   if (!words) {
     keep_comment(table_, parse_comment(text));
     if (!is_read() && table_.metadata.back().first.empty())
@@ -112,6 +111,7 @@ bool CsvHeader::is_other_comment(std::string_view line) const {
 
 void CsvHeader::keep_other_comment(std::string_view line) {
   const std::size_t text = std::min(line.size(), line.find_first_not_of(kOtherSigns));
+  refuse_other_angle(line.substr(text));
   keep_comment(table_, parse_comment(": " + std::string(trimmed(line.substr(text)))));
 }
 

@@ -34,12 +34,7 @@ bool CsvHeader::read_for_proposal(std::string_view line, std::vector<ColumnDoubt
   const std::size_t first = reader_.line();
   if (is_header_in_comment(line)) return read(line);
   const std::string_view header = behind_titles(line);
-  Fields names;
-  Dialect dialect = dialect_;
-  const bool is_found =
-      dialect.split_header(header, names) &&
-      (names.size() > kWidestTable || names_angles(names) || matrix_header(names, dialect).has_value());
-  if (!is_found && reader_.line() == first) return read_by_shape(line);
+  if (!is_header(header, !stated_angles_.is_empty()) && reader_.line() == first) return read_by_shape(line);
   read_names(header);
   return false;
 }

@@ -202,6 +202,7 @@ class Proposer {
     j["columns"] = Json::array();
     for (std::size_t k = 0; k < facts_.size(); ++k) j["columns"].push_back(entry(k));
     if (const auto& only = header_.columns().only_azimuth) add_other_azimuth(j["columns"], *only);
+    add_stated_angles(j["columns"]);
     note_missing_angles();
     for (const std::string& sentence : header_.columns().assumptions)
       if (sentence.find("Mueller") != sentence.npos) be_unsure("$.columns", sentence);
@@ -423,6 +424,16 @@ class Proposer {
                   " is 0, and the mirror "
                   "direction is at 180 degrees (if it is at 0: \"mirror_azimuth\": 0)");
     entries.push_back({{"constant", 0}, {"is", other}});
+  }
+
+  // Angles that lines above the header row state. The constants of road tables have no name.
+  void add_stated_angles(Json& entries) {
+    for (const auto& [column, number] : header_.columns().constants) {
+      if (column.name.empty()) continue;
+      be_unsure("$.columns[" + std::to_string(entries.size()) + "].constant",
+                "the line " + shown(column.name) + " above the header row is taken for all rows");
+      entries.push_back({{"constant", column.converted(number)}, {"is", kAngleNames[column.index]}});
+    }
   }
 
   void note_missing_angles() {

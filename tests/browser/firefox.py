@@ -25,7 +25,7 @@ class Firefox:
         executable = shutil.which(name)
         if not executable:
             sys.exit(f"{name} is not installed: tools/setup wasm")
-        self.patience, self.numbers, self.events, self.contexts = patience, itertools.count(1), [], []
+        self.patience, self.numbers, self.events = patience, itertools.count(1), []
         self.profile = tempfile.mkdtemp(prefix="brdf_browser_")
         settings = SETTINGS | {"browser.download.dir": str(saved)}
         pathlib.Path(self.profile, "user.js").write_text(

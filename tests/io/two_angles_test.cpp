@@ -168,7 +168,7 @@ TEST(StatedAngle, AboveTheTableIsThatOfAllRows) {
        {"# Incidence angle: 50 deg\nscatter angle,fr\n", "# theta_i = 50\ntheta_s,fr\n",
         "AOI,50\nwavelength,633\nscatter angle (deg),fr\n", "Incident angle 50°\n\nscatter angle,fr\n",
         "# theta_i (rad): 0.872664625997165\ntheta_o,fr\n", "# light elevation: 40\ntheta_o,fr\n",
-        "operator: nobody\nangle of incidence: 50\n% theta_o,fr\n",
+        "operator: nobody\nangle of incidence: 50\n% theta_o,fr\n", "% theta_i: 50\ntheta_s,fr\n",
         "# theta_i: 50\n# theta_i: 50.0\nmeasurement,fr\n"}) {
     const SampleTable t = read(above + rows);
     EXPECT_THAT(in_plane_angles(t), ElementsAre(-40, 0, 50, 70)) << above;
@@ -194,6 +194,10 @@ TEST(StatedAngle, IsNotTakenFromOtherLines) {
   // A column is the angle, whatever a comment states; a matrix of one column stays one.
   const SampleTable column = read("# theta_i: 30\ntheta_i,theta_o,fr\n10,20,.1\n20,30,.2\n");
   EXPECT_THAT(column.theta_i, ElementsAre(10, 20));
+  const SampleTable source = read("# incidence angle: 30\ntheta_s,phi_s,theta_v,phi_v,fr\n10,0,20,180,.1\n");
+  EXPECT_THAT(source.theta_i, ElementsAre(10));
+  EXPECT_THAT(message("# theta_i: 30\ntheta_o,fr\n10,.1\n% theta_i: 45\n20,.2\n"),
+              HasSubstr("line 4: 'theta_i' is 45 degrees here"));
   const SampleTable matrix = read("incidence,45\n10,.3\n20,.2\n");
   EXPECT_THAT(matrix.theta_i, ElementsAre(10, 20));
 }
