@@ -51,12 +51,9 @@ constexpr double radial_coefficient(int n, int l, int k) {
 // Returns R_n^l(r)/r^l, a polynomial of x = r^2.
 template <int kN, int kL, class G>
 G radial_over_power(const G& x) {
-  // Constants, because compilers do not compute the factorials of larger orders in advance.
-  constexpr auto kCoefficients = []<int... k>(std::integer_sequence<int, k...>) {
-    return std::array{radial_coefficient(kN, kL, k)...};
-  }(std::make_integer_sequence<int, (kN - kL) / 2 + 1>{});
-  G sum(kCoefficients[0]);
-  for (std::size_t k = 1; k < kCoefficients.size(); ++k) sum = sum * x + G(kCoefficients[k]);
+  G sum(radial_coefficient(kN, kL, 0));
+  if constexpr (kN > kL)
+    for (int k = 1; k <= (kN - kL) / 2; ++k) sum = sum * x + G(radial_coefficient(kN, kL, k));
   return sum;
 }
 

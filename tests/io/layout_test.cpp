@@ -232,6 +232,7 @@ TEST(Proposal, ReadsTheSameRowsAsTheTableAlone) {
         std::string("theta_i,phi_i,theta_o,phi_o,BRF,sigma_BRF\n30,0,20,180,.3,.01\n30,0,40,180,.4,.02\n"),
         std::string("elevation_i,phi_i,theta_o [rad],phi_o,log10 BRDF\n60,0,.5,180,-1\n30,0,.25,90,-2\n"),
         std::string("theta_i,theta_o,phi,polarisation,fr\n30,20,180,s,.1\n30,20,180,p,.2\n"),
+        std::string("AOI,30\nScatter angle (deg),BRDF (1/sr)\n-20,.1\n0,.1\n30,.9\n"),
         std::string("theta_i (deg);theta_o (deg);f_r\n-30;30;0,9\n-30;-20;0,1\n-30;0;0,1\n")}) {
     const TableProposal proposal = propose_layout(Content{"t", text});
     ASSERT_TRUE(proposal.alone) << text << proposal.refusal;
