@@ -34,13 +34,13 @@ Views brightest(const SumOfAlbedos& albedo) {
 struct Steps {
   static constexpr auto accuracies = SumOfAlbedos::kAccuracies;
   std::array<double, accuracies.size()> widths{};
-  double low = 0;  // a lower bound of the albedo
+  double low = 0, high = 0;  // the narrowest bounds of the albedo
 
   Steps(const SumOfAlbedos& albedo, const Views& view) {
     io::parallel_for(accuracies.size(), [&](std::size_t k) {
       const Bounds b = albedo(view, accuracies[k]).value;
       widths[k] = b.hi - b.lo;
-      if (k + 1 == accuracies.size()) low = b.lo;
+      if (k + 1 == accuracies.size()) low = b.lo, high = b.hi;
     });
   }
 };
@@ -101,14 +101,16 @@ Region examined(const SumOfAlbedos& albedo, const Steps& steps, double most, Box
 
 }  // namespace
 
-LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const SearchOptions& options) {
+LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, double limit,
+                         const SearchOptions& options) {
   const Clock::time_point start = Clock::now();
   LargestAlbedo found;
   found.domain = albedo.domain();
   found.low_at = brightest(albedo);
   const Steps steps(albedo, found.low_at);
   found.low = steps.low;
-  const double most = found.low + 2 * half_width;
+  const double near = found.low + 2 * half_width;
+  const double most = steps.high <= limit ? std::min(near, limit) : near;
 
   std::priority_queue<Region> open;
   double decided = 0;  // the largest upper bound of the decided regions

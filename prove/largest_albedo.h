@@ -14,7 +14,9 @@ struct LargestAlbedo {
   Cover cover;  // no view exceeds the upper end of its range
 };
 // Searches the views with the largest upper bounds first, until the largest albedo is known to
-// +-half_width. Precondition: the albedo is known.
-LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, const SearchOptions& options);
+// +-half_width. If the brightest view can be shown to be at most `limit`, the search continues until all
+// views are at most `limit`. Precondition: the albedo is known.
+LargestAlbedo largest_of(const SumOfAlbedos& albedo, double half_width, double limit,
+                         const SearchOptions& options);
 
 }  // namespace brdf::prove

@@ -107,7 +107,7 @@ std::optional<Witness> gain_of(const Channels& terms, const std::string& file) {
 }
 
 void state_largest(Proof& p, const SumOfAlbedos& albedo, const Options& options) {
-  const LargestAlbedo found = largest_of(albedo, kHalfWidth, options.search);
+  const LargestAlbedo found = largest_of(albedo, kHalfWidth, 1 + kRoundedConstants, options.search);
   p.domain = found.domain;
   p.cover = found.cover;
   p.low = found.low;

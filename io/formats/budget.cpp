@@ -8,6 +8,7 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/near_name.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::io {

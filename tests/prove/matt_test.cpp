@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
+#include "brdf/least_of_matt.h"
 #include "prove/check/judge.h"
 #include "prove/proof.h"
 #include "prove/report.h"
@@ -61,6 +63,33 @@ TEST(MattProof, WeightsThatGiveANegativeValueAreRefutedAtAPlaceThatShowsIt) {
 TEST(MattProof, AnAlbedoAbove1IsRefuted) {
   EXPECT_EQ(proof_of(basis("matt_5", {1.02, 0.05, 0.1, -0.2, 0.1}), Property::energy).verdict,
             Verdict::refuted);
+}
+
+// Returns the albedo at the vertex of the parabola through the albedos at the cosines 0, 1/2 and 1.
+double albedo_at_vertex(const Material& m) {
+  const MattBasis& its = *m.terms[0].form.info().basis;
+  const auto albedo = [&](double cosine) {
+    std::vector<double> each(its.indices.size());
+    matt_albedos(its, cosine, each);
+    return std::inner_product(each.begin(), each.end(), m.terms[0].weights[0].begin(), 0.0);
+  };
+  const double bend = 2 * (albedo(0) - 2 * albedo(0.5) + albedo(1)), slope = albedo(1) - albedo(0) - bend;
+  EXPECT_LT(bend, 0);
+  EXPECT_TRUE(-slope / (2 * bend) > 0.1 && -slope / (2 * bend) < 0.9);
+  return albedo(-slope / (2 * bend));
+}
+
+// The bounds of a single box exceed 1 here: they are wider than the distance of the vertex from 1.
+TEST(MattProof, AnAlbedoJustBelow1IsProvedAndOneJustAboveIsNot) {
+  const Material m =
+      basis("matt_14", {0.95, 0.03, -0.15, 0.02, 0.01, 0.01, -0.1, 0.05, 0.02, 0.03, 0.05, 0.01, 0.01, 0.02});
+  for (const double distance : {-1e-9, 1e-9}) {
+    Material scaled = m;
+    for (double& w : scaled.terms[0].weights[0]) w *= (1 + distance) / albedo_at_vertex(m);
+    const Proof p = proof_of(scaled, Property::energy);
+    EXPECT_EQ(p.verdict == Verdict::proved, distance < 0) << p.statement;
+    EXPECT_NEAR(p.low, 1, 1e-3);
+  }
 }
 
 TEST(MattProof, ATermBelowZeroInASumThatIsNotIsNeitherProvedNorRefuted) {
