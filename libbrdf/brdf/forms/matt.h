@@ -134,6 +134,10 @@ struct Matt {
   static constexpr std::string_view family = "matt";
   static constexpr Kink kink = Kink::none;
   static constexpr MattBasis basis{kOrder, kMattIndices<kOrder>};
+  // Errors are relative to |f| + the sum of the sizes of the weights over pi, so one bound holds for all f.
+  static constexpr Accuracy within(double in_float, double in_double) {
+    return {{in_float, in_float, in_float}, {in_double, in_double, in_double}};
+  }
 
   template <class S, class Shape, class G>
   static auto lobes_of(const Shape&, const Geometry<G>& g) {
@@ -148,6 +152,7 @@ struct Matt {
 // Known violations: weights exist for which f is negative. `brdf prove` decides this for a material.
 struct matt_2 : Takes<Matt2Weights, NoShape>, Matt<1> {
   static constexpr std::string_view name = "matt_2";
+  static constexpr Accuracy accuracy = within(2.6e-7, 4.2e-16);
   static constexpr std::array violations{
       Violation{"non_negative", "for weights of either sign: the least value of 2 weights between -1 and 1",
                 "w000=0 w111=-1", 90, -0.318309886}};
@@ -166,6 +171,7 @@ struct matt_2 : Takes<Matt2Weights, NoShape>, Matt<1> {
 // for a material.
 struct matt_5 : Takes<Matt5Weights, NoShape>, Matt<2> {
   static constexpr std::string_view name = "matt_5";
+  static constexpr Accuracy accuracy = within(7.2e-7, 1.6e-15);
   static constexpr std::array violations{
       Violation{"non_negative", "for weights of either sign: the least value of 5 weights between -1 and 1",
                 "w000=0 w020=-1 w220=-1 w111=-1 w222=-1", 90, -1.27323954},
@@ -185,6 +191,7 @@ struct matt_5 : Takes<Matt5Weights, NoShape>, Matt<2> {
 // for a material.
 struct matt_8 : Takes<Matt8Weights, NoShape>, Matt<3> {
   static constexpr std::string_view name = "matt_8";
+  static constexpr Accuracy accuracy = within(1.9e-6, 3.4e-15);
   static constexpr std::array violations{
       Violation{"non_negative", "for weights of either sign: the least value of 8 weights between -1 and 1",
                 "w000=0 w020=-1 w220=-1 w111=-1 w131=-1 w331=-1 w222=-1 w333=-1", 90, -2.2281692},
@@ -205,6 +212,7 @@ struct matt_8 : Takes<Matt8Weights, NoShape>, Matt<3> {
 // for a material.
 struct matt_14 : Takes<Matt14Weights, NoShape>, Matt<4> {
   static constexpr std::string_view name = "matt_14";
+  static constexpr Accuracy accuracy = within(2.9e-6, 6.3e-15);
   static constexpr std::array violations{
       Violation{"non_negative", "for weights of either sign: the least value of 14 weights between -1 and 1",
                 "w000=0 w020=-1 w040=-1 w220=-1 w240=-1 w440=-1 w111=-1 w131=-1 w331=-1 w222=-1 w242=-1 "
@@ -229,6 +237,7 @@ struct matt_14 : Takes<Matt14Weights, NoShape>, Matt<4> {
 // for a material.
 struct matt_20 : Takes<Matt20Weights, NoShape>, Matt<5> {
   static constexpr std::string_view name = "matt_20";
+  static constexpr Accuracy accuracy = within(4.8e-6, 8.8e-15);
   static constexpr std::array violations{
       Violation{"non_negative", "for weights of either sign: the least value of 20 weights between -1 and 1",
                 "w000=0 w020=-1 w040=-1 w220=-1 w240=-1 w440=-1 w111=-1 w131=-1 w151=-1 w331=-1 w351=-1 "
