@@ -89,6 +89,7 @@ TEST(MattProof, AnAlbedoJustBelow1IsProvedAndOneJustAboveIsNot) {
     const Proof p = proof_of(scaled, Property::energy);
     EXPECT_EQ(p.verdict == Verdict::proved, distance < 0) << p.statement;
     EXPECT_NEAR(p.low, 1, 1e-3);
+    EXPECT_GT(p.cover.boxes, 3);
   }
 }
 

@@ -27,10 +27,8 @@ void expect_close_below(double error, double bound, bool body, const Reflectance
                         const NumericsRow& row) {
   EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << ", the body worst at " << row.where.parameters;
   if (!body && (error == 0 || form.basis)) return;
-  EXPECT_GE(error, bound / (form.basis ? 4
-                            : body     ? 3
-                                       : 10))
-      << row.form << ' ' << row.scalar << " is better than stated";
+  const double most = form.basis ? 4 : body ? 3 : 10;
+  EXPECT_GE(error, bound / most) << row.form << ' ' << row.scalar << " is better than stated";
 }
 
 class StatedAccuracy : public ::testing::TestWithParam<Reflectance> {};
