@@ -9,16 +9,31 @@
 #include "shader/shader.h"
 
 namespace brdf::shader {
+namespace detail {
+void run_numbers(const Step* steps, std::size_t count, Bank<float, 1>& bank) {
+  run_clone(steps, count, bank);
+}
+void run_numbers(const Step* steps, std::size_t count, Bank<double, 1>& bank) {
+  run_clone(steps, count, bank);
+}
+void run_numbers(const Step* steps, std::size_t count, Bank<float, kLanes>& bank) {
+  run_clone(steps, count, bank);
+}
+void run_numbers(const Step* steps, std::size_t count, Bank<double, kLanes>& bank) {
+  run_clone(steps, count, bank);
+}
+}  // namespace detail
+
 namespace {
 
-constexpr int kLanes = 16;
-constexpr int kPartials = 4;  // derivatives computed together
+constexpr int kFewLanes = 6;  // fewer directions are faster one by one
+constexpr int kPartials = 2;  // derivatives computed together
 
 // A runner that is kept between calls, because filling in the constants costs as much as many runs.
 template <class T, int W>
 Runner<T, W>& runner_of(const Function& function) {
   thread_local std::unique_ptr<Runner<T, W>> kept;
-  if (!kept || kept->number() != function.number) kept = std::make_unique<Runner<T, W>>(function);
+  if (!kept || kept->number() != function.number) kept = Runner<T, W>::hoisted(function);
   return *kept;
 }
 
@@ -112,8 +127,8 @@ void ShaderReflectance::evaluate_all(const ParameterValues<T>& p, const Directio
   const std::vector<T> values = values_of(p);
   const std::size_t component = std::min<std::size_t>(p.channel, 2);
   const auto run = [&](const Components<T>& to) {
-    d.count < kLanes / 2 ? evaluate_block<T, 1>(values, d, times_cosine, to)
-                         : evaluate_block<T, kLanes>(values, d, times_cosine, to);
+    d.count < kFewLanes ? evaluate_block<T, 1>(values, d, times_cosine, to)
+                        : evaluate_block<T, kLanes>(values, d, times_cosine, to);
   };
   try {
     // One run gives all channels, because callers that request the first channel request the others next.
@@ -157,37 +172,49 @@ void ShaderReflectance::derivatives(const std::vector<double>& values, const std
                                     bool by_phi, std::size_t component, const Directions<double>& d,
                                     double* first, std::size_t stride) const {
   using D = Dual<double, kPartials>;
+  constexpr std::size_t W = kLanes;
   const std::size_t count = by.size() + by_phi;
-  Runner<D, 1>& runner = runner_of<D, 1>(function_);
+  Runner<D, kLanes>& runner = runner_of<D, kLanes>(function_);
   for (std::size_t begin = 0; begin < count; begin += kPartials) {
+    const std::size_t end = std::min(begin + kPartials, count);
     std::vector<D> variables(values.begin(), values.end());
-    for (std::size_t j = begin; j < std::min(begin + kPartials, by.size()); ++j) {
+    std::vector<bool> varies(values.size());
+    for (std::size_t j = begin; j < std::min(end, by.size()); ++j) {
       const Parameter& p = function_.parameters[by[j]];
-      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c)
+      for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c) {
         variables[p.first + c] = D::variable(values[p.first + c], j - begin);
-    }
-    runner.set_values(function_, variables);
-    const std::size_t phi =
-        by_phi && by.size() >= begin && by.size() < begin + kPartials ? by.size() - begin : kPartials;
-    const auto turning = [&](const Vec3<double>& w) -> Vec3<D> {
-      const auto number = [&](double value, double slope) {
-        return D(value,
-                 Partials<double, kPartials>::make([&](std::size_t j) { return j == phi ? slope : 0.0; }));
-      };
-      return {number(w.x, w.y), number(w.y, -w.x), number(w.z, 0)};
-    };
-    for (std::size_t k = 0; k < d.count; ++k) {
-      const bool below = smaller(d.wi_z[k], d.wo_z[k]) < 0;
-      D value(0.0);
-      if (!below) {
-        const Vec3<D> wi = turning(d.wi(k)), wo = turning(d.wo(k));
-        const auto i = runner.lanes_of(wi), o = runner.lanes_of(wo);
-        runner.set_directions(function_, i, o);
-        runner.run(1, variables, i, o);
-        value = reflectance_of_returned<D>(function_.returns, runner.result(0, component), wi.z, wo.z, false);
+        varies[p.first + c] = true;
       }
-      for (std::size_t j = begin; j < std::min(begin + kPartials, count); ++j)
-        first[j * stride + k] = value.v[j - begin];
+    }
+    const bool turns = by_phi && end == count;
+    runner.set_variables(function_, varies, turns);
+    runner.set_values(function_, variables);
+    const auto number = [&](double value, double slope) {
+      return D(value, Partials<double, kPartials>::make(
+                          [&](std::size_t j) { return turns && j == by.size() - begin ? slope : 0.0; }));
+    };
+    typename Runner<D, kLanes>::Lanes wi, wo;
+    const auto set = [&](auto& lanes, std::size_t l, const Vec3<double>& w) {
+      lanes[0][l] = number(w.x, w.y), lanes[1][l] = number(w.y, -w.x), lanes[2][l] = number(w.z, 0);
+    };
+    for (std::size_t first_pair = 0; first_pair < d.count; first_pair += W) {
+      const int lanes = int(std::min(W, d.count - first_pair));
+      const auto below = [&](std::size_t k) { return smaller(d.wi_z[k], d.wo_z[k]) < 0; };
+      for (std::size_t l = 0; l < W; ++l) {  // lanes beyond the last repeat it
+        const std::size_t k = first_pair + std::min(l, std::size_t(lanes - 1));
+        const Vec3<double> up{0, 0, 1};
+        set(wi, l, below(k) ? up : d.wi(k)), set(wo, l, below(k) ? up : d.wo(k));
+      }
+      runner.set_directions(function_, wi, wo);
+      runner.run(lanes, variables, wi, wo);
+      for (std::size_t l = 0; l < std::size_t(lanes); ++l) {
+        const std::size_t k = first_pair + l;
+        const D value = below(k)
+                            ? D(0.0)
+                            : reflectance_of_returned<D>(function_.returns, runner.result(int(l), component),
+                                                         wi[2][l], wo[2][l], false);
+        for (std::size_t j = begin; j < end; ++j) first[j * stride + k] = value.v[j - begin];
+      }
     }
   }
 }

@@ -1,7 +1,10 @@
 // A shader's reflectance as a function of directions and parameters, in any scalar type.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <concepts>
+#include <cstring>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -15,6 +18,7 @@
 #include "shader/front/compile.h"
 #include "shader/front/roles.h"
 #include "shader/front/source.h"
+#include "shader/program/hoist.h"
 #include "shader/program/program.h"
 #include "shader/run/machine.h"
 
@@ -158,9 +162,20 @@ class Runner {
   using Lanes = std::array<std::array<T, W>, 3>;  // the coordinates of a vector
   explicit Runner(const Function& function)
       : number_(function.number), program_(&function.template program<T>()), bank_(*program_) {}
+  // A runner for many directions with the same values: set_values computes all that depends on values alone.
+  static std::unique_ptr<Runner> hoisted(const Function& function) {
+    auto runner = std::make_unique<Runner>(function);
+    SlotSet inputs(*runner->program_);
+    for (const Binding& b : function.template bound<T>())
+      inputs.of(b.integer)[b.slot] = b.from != Binding::From::value;
+    runner->hoisted_ = hoist(*runner->program_, inputs);
+    return runner;
+  }
   std::uint64_t number() const { return number_; }
 
   void set_values(const Function& function, std::span<const T> values) {
+    if constexpr (std::floating_point<T>)
+      if (hoisted_ && !are_new(values)) return;
     for (const Binding& b : function.template bound<T>()) {
       if (b.from != Binding::From::value) continue;
       const T& value = values[b.value];
@@ -170,6 +185,17 @@ class Runner {
       }
       bank_.set_integer(b.slot, integer_of(b, Functions<T>::value(value)));
     }
+    if (hoisted_) detail::run_all(hoisted_->once.data(), hoisted_->once.size(), bank_);
+  }
+  // States by which values, and whether by a rotation of both directions, the next runs take derivatives.
+  void set_variables(const Function& function, const std::vector<bool>& values, bool directions)
+    requires requires(Bank<T, W>& bank) { bank.set_variables({}); }
+  {
+    SlotSet slots(*program_);
+    for (const Binding& b : function.template bound<T>())
+      slots.of(b.integer)[b.slot] = b.from == Binding::From::value ? values[b.value] : directions;
+    add_computed(*program_, slots, false);
+    bank_.set_variables(std::move(slots.numbers));
   }
   // Sets the directions of all lanes.
   void set_directions(const Function& function, const Lanes& wi, const Lanes& wo) {
@@ -192,16 +218,18 @@ class Runner {
         bank_.set_integer(b.slot, b.from == Binding::From::one);
         continue;
       }
-      T* const out = bank_.number(b.slot);
+      const auto out = bank_.number(b.slot);
+      const auto copy = [&](const std::array<T, W>& from) {
+        for (std::size_t l = 0; l < W; ++l) out[l] = from[l];
+      };
       if (b.from == Binding::From::coordinate && frame_coordinate(b.a) < 0) {
-        std::copy_n(axis(b.a)[std::size_t(b.component)].begin(), W, out);
+        copy(axis(b.a)[std::size_t(b.component)]);
       } else if (b.from == Binding::From::product &&
                  (frame_coordinate(b.a) < 0 || frame_coordinate(b.b) < 0)) {
         // The product with an axis of the frame is a coordinate.
         const bool first = frame_coordinate(b.a) >= 0, second = frame_coordinate(b.b) >= 0;
         if (first || second) {
-          std::copy_n(axis(first ? b.b : b.a)[std::size_t(frame_coordinate(first ? b.a : b.b))].begin(), W,
-                      out);
+          copy(axis(first ? b.b : b.a)[std::size_t(frame_coordinate(first ? b.a : b.b))]);
         } else {
           const Lanes &x = axis(b.a), &y = axis(b.b);
           for (std::size_t l = 0; l < W; ++l)
@@ -209,13 +237,15 @@ class Runner {
         }
         // Products of unit vectors are clamped to [-1, 1], because an excess from rounding is not the
         // shader's fault.
-        for (std::size_t l = 0; l < W; ++l)
-          out[l] = detail::pick(one < out[l], one, detail::pick(out[l] < -one, -one, out[l]));
+        for (std::size_t l = 0; l < W; ++l) {
+          const T x = out[l];
+          out[l] = detail::pick(one < x, one, detail::pick(x < -one, -one, x));
+        }
       } else {
         const bool is_one = b.from == Binding::From::one ||
                             (b.from == Binding::From::coordinate && frame_coordinate(b.a) == b.component) ||
                             (b.from == Binding::From::product && b.a == b.b);
-        std::fill_n(out, W, is_one ? one : zero);
+        bank_.set(b.slot, is_one ? one : zero);
       }
     }
   }
@@ -227,7 +257,7 @@ class Runner {
   // Runs the program. Throws EndlessLoop, with the inputs of the runner.
   void run(int lanes, std::span<const T> values, const Lanes& wi, const Lanes& wo) {
     try {
-      shader::run<T, W>(*program_, bank_, lanes);
+      shader::run<T, W>(hoisted_ ? hoisted_->rest : *program_, bank_, lanes);
     } catch (EndlessLoop& loop) {
       for (const T& v : values) loop.values.push_back(Functions<T>::value(v));
       for (std::size_t k = 0; k < 3; ++k) {
@@ -244,14 +274,24 @@ class Runner {
         bank_.number(b.slot)[lane] = Functions<T>::number(b.value < numbers.size() ? numbers[b.value] : 0);
   }
   // Returns the value that the function returned; `component` selects a component of a colour.
-  const T& result(int lane, std::size_t component) const {
+  T result(int lane, std::size_t component) {
     return bank_.number(program_->results[std::min(component, program_->results.size() - 1)])[lane];
   }
   Bank<T, W>& bank() { return bank_; }
 
  private:
+  // Keeps the values, and returns whether some bit differs from the values of the last call.
+  bool are_new(std::span<const T> values) {
+    const auto same = [](const T& a, const T& b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
+    if (last_ && std::ranges::equal(*last_, values, same)) return false;
+    last_.emplace(values.begin(), values.end());
+    return true;
+  }
+
   std::uint64_t number_;
   const Program* program_;
+  std::optional<std::vector<T>> last_;
+  std::optional<Hoisted> hoisted_;
   Bank<T, W> bank_;
 };
 

@@ -11,8 +11,6 @@
 namespace brdf::shader {
 namespace {
 
-constexpr int kLanesDrawn = 16;
-
 Function companion(const spirv::Module& module, const spirv::Function& function, const Source& source,
                    const std::optional<EntryLine>& line, LowerOptions options, bool kernels) {
   Function f;
@@ -216,7 +214,7 @@ void bind_joint(Joint& joint, const Function& reflectance) {
 template <class T>
 void Joint::draw_in(std::span<const double> values, const Vec3<double>& wo, std::span<const double> u,
                     std::span<Draw> out) const {
-  constexpr int W = kLanesDrawn;
+  constexpr int W = kLanes;
   const Function& f = sampler_->function;
   const std::vector<T> own = values_for<T>(values, sampler_->from, sampler_->initial);
   Runner<T, W> runner(f);
@@ -262,7 +260,7 @@ void Joint::draw_in(std::span<const double> values, const Vec3<double>& wo, std:
 template <class T>
 void Joint::density_in(std::span<const double> values, const Vec3<double>& wo,
                        std::span<const Vec3<double>> wi, std::span<double> out) const {
-  constexpr int W = kLanesDrawn;
+  constexpr int W = kLanes;
   const Function& f = density_->function;
   const std::vector<T> own = values_for<T>(values, density_->from, density_->initial);
   Runner<T, W> runner(f);

@@ -1,5 +1,6 @@
 #include "io/columns/units.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -271,15 +272,18 @@ std::string plain_symbols(std::string_view text) {
   std::string plain;
   bool is_raised = false;
   while (!text.empty()) {
-    const bool is_ascii = static_cast<unsigned char>(text.front()) < 0x80;
-    const Symbol* const raised = is_ascii ? nullptr : symbol_at(text, kRaised);
-    const Symbol* const symbol = is_ascii || raised ? raised : symbol_at(text, kSymbols);
+    // Most texts are ASCII throughout.
+    const auto end = std::ranges::find_if(text, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+    const auto ascii = std::size_t(end - text.begin());
+    plain += text.substr(0, ascii);
+    text.remove_prefix(ascii);
+    if (text.empty()) break;
+    is_raised = is_raised && ascii == 0;
+    const Symbol* const raised = symbol_at(text, kRaised);
+    const Symbol* const symbol = raised ? raised : symbol_at(text, kSymbols);
     if (raised && !is_raised) plain += '^';
     is_raised = raised;
-    if (symbol)
-      plain += symbol->plain;
-    else
-      plain += text.front();
+    plain += symbol ? symbol->plain : text.substr(0, 1);
     text.remove_prefix(symbol ? symbol->sign.size() : 1);
   }
   return plain;

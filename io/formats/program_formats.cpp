@@ -30,6 +30,12 @@ std::vector<std::string_view> first_lines(std::string_view text, std::size_t cou
   return lines;
 }
 
+// Returns whether a line begins with this word. The words of another program within a line may be a comment
+// or the name of a column in a table of samples.
+bool begins_line(std::string_view text, std::string_view word) {
+  return text.starts_with(word) || has_part(text, "\n" + std::string(word));
+}
+
 bool is_whole(std::string_view text, double least, double most) {
   double number;
   return parse_number(text, number) && number >= least && number <= most && number == std::floor(number);
@@ -197,20 +203,20 @@ bool refers_to_e2387(std::string_view text) {
 std::string program_format(std::string_view text) {
   const std::string_view head = text.substr(0, kHeadOfText);
   const std::string unread = std::string(", which is not read: ") + std::string(kExportAsCsv);
-  if (text.starts_with("IESNA") || text.starts_with("TILT=") || has_part(head, "\nTILT="))
+  if (text.starts_with("IESNA") || begins_line(head, "TILT="))
     return "is a photometric file of IES (LM-63)" + std::string(kLuminaire);
   if (is_eulumdat(text)) return "is a photometric file in EULUMDAT (.ldt)" + std::string(kLuminaire);
   if (is_radiance_data(text)) return "is a data file of Radiance (.dat)" + unread;
   if (text.starts_with("TracePro")) return "is a surface property of TracePro" + unread;
   const bool is_light_tools =
-      has_part(head, "ScatterRadial") && has_part(head, "AOI") && has_part(head, "Side");
+      begins_line(head, "ScatterRadial") && begins_line(head, "AOI") && begins_line(head, "Side");
   if (is_light_tools) return "is a BSDF of LightTools" + unread;
   if (is_radiance_function(text)) return "is a function file of Radiance (.cal)" + unread;
   constexpr std::size_t kHeadOfSpectrum = 400;
   const std::string start = lower_case(text.substr(0, kHeadOfSpectrum));
   const std::string spectrum =
       ", which has no directions: a spectrum alone is no BRDF; " + std::string(kExportAsCsv);
-  if (start.starts_with("##title") || has_part(start, "##jcamp-dx"))
+  if (start.starts_with("##title") || begins_line(start, "##jcamp-dx"))
     return "is a spectrum in JCAMP-DX" + spectrum;
   if (start.starts_with("pe ") && has_part(start, "peds"))
     return "is a spectrum of PerkinElmer (ASCII)" + spectrum;

@@ -3,21 +3,6 @@
 namespace brdf::shader {
 namespace {
 
-// A set of stretches, as bits.
-class Stretches {
- public:
-  Stretches(std::size_t count, bool all) : words_((count + 63) / 64, all ? ~std::uint64_t(0) : 0) {}
-  bool has(std::size_t k) const { return words_[k / 64] >> (k % 64) & 1; }
-  void add(std::size_t k) { words_[k / 64] |= std::uint64_t(1) << (k % 64); }
-  void keep(const Stretches& other) {
-    for (std::size_t k = 0; k < words_.size(); ++k) words_[k] &= other.words_[k];
-  }
-  friend bool operator==(const Stretches&, const Stretches&) = default;
-
- private:
-  std::vector<std::uint64_t> words_;
-};
-
 int count_of_next(const Stretch& s) {
   return s.end == End::stop ? 0 : s.end == End::branch ? 2 : 1;
 }
@@ -42,6 +27,24 @@ std::vector<Stretches> postdominators(const Program& p) {
 }
 
 }  // namespace
+
+std::vector<Stretches> dominators(const Program& p) {
+  const std::size_t count = p.stretches.size();
+  std::vector<Stretches> out(count, Stretches(count, true));
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<Stretches> of(count, Stretches(count, true));
+    of[0] = Stretches(count, false);
+    for (std::size_t k = 0; k < count; ++k)
+      for (int j = 0; j < count_of_next(p.stretches[k]); ++j) of[p.stretches[k].next[j]].keep(out[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+      of[k].add(k);
+      changed = changed || !(of[k] == out[k]);
+    }
+    out = std::move(of);
+  }
+  return out;
+}
 
 std::vector<std::vector<std::uint32_t>> controlled_stretches(const Program& p) {
   const std::vector<Stretches> after = postdominators(p);

@@ -9,6 +9,24 @@
 
 namespace brdf::shader {
 
+// A set of stretches, as bits.
+class Stretches {
+ public:
+  Stretches(std::size_t count, bool all) : words_((count + 63) / 64, all ? ~std::uint64_t(0) : 0) {}
+  bool has(std::size_t k) const { return words_[k / 64] >> (k % 64) & 1; }
+  void add(std::size_t k) { words_[k / 64] |= std::uint64_t(1) << (k % 64); }
+  void keep(const Stretches& other) {
+    for (std::size_t k = 0; k < words_.size(); ++k) words_[k] &= other.words_[k];
+  }
+  friend bool operator==(const Stretches&, const Stretches&) = default;
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+// Returns, for each stretch, the stretches through which all paths from the start lead to it, and itself.
+std::vector<Stretches> dominators(const Program& program);
+
 // Returns, for each stretch that ends with a branch, the stretches that run on some path from the branch to
 // the point where all its paths meet again; empty for other stretches. Values written there depend on the
 // condition.

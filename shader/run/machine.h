@@ -25,26 +25,54 @@ struct EndlessLoop {
 };
 
 constexpr std::size_t kMostStepsRun = 200'000;  // per evaluation
+// Directions evaluated together. g++ replaces a loop of up to 16 turns by its turns, which it does not
+// vectorise.
+constexpr int kLanes = 32;
 
 namespace detail {
+
+template <class T, int W, class Lanes>
+[[gnu::always_inline]] inline void run_steps(const Step* steps, std::size_t count, Bank<T, W>& bank,
+                                             const Lanes& lanes) {
+  for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, lanes);
+}
+template <class B, int N, int W, class Lanes>
+[[gnu::always_inline]] inline void run_steps(const Step* steps, std::size_t count, Bank<Dual<B, N>, W>& bank,
+                                             const Lanes& lanes) {
+  for (std::size_t k = 0; k < count; ++k)
+    bank.has_partials(steps[k]) ? run_step(steps[k], bank, lanes) : run_step(steps[k], bank.values(), lanes);
+}
+
+template <class T>
+inline constexpr bool is_plain = std::floating_point<T>;
+template <class B, int N>
+inline constexpr bool is_plain<Dual<B, N>> = std::floating_point<B>;
 
 // Runs the steps of a stretch, compiled for each CPU generation if lanes are plain numbers. For other
 // scalars g++ does not inline the operations into the clones, and each call between code for two
 // generations costs about 100 ns.
 template <class T, int W>
 BRDF_CLONES void run_clone(const Step* steps, std::size_t count, Bank<T, W>& bank) {
-  for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
+  run_steps(steps, count, bank, AllLanes<W>{});
 }
+// Runs of plain numbers, one by one and in kLanes, are compiled in shader/evaluate.cpp alone.
+void run_numbers(const Step* steps, std::size_t count, Bank<float, 1>& bank);
+void run_numbers(const Step* steps, std::size_t count, Bank<double, 1>& bank);
+void run_numbers(const Step* steps, std::size_t count, Bank<float, kLanes>& bank);
+void run_numbers(const Step* steps, std::size_t count, Bank<double, kLanes>& bank);
+
 template <class T, int W>
 void run_all(const Step* steps, std::size_t count, Bank<T, W>& bank) {
-  if constexpr (std::floating_point<T>)
+  if constexpr ((std::same_as<T, float> || std::same_as<T, double>)&&(W == 1 || W == kLanes))
+    run_numbers(steps, count, bank);
+  else if constexpr (is_plain<T>)
     run_clone(steps, count, bank);
   else
-    for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, AllLanes<W>{});
+    run_steps(steps, count, bank, AllLanes<W>{});
 }
 template <class T, int W>
 void run_some(const Step* steps, std::size_t count, Bank<T, W>& bank, const SomeLanes& lanes) {
-  for (std::size_t k = 0; k < count; ++k) run_step(steps[k], bank, lanes);
+  run_steps(steps, count, bank, lanes);
 }
 
 }  // namespace detail

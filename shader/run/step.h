@@ -11,6 +11,7 @@
 
 #include "shader/program/half.h"
 #include "shader/program/program.h"
+#include "shader/run/bank.h"
 #include "shader/run/functions.h"
 
 namespace brdf::shader {
@@ -19,7 +20,7 @@ namespace brdf::shader {
 template <int W>
 struct AllLanes {
   template <class Body>
-  void operator()(const Body& body) const {
+  [[gnu::always_inline]] void operator()(const Body& body) const {
 #if !defined(__clang__)
 #pragma GCC ivdep
 #endif
@@ -33,31 +34,6 @@ struct SomeLanes {
   void operator()(const Body& body) const {
     for (int k = 0; k < count; ++k) body(lanes[k]);
   }
-};
-
-// The numbers and integers of a run.
-template <class T, int W>
-class Bank {
- public:
-  explicit Bank(const Program& p)
-      : numbers_(std::size_t(std::max(p.numbers, 1u)) * W, Functions<T>::number(0)),
-        integers_(std::size_t(std::max(p.integers, 1u)) * W),
-        tables_(p.tables) {
-    for (const Program::Constant& c : p.constants) set(c.slot, Functions<T>::number(c.value));
-    for (const Program::IntegerConstant& c : p.integer_constants) std::fill_n(integer(c.slot), W, c.value);
-  }
-  T* number(std::uint32_t slot) { return numbers_.data() + std::size_t(slot) * W; }
-  std::uint32_t* integer(std::uint32_t slot) { return integers_.data() + std::size_t(slot) * W; }
-  const std::vector<float>& table(std::uint32_t which) const { return tables_[which]->values; }
-  const T* number(std::uint32_t slot) const { return numbers_.data() + std::size_t(slot) * W; }
-  // Sets the same value in all lanes.
-  void set(std::uint32_t slot, const T& value) { std::fill_n(number(slot), W, value); }
-  void set_integer(std::uint32_t slot, std::uint32_t value) { std::fill_n(integer(slot), W, value); }
-
- private:
-  std::vector<T> numbers_;
-  std::vector<std::uint32_t> integers_;
-  std::vector<std::shared_ptr<const TexelTable>> tables_;
 };
 
 namespace detail {
@@ -116,37 +92,34 @@ template <class T, int W, class Lanes>
   using F = Functions<T>;
   const auto num = [&](std::uint32_t slot) { return bank.number(slot); };
   const auto whole = [&](std::uint32_t slot) { return bank.integer(slot); };
-  const auto unary = [&](auto&& f) {
-    T* const r = num(s.r);
-    const T* const a = num(s.a);
+  const auto unary = [&](auto&& f) __attribute__((always_inline)) {
+    const auto r = num(s.r), a = num(s.a);
     lanes([&](int l) { r[l] = f(a[l]); });
   };
-  const auto binary = [&](auto&& f) {
-    T* const r = num(s.r);
-    const T *const a = num(s.a), *const b = num(s.b);
+  const auto binary = [&](auto&& f) __attribute__((always_inline)) {
+    const auto r = num(s.r), a = num(s.a), b = num(s.b);
     lanes([&](int l) { r[l] = f(a[l], b[l]); });
   };
-  const auto ternary = [&](auto&& f) {
-    T* const r = num(s.r);
-    const T *const a = num(s.a), *const b = num(s.b), *const c = num(s.c);
+  const auto ternary = [&](auto&& f) __attribute__((always_inline)) {
+    const auto r = num(s.r), a = num(s.a), b = num(s.b), c = num(s.c);
     lanes([&](int l) { r[l] = f(a[l], b[l], c[l]); });
   };
-  const auto test = [&](auto&& f) {
+  const auto test = [&](auto&& f) __attribute__((always_inline)) {
     std::uint32_t* const r = whole(s.r);
-    const T *const a = num(s.a), *const b = num(s.b);
+    const auto a = num(s.a), b = num(s.b);
     lanes([&](int l) { r[l] = f(a[l], b[l]); });
   };
-  const auto probe = [&](auto&& f) {
+  const auto probe = [&](auto&& f) __attribute__((always_inline)) {
     std::uint32_t* const r = whole(s.r);
-    const T* const a = num(s.a);
+    const auto a = num(s.a);
     lanes([&](int l) { r[l] = f(a[l]); });
   };
-  const auto made = [&](auto&& f) {
-    T* const r = num(s.r);
+  const auto made = [&](auto&& f) __attribute__((always_inline)) {
+    const auto r = num(s.r);
     const std::uint32_t* const a = whole(s.a);
     lanes([&](int l) { r[l] = f(a[l]); });
   };
-  const auto integer = [&](auto&& f) {
+  const auto integer = [&](auto&& f) __attribute__((always_inline)) {
     std::uint32_t* const r = whole(s.r);
     const std::uint32_t *const a = whole(s.a), *const b = whole(s.b);
     lanes([&](int l) { r[l] = f(a[l], b[l]); });
@@ -254,10 +227,9 @@ template <class T, int W, class Lanes>
     case Op::fma:
       return ternary([](const T& a, const T& b, const T& c) { return a * b + c; });
     case Op::select: {
-      T* const r = num(s.r);
+      const auto r = num(s.r), b = num(s.b), c = num(s.c);
       const std::uint32_t* const a = whole(s.a);
-      const T *const b = num(s.b), *const c = num(s.c);
-      return lanes([&](int l) { r[l] = pick(a[l] != 0, b[l], c[l]); });
+      return lanes([&](int l) { r[l] = pick<T>(a[l] != 0, b[l], c[l]); });
     }
     case Op::equal:
       return test([](const T& a, const T& b) { return std::uint32_t(a == b); });
@@ -370,7 +342,7 @@ template <class T, int W, class Lanes>
       return lanes([&](int l) { r[l] = a[l] != 0 ? b[l] : c[l]; });
     }
     case Op::load_number: {
-      T* const r = num(s.r);
+      const auto r = num(s.r);
       const std::uint32_t* const at = whole(s.b);
       return lanes([&](int l) { r[l] = num(s.a + std::min(at[l], s.c - 1))[l]; });
     }
@@ -380,7 +352,7 @@ template <class T, int W, class Lanes>
       return lanes([&](int l) { r[l] = whole(s.a + std::min(at[l], s.c - 1))[l]; });
     }
     case Op::store_number: {
-      const T* const a = num(s.a);
+      const auto a = num(s.a);
       const std::uint32_t* const at = whole(s.b);
       return lanes([&](int l) { num(s.r + std::min(at[l], s.c - 1))[l] = a[l]; });
     }

@@ -66,9 +66,9 @@ const Registered text(
       static shader::Compiler compiler;
       shader::Function f =
           shader::make_function(shader::parse_source(name, std::string(input)), {}, compiler);
-      run_function<float, 16>(f);
+      run_function<float, shader::kLanes>(f);
       run_function<double, 1>(f);
-      run_function<Dual<double, 4>, 1>(f);
+      run_function<Dual<double, 2>, shader::kLanes>(f);
       if (std::hash<std::string_view>{}(input) % 16 == 0) make_reflectance(std::move(f));
     },
     mutate_text);

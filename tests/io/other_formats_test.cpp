@@ -89,6 +89,14 @@ TEST(OtherFormats, AreNotSeenInTables) {
   for (const char* text :
        {"1\n500\n.5 0 .5 3.14 .2\n", "1\n0 90 3\n.1 .2\n", "A firm\n1\n1\n1\n0\n3\n45\na\n"})
     EXPECT_THAT(message(text), testing::Not(AnyOf(HasSubstr("Radiance"), HasSubstr("EULUMDAT")))) << text;
+  // Words of another program within a comment, as a note of the laboratory has them.
+  for (const char* comment :
+       {"converted from ##JCAMP-DX=4.24", "not TILT=NONE", "Side of ScatterRadial at AOI"})
+    EXPECT_EQ(read_samples(Content{"t.csv", std::string("# ") + comment +
+                                                "\ntheta_i,phi_i,theta_o,phi_o,f\n30,0,40,180,0.3\n"})
+                  .theta_i.size(),
+              1u)
+        << comment;
   EXPECT_FALSE(may_be_material(Content{"f.cal", "{ a gloss }\nf(x) = .3 * x;\n"}));
   EXPECT_TRUE(may_be_material(Content{"m.json", R"({"form": "ward", "a": {}})"}));
 }

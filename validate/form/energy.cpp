@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "brdf/integrals.h"
@@ -133,6 +134,7 @@ class EnergySearch {
     search.finest = 1e-6;
     search.seed = options_.seed;
     search.budget = options_.budget;
+    search.any_thread = true;
     // Outside code may have a dozen parameters; the cost of the climbs is held to that of a form.
     constexpr std::size_t kFew = 7;
     if (!full && dimensions > kFew) {
@@ -267,7 +269,7 @@ class EnergySearch {
   const Fixed fixed_;
   bool linear_ = false, turns_ = false;
   std::size_t parameters_ = 0;
-  long evaluations_ = 0;
+  std::atomic<long> evaluations_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Limits how long the searches of a check may run.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 
 namespace brdf::validate {
@@ -31,7 +32,7 @@ class Budget {
 
   Clock::time_point start_ = Clock::now();
   double seconds_;
-  long looked_at_ = 0, left_out_ = 0;
+  std::atomic<long> looked_at_ = 0, left_out_ = 0;
 };
 
 }  // namespace brdf::validate

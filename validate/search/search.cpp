@@ -5,6 +5,7 @@
 
 #include "brdf/low_discrepancy.h"
 #include "brdf/random.h"
+#include "io/files/parallel.h"
 
 namespace brdf::validate {
 namespace {
@@ -96,9 +97,15 @@ Best maximise(const Objective& whole, std::size_t dimensions, const SearchOption
               const std::vector<std::vector<double>>& extra, const Objective& whole_exact) {
   const Objective f = within(options.budget, whole), exact = within(options.budget, whole_exact);
   std::vector<Best> points;
-  const auto add = [&](const std::vector<double>& point) { points.push_back({point, safe(f(point)), 1}); };
-  for (const auto& point : extra) add(point);
-  for (std::size_t k = 0; k < options.cover; ++k) add(cover_point(k, dimensions, options.seed));
+  const auto for_each_point = [&](auto&& work) {
+    io::parallel_for(
+        points.size(), [&](std::size_t k) { work(points[k]); },
+        options.any_thread ? io::all_processors() : 1);
+  };
+  for (const auto& point : extra) points.push_back({point, 0, 1});
+  for (std::size_t k = 0; k < options.cover; ++k)
+    points.push_back({cover_point(k, dimensions, options.seed), 0, 1});
+  for_each_point([&](Best& b) { b.value = safe(f(b.point)); });
   long calls = long(points.size());
   // Keeps the best points that are at least `apart` from one another: several climbs to one summit would
   // find nothing new.
@@ -113,16 +120,14 @@ Best maximise(const Objective& whole, std::size_t dimensions, const SearchOption
   };
   if (dimensions > 0) {
     keep_best(options.starts, 0.03);
-    for (Best& b : points) {
-      b = climb(f, b.point, b.value, 0.1, options.coarse, options.steps);
-      calls += b.calls;
-    }
+    for_each_point([&](Best& b) { b = climb(f, b.point, b.value, 0.1, options.coarse, options.steps); });
+    for (const Best& b : points) calls += b.calls;
     keep_best(options.polish, 10 * options.coarse);
-    for (Best& b : points) {
+    for_each_point([&](Best& b) {
       if (exact) b.value = safe(whole_exact(b.point));
       b = climb(exact ? exact : f, b.point, b.value, options.coarse, options.finest, options.steps);
-      calls += b.calls + 1;
-    }
+    });
+    for (const Best& b : points) calls += b.calls + 1;
   }
   keep_best(1, 0);
   points.front().calls = calls;

@@ -18,6 +18,7 @@ struct SearchOptions {
   std::size_t polish = 2;    // number of best summits that are refined further
   double finest = 1e-7;      // step at which the refinement ends
   std::uint64_t seed = 1;    // shifts the cover
+  bool any_thread = false;   // the function may be called on several threads at a time
   Budget* budget = nullptr;  // points beyond it are not evaluated and count as lowest
 };
 
