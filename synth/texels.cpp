@@ -134,33 +134,32 @@ Vec3<double> Surface::normal(double x, double y) const {
   return {a, b, std::sqrt(1 - a * a - b * b)};
 }
 
-texel::Planes Surface::truth() const {
+texel::Planes Surface::head_of_truth() const {
   texel::Planes out{options_.width, options_.height, {}, {}};
-  const auto add = [&](std::string name) {
-    out.names.push_back(std::move(name));
-    out.values.emplace_back(out.width * out.height);
-  };
   for (std::size_t t = 0; t < material_.terms.size(); ++t) {
     const ReflectanceInfo& form = info(material_.terms[t].form);
-    for (const ParameterInfo& p : form.shape) add(prefix(material_, t) + std::string(p.name));
+    for (const ParameterInfo& p : form.shape) out.names.push_back(prefix(material_, t) + std::string(p.name));
     for (const std::string& channel : material_.channels)
       for (const ParameterInfo& p : form.weights)
-        add(texel::plane_name(prefix(material_, t) + std::string(p.name), channel));
+        out.names.push_back(texel::plane_name(prefix(material_, t) + std::string(p.name), channel));
   }
-  for (const char* name : {"normal.x", "normal.y", "normal.z"}) add(name);
-  for (std::size_t k = 0; k < out.width * out.height; ++k) {
-    const double x = double(k % out.width), y = double(k / out.width);
+  for (const char* name : {"normal.x", "normal.y", "normal.z"}) out.names.emplace_back(name);
+  return out;
+}
+
+void Surface::fill_truth(const texel::Region& rows, std::vector<std::vector<float>>& values) const {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double x = double(rows.x + k % rows.width), y = double(rows.y + k / rows.width);
     const Material here = material(x, y);
     const Vec3<double> n = normal(x, y);
     std::size_t plane = 0;
     for (const Term& term : here.terms) {
-      for (const double p : term.shape[0]) out.values[plane++][k] = float(p);
+      for (const double p : term.shape[0]) values[plane++][k] = float(p);
       for (const auto& channel : term.weights)
-        for (const double p : channel) out.values[plane++][k] = float(p);
+        for (const double p : channel) values[plane++][k] = float(p);
     }
-    for (const double component : {n.x, n.y, n.z}) out.values[plane++][k] = float(component);
+    for (const double component : {n.x, n.y, n.z}) values[plane++][k] = float(component);
   }
-  return out;
 }
 
 io::SampleTable stack_directions(const TexelOptions& options) {
@@ -223,28 +222,35 @@ void record(const Material& material, const TexelOptions& o, io::SampleTable& li
   lights.add_comment("saturation", o.saturation > 0 ? io::to_text(o.saturation) : "none");
 }
 
-// A surface evaluated at all texels.
+// A surface evaluated at the texels of some rows.
 struct Grid {
   std::vector<Material> materials;
   std::vector<Vec3<double>> normals;
 };
 
-Grid sampled(const Surface& surface, const TexelOptions& o, double shift_x, double shift_y) {
-  Grid grid;
-  for (std::size_t k = 0; k < o.width * o.height; ++k) {
-    const double x = double(k % o.width) + shift_x, y = double(k / o.width) + shift_y;
+struct Shift {
+  double x = 0, y = 0;
+};
+
+void sample(const Surface& surface, const texel::Region& rows, const Shift& shift, Grid& grid) {
+  grid.materials.clear(), grid.normals.clear();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double x = double(rows.x + k % rows.width) + shift.x, y = double(rows.y + k / rows.width) + shift.y;
     grid.materials.push_back(surface.material(x, y));
     grid.normals.push_back(surface.normal(x, y));
   }
-  return grid;
 }
 
-// Evaluates the surface as a slightly shifted image records it.
-Grid misplaced(const Surface& surface, const TexelOptions& o, std::uint64_t image) {
+// The shift of an image against the others.
+Shift shift_of(const TexelOptions& o, std::uint64_t image) {
+  if (o.registration <= 0) return {};
   NormalPairs random(o.seed + 0xbf58476d1ce4e5b9u * (image + 1));
   const NormalPairs::Pair shift = random.next();
-  return sampled(surface, o, o.registration * shift.first, o.registration * shift.second);
+  return {o.registration * shift.first, o.registration * shift.second};
 }
+
+// A surface of more texels is evaluated again for every image, because a texel takes about 300 bytes.
+constexpr std::size_t kMostKept = std::size_t(1) << 20;
 
 }  // namespace
 
@@ -253,8 +259,11 @@ void write_stack(const std::filesystem::path& folder, const Material& material, 
   check(options);
   check_folder(folder, options);
   const Surface surface(material, options);
-  const std::size_t texels = options.width * options.height, channels = material.channels.size();
-  const Grid in_place = sampled(surface, options, 0, 0);
+  const std::size_t channels = material.channels.size();
+  const texel::Region all{0, 0, options.width, options.height};
+  const bool is_kept = options.registration <= 0 && all.size() <= kMostKept;
+  Grid kept;
+  if (is_kept) sample(surface, all, {}, kept);
   io::SampleTable lights = stack_directions(options);
   record(material, options, lights);
   const DirectionArrays<double> arrays = io::unit_directions(lights);
@@ -266,28 +275,35 @@ void write_stack(const std::filesystem::path& folder, const Material& material, 
       int(directions.count), int(io::all_processors()), progress,
       [&](int k) {
         NormalPairs random(options.seed + 0x9e3779b97f4a7c15u * std::uint64_t(k + 1));
-        texel::Planes image{options.width, options.height, layers,
-                            std::vector(channels, std::vector<float>(texels))};
-        std::vector<double> value(channels);
-        const Grid moved = options.registration > 0 ? misplaced(surface, options, std::uint64_t(k)) : Grid();
-        const Grid& grid = options.registration > 0 ? moved : in_place;
+        const Shift shift = shift_of(options, std::uint64_t(k));
         const Vec3<double> light = directions.wi(std::size_t(k)), viewer = directions.wo(std::size_t(k));
-        for (std::size_t t = 0; t < texels; ++t) {
-          const Vec3<double> place = texel::place_of(options.rig, options.width, options.height,
-                                                     double(t % options.width), double(t / options.width));
-          const Vec3<double> wi = texel::direction_from(place, light, options.rig.light_distance),
-                             wo = texel::direction_from(place, viewer, options.rig.viewer_distance);
-          const double irradiance = texel::irradiance_at(place, light, options.rig.light_distance);
-          eval_cos(grid.materials[t], in_frame_of(grid.normals[t], wi), in_frame_of(grid.normals[t], wo),
-                   value);
-          for (std::size_t c = 0; c < channels; ++c)
-            image.values[c][t] = reading(value[c] * irradiance, options, random);
-        }
-        texel::write_planes(folder / image_name(k), image);
+        std::vector<double> value(channels);
+        Grid own;
+        const auto fill = [&](const texel::Region& rows, std::vector<std::vector<float>>& out) {
+          if (!is_kept) sample(surface, rows, shift, own);
+          const Grid& grid = is_kept ? kept : own;
+          const std::size_t before = is_kept ? rows.y * rows.width : 0;
+          for (std::size_t t = 0; t < rows.size(); ++t) {
+            const Vec3<double> place =
+                texel::place_of(options.rig, options.width, options.height, double(t % rows.width),
+                                double(rows.y + t / rows.width));
+            const Vec3<double> wi = texel::direction_from(place, light, options.rig.light_distance),
+                               wo = texel::direction_from(place, viewer, options.rig.viewer_distance);
+            const double irradiance = texel::irradiance_at(place, light, options.rig.light_distance);
+            const Vec3<double>& normal = grid.normals[before + t];
+            eval_cos(grid.materials[before + t], in_frame_of(normal, wi), in_frame_of(normal, wo), value);
+            for (std::size_t c = 0; c < channels; ++c)
+              out[c][t] = reading(value[c] * irradiance, options, random);
+          }
+        };
+        texel::write_planes(folder / image_name(k), {options.width, options.height, layers, {}}, fill);
         return 0;
       },
       [](int) {});
-  texel::write_planes(folder / "truth" / "truth.exr", surface.truth());
+  texel::write_planes(folder / "truth" / "truth.exr", surface.head_of_truth(),
+                      [&](const texel::Region& rows, std::vector<std::vector<float>>& values) {
+                        surface.fill_truth(rows, values);
+                      });
   io::write_samples(folder / texel::kLightsFile, lights);
 }
 

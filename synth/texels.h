@@ -50,8 +50,9 @@ class Surface {
   // Return the material and the normal at a point. Integer coordinates are the centre of a texel.
   Material material(double x, double y) const;
   Vec3<double> normal(double x, double y) const;
-  // Returns every parameter and the normal as planes.
-  texel::Planes truth() const;
+  // Return every parameter and the normal as planes: the names of all planes, and the values of some rows.
+  texel::Planes head_of_truth() const;
+  void fill_truth(const texel::Region& rows, std::vector<std::vector<float>>& values) const;
 
  private:
   double field(std::size_t which, double x, double y) const;
@@ -65,7 +66,8 @@ class Surface {
 io::SampleTable stack_directions(const TexelOptions& options);
 
 // Writes a stack into `folder` (texel/stack.h), and the ground truth to truth/truth.exr in this folder. The
-// same arguments give the same files on every machine. Throws InputError for settings out of range.
+// same arguments give the same files on every machine. Memory: about 300 bytes for each texel of 64 rows and a
+// compressed image per thread, and for each texel of a stack of up to a million texels. Throws InputError for settings out of range.
 void write_stack(const std::filesystem::path& folder, const Material& material, const TexelOptions& options,
                  const io::Progress& progress = {});
 

@@ -17,26 +17,31 @@ namespace {
 
 constexpr unsigned kTile = 64;
 
-std::string to_exr(const Planes& planes) {
-  Imf::Header header(int(planes.width), int(planes.height));
+std::string to_exr(const Planes& head, const FillRows& fill) {
+  Imf::Header header(int(head.width), int(head.height));
   header.setTileDescription({kTile, kTile, Imf::ONE_LEVEL});
-  Imf::FrameBuffer frame;
-  std::vector<std::vector<half>> halves;  // of each plane, if the file stores 16-bit floats
-  if (planes.in_half)
-    for (const std::vector<float>& plane : planes.values) halves.emplace_back(plane.begin(), plane.end());
-  const Imf::PixelType type = planes.in_half ? Imf::HALF : Imf::FLOAT;
-  for (std::size_t k = 0; k < planes.names.size(); ++k) {
-    header.channels().insert(planes.names[k], Imf::Channel(type));
-    const void* values =
-        planes.in_half ? static_cast<const void*>(halves[k].data()) : planes.values[k].data();
-    frame.insert(planes.names[k], Imf::Slice::Make(type, values, header.dataWindow()));
-  }
-  for (const auto& [key, value] : planes.attributes) header.insert(key, Imf::StringAttribute(value));
+  const Imf::PixelType type = head.in_half ? Imf::HALF : Imf::FLOAT;
+  for (const std::string& name : head.names) header.channels().insert(name, Imf::Channel(type));
+  for (const auto& [key, value] : head.attributes) header.insert(key, Imf::StringAttribute(value));
   Imf::StdOSStream bytes;
   {
     Imf::TiledOutputFile file(bytes, header, 1);
-    file.setFrameBuffer(frame);
-    file.writeTiles(0, file.numXTiles() - 1, 0, file.numYTiles() - 1);
+    std::vector<std::vector<float>> values(head.names.size());
+    std::vector<std::vector<half>> halves(head.names.size());  // if the file stores 16-bit floats
+    for (const Region& rows : divided({0, 0, head.width, head.height}, head.width, kTile)) {
+      for (std::vector<float>& plane : values) plane.resize(rows.size());
+      fill(rows, values);
+      const Imath::Box2i window({0, int(rows.y)}, {int(rows.width) - 1, int(rows.y + rows.height) - 1});
+      Imf::FrameBuffer frame;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        if (head.in_half) halves[k].assign(values[k].begin(), values[k].end());
+        const void* from = head.in_half ? static_cast<const void*>(halves[k].data()) : values[k].data();
+        frame.insert(head.names[k], Imf::Slice::Make(type, from, window));
+      }
+      file.setFrameBuffer(frame);
+      const int row = int(rows.y / kTile);
+      file.writeTiles(0, file.numXTiles() - 1, row, row);
+    }
   }
   return bytes.str();
 }
@@ -61,7 +66,14 @@ std::string plane_name(const std::string& parameter, const std::string& channel)
 }
 
 void write_planes(const std::filesystem::path& path, const Planes& planes) {
-  io::write_file_atomically(path, to_exr(planes));
+  write_planes(path, planes, [&](const Region& rows, std::vector<std::vector<float>>& values) {
+    for (std::size_t k = 0; k < values.size(); ++k)
+      std::copy_n(planes.values[k].begin() + long(rows.y * rows.width), rows.size(), values[k].begin());
+  });
+}
+
+void write_planes(const std::filesystem::path& path, const Planes& head, const FillRows& fill) {
+  io::write_file_atomically(path, to_exr(head, fill));
 }
 
 Planes read_planes(const std::filesystem::path& path) {

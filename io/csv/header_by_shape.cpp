@@ -17,14 +17,13 @@ bool is_number_in(Dialect& dialect, std::string_view field) {
   return dialect.parse(field, number);
 }
 
-// Returns the fields of a line that looks like a row of the table; otherwise an empty list.
-Fields fields_of_row(std::string_view line, Dialect& dialect) {
+// Returns the number of fields of a line that looks like a row of the table; 0 for other lines.
+std::size_t fields_in_row(std::string_view line, Dialect dialect) {
   Fields fields;
-  if (!dialect.split_header(line, fields)) return {};
-  const auto numbers =
-      std::ranges::count_if(fields, [&](std::string_view f) { return is_number_in(dialect, f); });
-  return std::size_t(numbers) >= kFewestNumbers && 2 * std::size_t(numbers) >= fields.size() ? fields
-                                                                                             : Fields();
+  if (!dialect.split_header(line, fields)) return 0;
+  const auto numbers = std::size_t(
+      std::ranges::count_if(fields, [&](std::string_view f) { return is_number_in(dialect, f); }));
+  return numbers >= kFewestNumbers && 2 * numbers >= fields.size() ? fields.size() : 0;
 }
 
 }  // namespace
@@ -43,36 +42,36 @@ bool CsvHeader::read_for_proposal(std::string_view line, std::vector<ColumnDoubt
 bool CsvHeader::read_by_shape(std::string_view line) {
   LineReader ahead = reader_;
   std::vector<std::pair<std::size_t, std::string_view>> above;  // lines that are not rows
-  Fields row;
+  std::size_t width = 0;                                        // of a row
   for (std::size_t count = 0; count < kMostLinesAhead; ++count) {
-    Dialect dialect = dialect_;
     if (!line.empty() && !line.starts_with(comment_sign())) {
-      row = fields_of_row(line, dialect);
-      if (!row.empty()) break;
+      width = fields_in_row(line, dialect_);
+      if (width > 0) break;
       above.emplace_back(ahead.line(), line);
     }
     if (!ahead.next(line)) break;
     line = trimmed(line);
   }
-  if (row.empty()) fail("no header row and no row of numbers are found");
-  const auto has_width = [&](std::string_view text, Fields& fields) {
-    Dialect dialect = dialect_;
-    return dialect.split_header(text, fields) && fields.size() == row.size();
-  };
+  if (width == 0) fail("no header row and no row of numbers are found");
   Fields fields;
-  while (!above.empty() && has_width(above.back().second, fields) && above.size() > 1 &&
+  Dialect dialect;  // holds the text of the fields
+  const auto has_width = [&](std::string_view text) {
+    dialect = dialect_;
+    return dialect.split_header(text, fields) && fields.size() == width;
+  };
+  while (!above.empty() && has_width(above.back().second) && above.size() > 1 &&
          std::ranges::all_of(fields, is_unit))
     above.pop_back();  // a row of units
-  if (!above.empty() && has_width(above.back().second, fields)) {
+  if (!above.empty() && has_width(above.back().second)) {
     for (std::string_view skipped; reader_.line() < above.back().first;) reader_.next(skipped);
     read_names(above.back().second);
     return false;
   }
-  if (above.empty() && has_width(last_comment_, fields)) {
+  if (above.empty() && has_width(last_comment_)) {
     read_names(last_comment_);
     return true;
   }
-  if (!above.empty()) fail("the lines above the numbers do not name " + plural(row.size(), "column"));
+  if (!above.empty()) fail("the lines above the numbers do not name " + plural(width, "column"));
   return true;
 }
 

@@ -296,6 +296,14 @@ TEST(Proposal, ColumnsOfATableWithoutAHeaderRowGetPositions) {
   EXPECT_EQ(proposal.open, 4u);
 }
 
+// Quotation marks are removed from fields, which then have memory of their own.
+TEST(Proposal, ARowOfUnitsInQuotesIsNoHeaderRow) {
+  const TableProposal proposal = propose_layout(
+      Content{"t", "\"Einfall 1\";\"Ausfall 1\";\"Signal\"\n\"(deg)\";\"(deg)\";\"-\"\n30;40;2\n30;50;3\n"});
+  ASSERT_EQ(proposal.layout["columns"].size(), 3u);
+  EXPECT_EQ(proposal.layout["columns"][1]["name"], "Ausfall 1");
+}
+
 TEST(Proposal, WordsAmongNumbersAreFillValues) {
   const std::string text =
       "theta_i,phi_i,theta_o,phi_o,fr\n30,0,20,180,.5\n30,0,40,180,n/a\n30,0,50,180,9999\n30,0,60,180,9999\n";

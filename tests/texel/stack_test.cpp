@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "io/files/digest.h"
 #include "io/files/error.h"
 #include "io/files/png.h"
 #include "io/files/temporary.h"
@@ -152,6 +153,31 @@ TEST_F(Stacks, KeepWhatPlanesHold) {
   EXPECT_TRUE(std::isnan(back.values[0][1]));
   EXPECT_THAT(back.attributes, testing::Contains(testing::Pair("form", "a sum")));
   EXPECT_EQ(back.find("none"), nullptr);
+}
+
+// Rows that are computed one part after the other give the file of the whole planes.
+TEST_F(Stacks, AreWrittenInParts) {
+  for (const bool in_half : {false, true}) {
+    constexpr std::size_t kWidth = 70, kHeight = 150;
+    Planes head{kWidth, kHeight, {"alpha", "kd.r"}, {}, {{"form", "a sum"}}, in_half};
+    const auto value = [](std::size_t plane, std::size_t texel) {
+      return float(plane + 1) / float(texel + 3);
+    };
+    Planes whole = head;
+    for (std::size_t k = 0; k < 2; ++k) {
+      whole.values.emplace_back();
+      for (std::size_t t = 0; t < kWidth * kHeight; ++t) whole.values.back().push_back(value(k, t));
+    }
+    write_planes(path() / "whole.exr", whole);
+    std::vector<std::size_t> heights;
+    write_planes(path() / "parts.exr", head, [&](const Region& rows, std::vector<std::vector<float>>& out) {
+      heights.push_back(rows.height);
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t t = 0; t < rows.size(); ++t) out[k][t] = value(k, rows.y * kWidth + t);
+    });
+    EXPECT_EQ(heights, (std::vector<std::size_t>{64, 64, 22}));
+    EXPECT_EQ(io::sha256_of_file(path() / "parts.exr"), io::sha256_of_file(path() / "whole.exr"));
+  }
 }
 
 }  // namespace
