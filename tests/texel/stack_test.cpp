@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "io/files/digest.h"
 #include "io/files/error.h"
 #include "io/files/png.h"
 #include "io/files/temporary.h"
@@ -176,7 +175,12 @@ TEST_F(Stacks, AreWrittenInParts) {
         for (std::size_t t = 0; t < rows.size(); ++t) out[k][t] = value(k, rows.y * kWidth + t);
     });
     EXPECT_EQ(heights, (std::vector<std::size_t>{64, 64, 22}));
-    EXPECT_EQ(io::sha256_of_file(path() / "parts.exr"), io::sha256_of_file(path() / "whole.exr"));
+    const auto bytes_of = [&](const char* name) {
+      std::ifstream in(path() / name, std::ios::binary);
+      return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    EXPECT_GT(bytes_of("whole.exr").size(), 1000u);
+    EXPECT_EQ(bytes_of("parts.exr"), bytes_of("whole.exr"));
   }
 }
 
