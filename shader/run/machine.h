@@ -86,7 +86,7 @@ void run(const Program& program, Bank<T, W>& bank, int lanes = W, std::size_t mo
   constexpr std::uint32_t kDone = ~0u;
   for (int l = lanes; l < W; ++l) at[std::size_t(l)] = kDone;
   std::size_t taken = 0;
-  const std::size_t most = most_steps * (W > 1 ? std::size_t(4) : 1);  // divergent lanes take turns
+  const std::size_t most = most_steps * std::size_t(std::max(W / 4, 1));  // divergent lanes take turns
   for (;;) {
     const std::uint32_t here = *std::ranges::min_element(at);
     if (here == kDone) return;
