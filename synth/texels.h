@@ -66,8 +66,9 @@ class Surface {
 io::SampleTable stack_directions(const TexelOptions& options);
 
 // Writes a stack into `folder` (texel/stack.h), and the ground truth to truth/truth.exr in this folder. The
-// same arguments give the same files on every machine. Memory: about 300 bytes for each texel of 64 rows and a
-// compressed image per thread, and for each texel of a stack of up to a million texels. Throws InputError for settings out of range.
+// same arguments give the same files on every machine. Memory: per thread a compressed image and about 300
+// bytes for each texel of 64 rows; for a stack of up to a million texels, 300 bytes for each texel. Throws
+// InputError for settings out of range.
 void write_stack(const std::filesystem::path& folder, const Material& material, const TexelOptions& options,
                  const io::Progress& progress = {});
 

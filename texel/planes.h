@@ -40,9 +40,9 @@ std::string plane_name(const std::string& parameter, const std::string& channel)
 // channel per plane, with the attributes as strings. The file is written completely or not at all. The same
 // planes give the same bytes.
 void write_planes(const std::filesystem::path& path, const Planes& planes);
-// Writes the same file from rows that `fill` computes, a few rows of all columns at a time and from above, so
-// that the planes need not be in memory. `head` has no values. values[name][texel of the rows] has the size of
-// the rows.
+// Writes the same file from rows that `fill` computes, a few rows of all columns at a time and from above,
+// so that the planes need not be in memory. `head` has no values. values[name][texel of the rows] has the
+// size of the rows.
 using FillRows = std::function<void(const Region& rows, std::vector<std::vector<float>>& values)>;
 void write_planes(const std::filesystem::path& path, const Planes& head, const FillRows& fill);
 // Reads every channel of an image as float. Throws InputError if the file is not an image.
