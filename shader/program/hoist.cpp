@@ -8,17 +8,6 @@
 namespace brdf::shader {
 namespace {
 
-// Calls look(integer, slot) for each slot that the step may read.
-template <class Look>
-void for_each_read(const Step& step, Look&& look) {
-  const Operation& o = operation(step.op);
-  const std::uint32_t slots[] = {step.a, step.b, step.c};
-  for (int k = 0; k < o.count(); ++k) {
-    const std::uint32_t width = k == 0 && o.loads() ? step.c : 1;
-    for (std::uint32_t at = 0; at < width; ++at) look(o.reads_integer(k), slots[k] + at);
-  }
-}
-
 bool reads_any(const Step& step, const SlotSet& slots) {
   bool any = false;
   for_each_read(step, [&](bool integer, std::uint32_t slot) { any = any || slots.of(integer)[slot]; });

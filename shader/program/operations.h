@@ -152,4 +152,15 @@ constexpr const Operation& operation(Op op) {
   return detail::kOperations[std::size_t(op)];
 }
 
+// Calls look(integer, slot) for each slot that the step may read.
+template <class Look>
+void for_each_read(const Step& step, Look&& look) {
+  const Operation& o = operation(step.op);
+  const std::uint32_t slots[] = {step.a, step.b, step.c};
+  for (int k = 0; k < o.count(); ++k) {
+    const std::uint32_t width = k == 0 && o.loads() ? step.c : 1;
+    for (std::uint32_t at = 0; at < width; ++at) look(o.reads_integer(k), slots[k] + at);
+  }
+}
+
 }  // namespace brdf::shader

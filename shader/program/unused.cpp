@@ -42,11 +42,7 @@ void backward(const Stretch& stretch, Live& live, Keep&& keep) {
     keep(k, needed);
     if (!needed) continue;
     if (!o.stores()) live.remove(o.writes_integer(), step.r);
-    const std::uint32_t slots[] = {step.a, step.b, step.c};
-    for (int j = 0; j < o.count(); ++j) {
-      const std::uint32_t width = j == 0 && o.loads() ? step.c : 1;
-      for (std::uint32_t at = 0; at < width; ++at) live.add(o.reads_integer(j), slots[j] + at);
-    }
+    for_each_read(step, [&](bool integer, std::uint32_t slot) { live.add(integer, slot); });
   }
 }
 

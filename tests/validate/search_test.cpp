@@ -75,5 +75,17 @@ TEST(Search, TheCoverIsEvenlySpread) {
   for (const int count : quadrant) EXPECT_NEAR(count, 100, 8);
 }
 
+// Each climb stands for itself, so that threads change nothing.
+TEST(Search, SeveralThreadsFindWhatOneFinds) {
+  const auto f = [](std::span<const double> x) {
+    return std::sin(9 * x[0]) * std::cos(7 * x[1]) - x[2] * x[2];
+  };
+  const Best one = maximise(f, 3, {}, cube_corners(3, 3), f);
+  const Best several = maximise(f, 3, {.any_thread = true}, cube_corners(3, 3), f);
+  EXPECT_EQ(several.point, one.point);
+  EXPECT_EQ(several.value, one.value);
+  EXPECT_EQ(several.calls, one.calls);
+}
+
 }  // namespace
 }  // namespace brdf::validate
