@@ -99,6 +99,7 @@ FitOptions options_for(Metric metric) {
   FitOptions options;
   options.metric = metric;
   options.cross_validation = false;
+  options.aperture = 0.0;
   return options;
 }
 

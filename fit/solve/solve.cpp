@@ -39,7 +39,8 @@ void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref
   r(size) = std::sqrt(std::max(rest, 0.0));
 }
 
-// The cost in the free parameters. Ceres requests cost and Jacobian separately, so the last pass is cached.
+// The cost in the free parameters. Ceres requests cost and Jacobian separately, and returns to the best point
+// after steps that do not improve the cost. Therefore the best pass is kept besides the last one.
 class CompressedCost : public ceres::CostFunction {
  public:
   explicit CompressedCost(const Objective& objective) : objective_(objective) {}
@@ -53,70 +54,97 @@ class CompressedCost : public ceres::CostFunction {
       if (!held[k]) free_.push_back(int(k));
     set_num_residuals(int(free_.size()) + 1);
     mutable_parameter_block_sizes()->assign(1, int(free_.size()));
-    compressed_ = false;
+    for (Pass& pass : kept_) pass.compressed = false;
   }
   const std::vector<int>& free() const { return free_; }
 
   // Returns whether cost and Jacobian are finite at this point. Ceres would find out by itself, but with a
   // message on the terminal.
-  bool finite_at(const double* unknowns) const {
-    for (std::size_t k = 0; k < free_.size(); ++k) p_[std::size_t(free_[k])] = unknowns[k];
-    const Eigen::Index n = Eigen::Index(free_.size());
-    const NormalEquations& e = equations(p_);
-    if (!std::isfinite(e.cost)) return false;
-    if (!compressed_) {
-      jacobian_.resize(n + 1, n);
-      residuals_.resize(n + 1);
-      compress(e, free_, jacobian_, residuals_);
-      compressed_ = true;
-      finite_ = jacobian_.allFinite() && residuals_.allFinite();
-    }
-    return finite_;
-  }
+  bool finite_at(const double* unknowns) const { return compressed_at(unknowns).finite; }
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    if (!finite_at(parameters[0])) return false;
-    std::copy(residuals_.begin(), residuals_.end(), residuals);
+    const Pass& pass = compressed_at(parameters[0]);
+    if (!pass.finite) return false;
+    std::copy(pass.residuals.begin(), pass.residuals.end(), residuals);
     if (jacobians && jacobians[0])
-      std::copy(jacobian_.data(), jacobian_.data() + jacobian_.size(), jacobians[0]);
+      std::copy(pass.jacobian.data(), pass.jacobian.data() + pass.jacobian.size(), jacobians[0]);
     return true;
   }
-  const NormalEquations& equations(std::span<const double> p) const {
-    if (!std::equal(p.begin(), p.end(), last_.begin(), last_.end()) || passes_ == 0) {
-      equations_ = objective_(p);
-      ++passes_;
-      last_.assign(p.begin(), p.end());
-      compressed_ = false;
-    }
-    return equations_;
-  }
+  const NormalEquations& equations(std::span<const double> p) const { return pass_at(p).equations; }
   int passes() const { return passes_; }
+  // Returns whether no step from the best point can lower the cost by more than its rounding. The first
+  // residuals are the part of the cost that the next step is predicted to remove.
+  bool is_settled() const {
+    constexpr double kRounding = 1e-14;
+    const Pass& best = *std::ranges::min_element(kept_, {}, [](const Pass& k) { return k.equations.cost; });
+    const Eigen::Index n = Eigen::Index(free_.size());
+    return best.compressed && best.finite &&
+           best.residuals.head(n).squaredNorm() <= kRounding * best.residuals.squaredNorm();
+  }
 
  private:
+  struct Pass {
+    std::vector<double> p;  // empty before the first pass
+    NormalEquations equations{.cost = HUGE_VAL};
+    bool compressed = false, finite = false;
+    RowMatrix jacobian;
+    Eigen::VectorXd residuals;
+  };
+
+  Pass& pass_at(std::span<const double> p) const {
+    const auto known = std::ranges::find_if(kept_, [&](const Pass& k) { return std::ranges::equal(k.p, p); });
+    if (known != kept_.end()) return *known;
+    // fmin: a cost that is not a number is not the best.
+    const auto cost = [&](std::size_t k) { return std::fmin(kept_[k].equations.cost, HUGE_VAL); };
+    Pass& pass = kept_[cost(0) < cost(1) ? 1 : 0];
+    pass.equations = objective_(p);
+    pass.p.assign(p.begin(), p.end());
+    pass.compressed = false;
+    ++passes_;
+    return pass;
+  }
+  const Pass& compressed_at(const double* unknowns) const {
+    for (std::size_t k = 0; k < free_.size(); ++k) p_[std::size_t(free_[k])] = unknowns[k];
+    Pass& pass = pass_at(p_);
+    if (pass.compressed) return pass;
+    pass.compressed = true;
+    pass.finite = false;
+    if (!std::isfinite(pass.equations.cost)) return pass;
+    const Eigen::Index n = Eigen::Index(free_.size());
+    pass.jacobian.resize(n + 1, n);
+    pass.residuals.resize(n + 1);
+    compress(pass.equations, free_, pass.jacobian, pass.residuals);
+    pass.finite = pass.jacobian.allFinite() && pass.residuals.allFinite();
+    return pass;
+  }
+
   const Objective& objective_;
   std::vector<int> free_;
-  mutable std::vector<double> p_, last_;
-  mutable NormalEquations equations_;
-  mutable bool compressed_ = false, finite_ = false;
-  mutable RowMatrix jacobian_;
-  mutable Eigen::VectorXd residuals_;
+  mutable std::vector<double> p_;
+  mutable std::array<Pass, 2> kept_;
   mutable int passes_ = 0;
 };
 
 // Ends a run that is interrupted or that fails. Without it, Ceres writes to the terminal when it gives up.
 class Watch : public ceres::IterationCallback {
  public:
-  explicit Watch(const std::atomic<bool>* interrupted) : interrupted_(interrupted) {}
+  Watch(const std::atomic<bool>* interrupted, const CompressedCost& cost)
+      : interrupted_(interrupted), cost_(cost) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& iteration) override {
     if (interrupted_ && interrupted_->load()) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
     invalid_ = iteration.iteration == 0 || iteration.step_is_valid ? 0 : invalid_ + 1;
-    return gave_up() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+    if (gave_up()) return ceres::SOLVER_ABORT;
+    settled_ = cost_.is_settled();
+    return settled_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
   bool gave_up() const { return invalid_ >= kMostInvalid; }
+  bool settled() const { return settled_; }
 
  private:
   static constexpr int kMostInvalid = 5;  // the default of Ceres
   const std::atomic<bool>* interrupted_;
+  const CompressedCost& cost_;
   int invalid_ = 0;
+  bool settled_ = false;
 };
 
 Termination termination_of(const ceres::Solver::Summary& summary) {
@@ -169,14 +197,16 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   o.linear_solver_type = free.size() > kManyUnknowns ? ceres::DENSE_NORMAL_CHOLESKY : ceres::DENSE_QR;
   o.logging_type = ceres::SILENT;
   o.num_threads = 1;
-  Watch watch(options.interrupted);
+  Watch watch(options.interrupted, cost);
   o.callbacks.push_back(&watch);
   o.max_num_consecutive_invalid_steps = std::numeric_limits<int>::max();
   ceres::Solver::Summary summary;
   ceres::Solve(o, &problem, &summary);
   for (std::size_t k = 0; k < free.size(); ++k) p[std::size_t(free[k])] = unknowns[k];
-  solution.termination = termination_of(summary);
-  solution.message = watch.gave_up() ? "Five consecutive steps were invalid." : summary.message;
+  solution.termination = watch.settled() ? Termination::converged : termination_of(summary);
+  solution.message = watch.gave_up()   ? "Five consecutive steps were invalid."
+                     : watch.settled() ? "No step lowers the cost by more than its rounding."
+                                       : summary.message;
   solution.iterations += int(summary.iterations.size()) - watch.gave_up();
 }
 

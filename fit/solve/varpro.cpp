@@ -144,16 +144,25 @@ NormalEquations project(const SampleStream& stream, std::vector<double>& p, doub
 Solution solve_projected(const SampleStream& stream, std::span<const double> start,
                          const SolveOptions& options, bool& exact) {
   const std::size_t shapes = stream.model().shape_slots();
-  std::vector<double> p(start.begin(), start.end());
-  double square = 0;
+  std::vector<double> p(start.begin(), start.end()), best;
+  double square = 0, least = HUGE_VAL;
   const Objective objective = [&](std::span<const double> s) {
     std::copy(s.begin(), s.end(), p.begin());
-    return project(stream, p, square);
+    NormalEquations equations = project(stream, p, square);
+    if (equations.cost < least) {
+      least = equations.cost;
+      best = p;
+    }
+    return equations;
   };
   const std::vector<double> low = stream.model().low(), high = stream.model().high();
   Solution s = solve(objective, std::span(start).first(shapes), std::span(low).first(shapes),
                      std::span(high).first(shapes), options);
-  if (!std::equal(s.p.begin(), s.p.end(), p.begin())) objective(std::vector<double>(s.p));
+  const auto is_solution = [&](const std::vector<double>& q) {
+    return q.size() >= shapes && std::equal(s.p.begin(), s.p.end(), q.begin());
+  };
+  if (is_solution(best)) p = std::move(best);
+  if (!is_solution(p)) objective(std::vector<double>(s.p));
   exact = s.cost > kExactShare * square;
   s.p = p;
   s.at_bound.resize(p.size(), 0);

@@ -13,10 +13,11 @@ namespace brdf {
 
 // Returns the root above 1 of x^(d+1) = x + 1, computed by Newton's method.
 constexpr double generalised_golden_ratio(std::size_t dimensions) {
-  long double x = 2;
-  for (int step = 0; step < 60; ++step) {
+  long double x = 2, previous = 0;
+  for (int step = 0; step < 60 && x != previous; ++step) {
     long double power = 1;
     for (std::size_t k = 0; k < dimensions; ++k) power *= x;
+    previous = x;
     x -= (power * x - x - 1) / (static_cast<long double>(dimensions + 1) * power - 1);
   }
   return double(x);
