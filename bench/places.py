@@ -4,7 +4,7 @@
     python3 bench/places.py build/release [--before OTHER/build/release] [--rounds N] [PLACE...]
 
 Both builds take turns, and the least of the rounds counts, so that a busy machine changes both columns alike. The table is written as
-Markdown. The programs of bench/ are built by `ninja -C build/release bench`. Goals are those of an idle machine with two processors.
+Markdown. The programs of bench/ are built by `ninja -C build/release bench`. The goals hold for an idle machine with two processors.
 """
 import argparse
 import os

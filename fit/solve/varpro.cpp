@@ -159,7 +159,7 @@ Solution solve_projected(const SampleStream& stream, std::span<const double> sta
   Solution s = solve(objective, std::span(start).first(shapes), std::span(low).first(shapes),
                      std::span(high).first(shapes), options);
   const auto is_solution = [&](const std::vector<double>& q) {
-    return q.size() >= shapes && std::equal(s.p.begin(), s.p.end(), q.begin());
+    return !q.empty() && std::equal(s.p.begin(), s.p.end(), q.begin());
   };
   if (is_solution(best)) p = std::move(best);
   if (!is_solution(p)) objective(std::vector<double>(s.p));

@@ -128,7 +128,8 @@ class EnergySearch {
     const bool full = options_.effort == Effort::full;
     const std::size_t dimensions = parameters_ + (turns_ ? 2 : 1);
     SearchOptions search;
-    search.cover = full ? 1000 : 100;
+    // A line or a plane needs fewer points than a space for the same distance between neighbours.
+    search.cover = std::min<std::size_t>(full ? 1000 : 100, (full ? 250 : 50) * dimensions);
     search.starts = full ? 12 : 4;
     search.steps = full ? 80 : 45;
     search.finest = 1e-6;

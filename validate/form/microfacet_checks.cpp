@@ -5,6 +5,7 @@
 // deviation is the relative error of G1.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "brdf/quadrature.h"
 #include "brdf/reflectance.h"
@@ -35,13 +36,15 @@ void over_slopes(const LobeWidth& a, const Viewer& viewer, double far, int n, Vi
   const double B = c * s0 * (1 / square(a.y) - 1 / square(a.x));
   const double C = square(s0 / a.x) + square(c / a.y);
   const double along = A - B * B / C, width = 1 / std::sqrt(along);
+  std::vector<std::pair<double, double>> panel;  // distance, weight
+  quadrature::graded_panel(rule, far, 1, false, [&](double d, double w) { panel.emplace_back(d, w); });
   const auto row = [&](double s, double weight) {
     const double centre = -B * s / C, ridge = std::sqrt((1 + along * s * s) / C);
-    for (const double sign : {-1.0, 1.0})
-      quadrature::graded_panel(rule, far * ridge, ridge, false, [&](double d, double w) {
+    for (const double sign : {-ridge, ridge})
+      for (const auto& [d, w] : panel) {
         const double t = centre + sign * d;
-        visit(Vec3<double>{s * c - t * s0, s * s0 + t * c, 1}, w * weight);
-      });
+        visit(Vec3<double>{s * c - t * s0, s * s0 + t * c, 1}, w * ridge * weight);
+      }
   };
   // Facets face the viewer above s = -cot(theta); V-cavities have their kink at s = +cot(theta).
   std::vector<double> ends{-far * width, 0, far * width};
@@ -73,22 +76,23 @@ Integral integrate(const FacetFacts& facets, const LobeWidth& a, const Viewer& v
                    Weigh&& weigh) {
   constexpr std::size_t kBlock = 512;
   Integral result;
-  std::vector<Vec3<double>> h;
-  std::vector<double> weights;
+  std::vector<Vec3<double>> h(kBlock);
+  std::vector<double> weights(kBlock);
+  std::size_t used = 0;
   double previous = HUGE_VAL;
   for (const int n : {16, 24, 32, 48, 64, 96}) {
     double sum = 0;
     const auto flush = [&] {
-      weigh(h, weights);
-      for (const double w : weights) sum += w;
-      result.evaluations += long(h.size());
-      h.clear();
-      weights.clear();
+      const std::span<double> weighed(weights.data(), used);
+      weigh(std::span<const Vec3<double>>(h.data(), used), weighed);
+      for (const double w : weighed) sum += w;
+      result.evaluations += long(used);
+      used = 0;
     };
     over_slopes(a, viewer, facets.far, n, [&](const Vec3<double>& slopes, double weight) {
-      h.push_back(slopes);
-      weights.push_back(weight);
-      if (h.size() == kBlock) flush();
+      h[used] = slopes;
+      weights[used] = weight;
+      if (++used == kBlock) flush();
     });
     flush();
     result.value = sum / whole;
@@ -102,27 +106,29 @@ using Shape = std::vector<double>;
 
 Integral normalisation_of(const ReflectanceInfo& form, const Shape& shape, const Viewer& viewer) {
   std::vector<double> density;
-  return integrate(*form.facets, lobe_width(form, shape), viewer, 1, [&](const auto& h, auto& weights) {
-    density.resize(h.size());
-    form.facets->slopes(shape, h.size(), h.data(), density.data());
-    for (std::size_t k = 0; k < h.size(); ++k) weights[k] *= density[k];
-  });
+  return integrate(*form.facets, lobe_width(form, shape), viewer, 1,
+                   [&](std::span<const Vec3<double>> h, std::span<double> weights) {
+                     density.resize(h.size());
+                     form.facets->slopes(shape, h.size(), h.data(), density.data());
+                     for (std::size_t k = 0; k < h.size(); ++k) weights[k] *= density[k];
+                   });
 }
 
 // The visible area divided by the viewer's cosine.
 Integral visible_of(const ReflectanceInfo& form, const Shape& shape, const Viewer& viewer) {
   const Vec3<double> o = direction(radians(viewer.theta), radians(viewer.phi));
   std::vector<double> density, g1;
-  return integrate(*form.facets, lobe_width(form, shape), viewer, o.z, [&](const auto& h, auto& weights) {
-    density.resize(h.size());
-    g1.resize(h.size());
-    form.facets->slopes(shape, h.size(), h.data(), density.data());
-    form.facets->masking(shape, o, h.size(), h.data(), g1.data());
-    for (std::size_t k = 0; k < h.size(); ++k) {
-      const double facing = dot(o, h[k]);
-      weights[k] = facing > 0 ? weights[k] * density[k] * facing * g1[k] : 0;
-    }
-  });
+  return integrate(*form.facets, lobe_width(form, shape), viewer, o.z,
+                   [&](std::span<const Vec3<double>> h, std::span<double> weights) {
+                     density.resize(h.size());
+                     g1.resize(h.size());
+                     form.facets->slopes(shape, h.size(), h.data(), density.data());
+                     form.facets->masking(shape, o, h.size(), h.data(), g1.data());
+                     for (std::size_t k = 0; k < h.size(); ++k) {
+                       const double facing = dot(o, h[k]);
+                       weights[k] = facing > 0 ? weights[k] * density[k] * facing * g1[k] : 0;
+                     }
+                   });
 }
 
 using Quantity = Integral (*)(const ReflectanceInfo&, const Shape&, const Viewer&);

@@ -206,14 +206,22 @@ std::vector<std::vector<std::size_t>> groups_of_one_shape(const Term& term) {
   return groups;
 }
 
+// Adds several columns together, because an addition waits for the addition before it.
+template <std::size_t N>
+void NodeSum::add_columns(std::size_t first) {
+  std::array<double, N> sum{};
+  for (std::size_t j = 0; j < used_; ++j)
+    for (std::size_t c = 0; c < N; ++c) sum[c] += weight_[j] * out_[(first + c) * used_ + j];
+  for (std::size_t c = 0; c < N; ++c) sums_[first + c] += sum[c];
+}
+
 void NodeSum::flush() {
   if (used_ == 0) return;
   integrand_.evaluate(fixed_, used_, x_.data(), y_.data(), z_.data(), out_.data());
-  for (std::size_t c = 0; c < sums_.size(); ++c) {
-    double sum = 0;
-    for (std::size_t j = 0; j < used_; ++j) sum += weight_[j] * out_[c * used_ + j];
-    sums_[c] += sum;
-  }
+  std::size_t c = 0;
+  for (; c + 4 <= sums_.size(); c += 4) add_columns<4>(c);
+  for (; c + 2 <= sums_.size(); c += 2) add_columns<2>(c);
+  for (; c < sums_.size(); ++c) add_columns<1>(c);
   evaluations_ += long(used_);
   used_ = 0;
 }

@@ -1,6 +1,7 @@
 // The integrand: f_r cos of the channels (or lobes) of one form, with one direction fixed.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -112,6 +113,15 @@ class NodeSum {
     weight_[used_] = weight;
     if (++used_ == kBlock) flush();
   }
+  // Adds the nodes of a block that is the only source of this sum.
+  void add(std::size_t count, const double* x, const double* y, const double* z, const double* weight) {
+    std::copy_n(x, count, x_.begin());
+    std::copy_n(y, count, y_.begin());
+    std::copy_n(z, count, z_.begin());
+    std::copy_n(weight, count, weight_.begin());
+    used_ = count;
+    flush();
+  }
   const std::vector<double>& sums() {
     flush();
     return sums_;
@@ -121,6 +131,8 @@ class NodeSum {
  private:
   static constexpr std::size_t kBlock = Integrand::kBlock;
   void flush();
+  template <std::size_t N>
+  void add_columns(std::size_t first);
 
   const Integrand& integrand_;
   Vec3<double> fixed_;

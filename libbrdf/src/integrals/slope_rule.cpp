@@ -6,8 +6,10 @@
 // of the horizon. Another near pole of the outer integrand lies at the crossing of the horizon's circle with
 // the ridge q = 0. Each of these points is the end of a panel and is mapped by sinh with its scale.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "brdf/clones.h"
 #include "brdf/geometry.h"
 #include "brdf/quadrature.h"
 #include "libbrdf/src/integrals/functions.h"
@@ -41,6 +43,7 @@ class SlopeRule {
     const std::vector<End> ends = outer_ends();
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
       segment(ends[k], ends[k + 1], [&](double p, double, double, double weight) { row(p, weight); });
+    add_nodes();
     return {sum_.sums(), sum_.evaluations(), longest_};
   }
 
@@ -200,16 +203,39 @@ class SlopeRule {
     }
   }
 
+  void node(double p, double q, double from_low, double to_high, double weight) {
+    nodes_.p[used_] = p;
+    nodes_.q[used_] = q;
+    nodes_.from_low[used_] = from_low;
+    nodes_.to_high[used_] = to_high;
+    nodes_.weight[used_] = weight;
+    if (++used_ == kBlock) add_nodes();
+  }
+
   // The moving direction is the fixed direction mirrored at the half vector. Its solid angle is 4 o.h times
   // that of h.
-  void node(double p, double q, double from_low, double to_high, double weight) {
-    const double hz2 = 1 / (1 + p * p + q * q);
-    const double oh = oz_ + ox_ * p + oy_ * q;  // divided by h_z
-    const double scale = 2 * hz2 * oh;
-    const double x = scale * p - ox_, y = scale * q - oy_;
-    const double z = oz_ * hz2 * from_low * to_high;
-    sum_.add(swapped_ ? y : x, swapped_ ? x : y, z, weight * 4 * oh * hz2 * hz2);
+  void add_nodes() {
+    if (used_ == 0) return;
+    const auto body = [n = &nodes_, ox = ox_, oy = oy_, oz = oz_](std::size_t k) {
+      const double p = n->p[k], q = n->q[k];
+      const double hz2 = 1 / (1 + p * p + q * q);
+      const double oh = oz + ox * p + oy * q;  // divided by h_z
+      const double scale = 2 * hz2 * oh;
+      n->x[k] = scale * p - ox;
+      n->y[k] = scale * q - oy;
+      n->z[k] = oz * hz2 * n->from_low[k] * n->to_high[k];
+      n->weight[k] = n->weight[k] * 4 * oh * hz2 * hz2;
+    };
+    repeat(body, used_);
+    const double *x = nodes_.x.data(), *y = nodes_.y.data();
+    sum_.add(used_, swapped_ ? y : x, swapped_ ? x : y, nodes_.z.data(), nodes_.weight.data());
+    used_ = 0;
   }
+
+  static constexpr std::size_t kBlock = Integrand::kBlock;
+  struct Nodes {
+    std::array<double, kBlock> p, q, from_low, to_high, weight, x, y, z;
+  };
 
   const Features features_;
   const bool swapped_;
@@ -220,6 +246,8 @@ class SlopeRule {
   NodeSum sum_;
   std::vector<End> row_ends_;
   std::vector<double> limited_;
+  Nodes nodes_;
+  std::size_t used_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+# ctest: scale.resume label=scale timeout=5400 needs=plain @brdf@
+"""resume_test.py BRDF [TABLES]: a study of 20,000 tables is ended three times, twice by SIGKILL and once by Ctrl-C, and resumed. All files
+must have the bytes of a study that ran without a break. A resumed study must begin at once: before its first new table it may take as much
+time as a few tables take, not a time that grows with the square of their number. Needs 20 GB of disk."""
+import hashlib
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+from jobs import Place
+
+TABLES = int(sys.argv[2]) if len(sys.argv) > 2 else 20_000
+WORDS = ["study", "many", "--form", "lambert", "--no-pictures", "--jobs", "2", "-o"]
+
+
+def make_small_tables(folder):
+    (folder / "many").mkdir()
+    for k in range(TABLES):
+        rows = "".join(f"{i},0,{o},180,{0.1 + 0.2 * k / TABLES + 0.001 * ((o * (k + 3)) % 7):.6f}\n"
+                       for i in (10, 40) for o in (0, 20, 40, 60))
+        (folder / f"many/t{k:05d}.csv").write_text("theta_i,phi_i,theta_o,phi_o,r\n" + rows)
+
+
+def hashes(folder):
+    return {str(p.relative_to(folder)): hashlib.sha256(p.read_bytes()).hexdigest() for p in folder.rglob("*") if p.is_file()}
+
+
+def done_in(folder):
+    return len(os.listdir(folder)) if folder.is_dir() else 0
+
+
+def until(process, folder, count):
+    """Waits until the folder has so many entries, and returns the seconds."""
+    begin = time.monotonic()
+    while done_in(folder) < count:
+        assert process.poll() is None, process.returncode
+        time.sleep(0.005)
+    return time.monotonic() - begin
+
+
+with tempfile.TemporaryDirectory() as name:
+    place = Place(sys.argv[1], name)
+    make_small_tables(place.folder)
+    broken_off = place.folder / "broken_off"
+    for k, ending in enumerate((signal.SIGKILL, signal.SIGINT, signal.SIGKILL)):
+        before = done_in(broken_off)
+        process = subprocess.Popen([place.brdf, *WORDS, "broken_off"], cwd=place.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+        first = until(process, broken_off, before + 4)  # index.html and study.json may be new
+        more = 100
+        each = until(process, broken_off, before + 4 + more) / more
+        if k:
+            print(f"{before} tables done: first new tables after {first:.2f} s, then {1e3 * each:.0f} ms for each", flush=True)
+            assert first < 60 * each + 0.5, (first, each)
+        until(process, broken_off, (k + 1) * TABLES // 4)
+        ended = time.monotonic()
+        process.send_signal(ending)
+        code = process.wait()
+        print(f"ended after {time.monotonic() - ended:.2f} s", flush=True)
+        assert code == (-signal.SIGKILL if ending == signal.SIGKILL else 1), code
+    subprocess.run([place.brdf, *WORDS, "broken_off"], cwd=place.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    subprocess.run([place.brdf, *WORDS, "at_once"], cwd=place.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    resumed, whole = hashes(broken_off), hashes(place.folder / "at_once")
+    assert resumed.keys() == whole.keys(), sorted(resumed.keys() ^ whole.keys())[:10]
+    differing = [file for file in whole if whole[file] != resumed[file]]
+    assert not differing, differing[:10]
+    assert len(whole) > 6 * TABLES
+    print(f"{len(whole)} files of {TABLES} tables have the same bytes")
