@@ -121,7 +121,7 @@ def resume(place, build):
     begin = time.monotonic()
     process = subprocess.Popen([f"{build}/brdf", "study", "many", "--form", "lambert", "--no-pictures", "-o", done], cwd=place.folder,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    while len(os.listdir(done)) < 102 and process.poll() is None:  # index.html, study.json and the first new table
+    while len(os.listdir(done)) < 103 and process.poll() is None:  # index.html, study.json, 100 tables and a new one
         time.sleep(0.01)
     first = time.monotonic() - begin
     process.send_signal(signal.SIGINT)
@@ -138,8 +138,8 @@ def many_tables(place, _):
 
 def shader_table(place, build):
     place.write("own.glsl", OWN_SHADER)
-    place.prepare(build, "synth --form cook_torrance --set kd=0.3 --set ks=0.4 --set f0=0.2 --set alpha=0.2 --noise 0.02 --seed 1 "
-                         "--grid hemisphere+in_plane -o own.csv")
+    place.prepare(build, "synth --shader own.glsl --set alpha=0.25 --set f0=0.1 --theta-i 0,20,40,60,75 --step 3.2 --noise 0.01 --seed 3 "
+                         "-o own.csv")
 
 
 def fits_of_forms(place, build):
@@ -187,8 +187,8 @@ PLACES = {  # name: (description, unit, goal, whether less is better, preparatio
     "render": ("`render` of a material, 512 x 512, studio", "s", 1.5, True,
                lambda place, _: place.copy("data/materials/satin.json"),
                clock("brdf render satin.json --width 512 --height 512 --environment studio -o sphere.png")),
-    "synth-texels": ("`synth --texels 1024x1024`, resident", "MB", 200, True, None,
-                     lambda place, build: place.run(build, f"brdf synth {COOK} --texels 1024x1024 --lights 4 -o big")[3]),
+    "synth-texels": ("`synth --texels 2048x2048`, resident", "MB", 200, True, None,
+                     lambda place, build: place.run(build, f"brdf synth {COOK} --texels 2048x2048 --lights 2 -o big")[3]),
     "version": ("`brdf --version`", "ms", 8, True, None, lambda place, build: 1e3 * place.run(build, "brdf --version")[1]),
     **{f"batch-{form}-{kind}": (f"batch of {form} in {kind}, share of the limit", "", goal, False, None, share(form, column))
        for form, kind, column, goal in (("cook_torrance", "double", 0, 0.95), ("cook_torrance", "float", 1, 0.9),

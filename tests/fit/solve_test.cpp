@@ -1,0 +1,85 @@
+// Tests the solver on costs of one parameter.
+#include "fit/solve/solve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+namespace brdf::fit {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The cost of the residuals exp(x) - 2 and rest (x - 0.5), or of x - 3 and the constant rest, with a record
+// of the points.
+struct Cost {
+  bool linear;
+  double rest;
+  std::vector<double> points{}, costs{};
+
+  NormalEquations operator()(std::span<const double> p) {
+    const double x = p[0], e = std::exp(x);
+    const double r = linear ? x - 3 : e - 2, slope = linear ? 1 : e;
+    const double other = linear ? rest : rest * (x - 0.5), other_slope = linear ? 0 : rest;
+    NormalEquations n{Matrix(1, 1), {r * slope + other * other_slope}, 0.5 * (r * r + other * other)};
+    n.hessian(0, 0) = slope * slope + other_slope * other_slope;
+    points.push_back(x);
+    costs.push_back(n.cost);
+    return n;
+  }
+};
+
+Solution solved(Cost& cost, double start) {
+  const Objective objective = [&](std::span<const double> p) { return cost(p); };
+  const std::vector<double> from{start}, low{-100.0}, high{100.0};
+  return solve(objective, from, low, high, {});
+}
+
+TEST(Solve, NoPointIsEvaluatedTwiceAndTheBestIsTheSolution) {
+  for (const double start : {-2.0, 0.0, 0.7, 4.0}) {
+    Cost cost{false, 0.3};
+    const Solution s = solved(cost, start);
+    EXPECT_EQ(s.termination, Termination::converged) << start;
+    EXPECT_EQ(s.passes, int(cost.points.size()));
+    const auto best = std::ranges::min_element(cost.costs) - cost.costs.begin();
+    // Two of the last points may have the same cost but for its rounding.
+    EXPECT_NEAR(s.p[0], cost.points[std::size_t(best)], 1e-7) << start;
+    EXPECT_NEAR(s.cost, cost.costs[std::size_t(best)], 1e-14 * s.cost);
+    std::vector<double> points = cost.points;
+    std::ranges::sort(points);
+    EXPECT_TRUE(std::ranges::adjacent_find(points) == points.end()) << start;
+  }
+}
+
+TEST(Solve, EndsBeforeAStepThatRoundingDecides) {
+  Cost cost{true, 1};
+  const Solution s = solved(cost, 0);
+  EXPECT_EQ(s.termination, Termination::converged);
+  EXPECT_THAT(s.message, HasSubstr("more than its rounding"));
+  EXPECT_NEAR(s.p[0], 3, 1e-7);  // the square of this distance is 1e-14 of twice the cost
+}
+
+// Without any rest each step removes nearly the whole cost, however small the cost is.
+TEST(Solve, DoesNotEndEarlyIfTheModelIsExact) {
+  Cost cost{true, 0};
+  const Solution s = solved(cost, 0);
+  EXPECT_EQ(s.termination, Termination::converged);
+  EXPECT_THAT(s.message, Not(HasSubstr("more than its rounding")));
+  EXPECT_NEAR(s.p[0], 3, 1e-11);
+}
+
+TEST(Solve, FailsWithoutAFiniteCost) {
+  const Objective objective = [](std::span<const double>) {
+    return NormalEquations{Matrix(1, 1), {NAN}, NAN};
+  };
+  const std::vector<double> from{0.0}, low{-1.0}, high{1.0};
+  EXPECT_EQ(solve(objective, from, low, high, {}).termination, Termination::failed);
+}
+
+}  // namespace
+}  // namespace brdf::fit
