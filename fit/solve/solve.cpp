@@ -39,8 +39,9 @@ void compress(const NormalEquations& n, const std::vector<int>& free, Eigen::Ref
   r(size) = std::sqrt(std::max(rest, 0.0));
 }
 
-// The cost in the free parameters. Ceres requests cost and Jacobian separately, and returns to the best point
-// after steps that do not improve the cost. Therefore the best pass is kept besides the last one.
+// The cost in the free parameters. Ceres requests cost and Jacobian separately. It does not take a step that
+// changes the cost by less than its tolerance, and returns to the point before. Therefore two passes are
+// kept, and a new pass replaces the one with the higher cost.
 class CompressedCost : public ceres::CostFunction {
  public:
   explicit CompressedCost(const Objective& objective) : objective_(objective) {}

@@ -1,6 +1,8 @@
 #include "fit/solve/varpro.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "fit/algebra/box_quadratic.h"
 #include "fit/algebra/eigen_view.h"
@@ -144,15 +146,18 @@ NormalEquations project(const SampleStream& stream, std::vector<double>& p, doub
 Solution solve_projected(const SampleStream& stream, std::span<const double> start,
                          const SolveOptions& options, bool& exact) {
   const std::size_t shapes = stream.model().shape_slots();
-  std::vector<double> p(start.begin(), start.end()), best;
-  double square = 0, least = HUGE_VAL;
+  // The weights at the two points that the solver keeps (solve.cpp).
+  struct Point {
+    double cost = HUGE_VAL;
+    std::vector<double> p{};
+  };
+  std::array<Point, 2> kept;
+  std::vector<double> p(start.begin(), start.end());
+  double square = 0;
   const Objective objective = [&](std::span<const double> s) {
     std::copy(s.begin(), s.end(), p.begin());
     NormalEquations equations = project(stream, p, square);
-    if (equations.cost < least) {
-      least = equations.cost;
-      best = p;
-    }
+    (kept[0].cost < kept[1].cost ? kept[1] : kept[0]) = {std::fmin(equations.cost, HUGE_VAL), p};
     return equations;
   };
   const std::vector<double> low = stream.model().low(), high = stream.model().high();
@@ -161,7 +166,8 @@ Solution solve_projected(const SampleStream& stream, std::span<const double> sta
   const auto is_solution = [&](const std::vector<double>& q) {
     return !q.empty() && std::equal(s.p.begin(), s.p.end(), q.begin());
   };
-  if (is_solution(best)) p = std::move(best);
+  for (const Point& k : kept)
+    if (is_solution(k.p)) p = k.p;
   if (!is_solution(p)) objective(std::vector<double>(s.p));
   exact = s.cost > kExactShare * square;
   s.p = p;
