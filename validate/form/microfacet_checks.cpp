@@ -5,6 +5,7 @@
 // deviation is the relative error of G1.
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "brdf/quadrature.h"
