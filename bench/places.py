@@ -110,23 +110,26 @@ def clock(command):
     return lambda place, build: place.run(build, command)[1]
 
 
-def resume(place, build):
-    """Seconds from the start of a study of 20,000 tables, of which 100 are done, to Ctrl-C's effect; Ctrl-C is sent after a second."""
+def resumed(place, build):
+    """Resumes a study of 20,000 tables of which 100 or a few more are done. Returns the seconds until its first new table, and the seconds
+    from Ctrl-C, which follows at once, to its end."""
     done = place.folder / f"done_{abs(hash(build))}"
     if not done.exists():
         (place.folder / "few").mkdir(exist_ok=True)
         for k in range(100):
-            (place.folder / f"few/t{k:05d}.csv").write_bytes((place.folder / f"many/t{k:05d}.csv").read_bytes())
+            shutil.copy(place.folder / f"many/t{k:05d}.csv", place.folder / "few")
         place.prepare(build, f"study few --form lambert --no-pictures -o {done}")
-    begin = time.monotonic()
+    before, begin = len(os.listdir(done)), time.monotonic()
     process = subprocess.Popen([f"{build}/brdf", "study", "many", "--form", "lambert", "--no-pictures", "-o", done], cwd=place.folder,
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    while len(os.listdir(done)) < 103 and process.poll() is None:  # index.html, study.json, 100 tables and a new one
+    while len(os.listdir(done)) == before:
+        if process.poll() is not None:
+            raise SystemExit(f"study: exit code {process.returncode} without a new table")
         time.sleep(0.01)
-    first = time.monotonic() - begin
+    first = time.monotonic()
     process.send_signal(signal.SIGINT)
     process.wait()
-    return first
+    return first - begin, time.monotonic() - first
 
 
 def many_tables(place, _):
@@ -150,8 +153,8 @@ def fits_of_forms(place, build):
 
 def texel(words):
     def measure(place, build):
-        both = place.run(build, f"brdf fit stack {COOK_FIT} {words} --jobs 1 -o maps_{len(words)}")[2]
-        return (both - place.run(build, "brdf --version")[2]) / TEXELS * 1e6
+        whole = place.run(build, f"brdf fit stack {COOK_FIT} {words} --jobs 1 -o maps_{len(words)}")[2]
+        return (whole - place.run(build, "brdf --version")[2]) / TEXELS * 1e6
     return measure
 
 
@@ -175,7 +178,9 @@ def share(form, column):
 
 
 PLACES = {  # name: (description, unit, goal, whether less is better, preparation, measurement)
-    "resume": ("first new result of `study` of 20,000 tables of which 100 are done, then Ctrl-C", "s", 2, True, many_tables, resume),
+    "resume": ("first new table of a `study` of 20,000 tables of which 100 are done", "s", 2, True, many_tables,
+               lambda place, build: resumed(place, build)[0]),
+    "interrupt": ("end of this study after Ctrl-C", "s", 1, True, many_tables, lambda place, build: resumed(place, build)[1]),
     "fit-shader": ("`fit --shader`, 6 parameters, in fits of a built-in form", "", 10, True, shader_table, fits_of_forms),
     "validate-shader": ("`validate --shader` of 16 parameters, `--effort quick`", "s", 20, True,
                         lambda place, _: place.write("principled.glsl", PRINCIPLED),

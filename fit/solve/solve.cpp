@@ -72,8 +72,8 @@ class CompressedCost : public ceres::CostFunction {
   }
   const NormalEquations& equations(std::span<const double> p) const { return pass_at(p).equations; }
   int passes() const { return passes_; }
-  // Returns whether no step from the best point can lower the cost by more than its rounding. The first
-  // residuals are the part of the cost that the next step is predicted to remove.
+  // Returns whether the next step from the best point is predicted to lower the cost by less than its
+  // rounding. The squares of all residuals but the last one are the part that the step would remove.
   bool is_settled() const {
     constexpr double kRounding = 1e-14;
     const Pass& best = *std::ranges::min_element(kept_, {}, [](const Pass& k) { return k.equations.cost; });
@@ -206,7 +206,7 @@ void run_ceres(CompressedCost& cost, std::vector<double>& p, std::span<const dou
   for (std::size_t k = 0; k < free.size(); ++k) p[std::size_t(free[k])] = unknowns[k];
   solution.termination = watch.settled() ? Termination::converged : termination_of(summary);
   solution.message = watch.gave_up()   ? "Five consecutive steps were invalid."
-                     : watch.settled() ? "No step lowers the cost by more than its rounding."
+                     : watch.settled() ? "The next step would lower the cost by less than its rounding."
                                        : summary.message;
   solution.iterations += int(summary.iterations.size()) - watch.gave_up();
 }

@@ -60,7 +60,7 @@ TEST(Solve, EndsBeforeAStepThatRoundingDecides) {
   Cost cost{true, 1};
   const Solution s = solved(cost, 0);
   EXPECT_EQ(s.termination, Termination::converged);
-  EXPECT_THAT(s.message, HasSubstr("more than its rounding"));
+  EXPECT_THAT(s.message, HasSubstr("less than its rounding"));
   EXPECT_NEAR(s.p[0], 3, 1e-7);  // the square of this distance is 1e-14 of twice the cost
 }
 
@@ -69,7 +69,7 @@ TEST(Solve, DoesNotEndEarlyIfTheModelIsExact) {
   Cost cost{true, 0};
   const Solution s = solved(cost, 0);
   EXPECT_EQ(s.termination, Termination::converged);
-  EXPECT_THAT(s.message, Not(HasSubstr("more than its rounding")));
+  EXPECT_THAT(s.message, Not(HasSubstr("less than its rounding")));
   EXPECT_NEAR(s.p[0], 3, 1e-11);
 }
 
