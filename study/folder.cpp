@@ -16,8 +16,7 @@ using io::Json;
 
 // The content of study.json; std::nullopt if the file does not exist or was not written by a study.
 std::optional<Json> results_in(const fs::path& folder) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(folder / kResults, ignored)) return std::nullopt;
+  if (!has_results(folder)) return std::nullopt;
   try {
     Json json = io::read_json(folder / kResults);
     if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
@@ -51,6 +50,11 @@ std::vector<std::string> folder_names(const std::vector<std::string>& samples) {
     names.push_back(std::move(name));
   }
   return names;
+}
+
+bool has_results(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_regular_file(folder / kResults, ignored);
 }
 
 void publish(const fs::path& folder, const std::vector<File>& files, Json results, const std::string& key) {

@@ -43,6 +43,9 @@ std::vector<std::string> folder_names(const std::vector<std::string>& samples);
 void publish(const std::filesystem::path& folder, const std::vector<File>& files, io::Json results,
              const std::string& key);
 
+// Returns whether the folder has a study.json, which may be an older one.
+bool has_results(const std::filesystem::path& folder);
+
 // Returns the folder's study.json if it was made with the same `key` and every file that it lists is
 // unchanged; otherwise std::nullopt.
 std::optional<io::Json> kept(const std::filesystem::path& folder, const std::string& key);

@@ -20,6 +20,9 @@ using io::Json;
 // Part of the key of kept results. It changes whenever a row of study.json gets other members.
 constexpr const char* kRowFormat = "row 2\n";
 
+// A check of earlier results takes about a thirtieth of the time of the shortest study.
+constexpr std::size_t kChecksBetweenStudies = 8;
+
 class Study {
  public:
   Study(const std::vector<std::string>& samples, const StudyOptions& options)
@@ -30,21 +33,23 @@ class Study {
     alone_ = samples.size() == 1;
     is_part_ = names_.size() < samples.size();
     rows_.resize(names_.size());
+    is_done_.resize(names_.size());
     for (std::size_t k = 0; k < rows_.size(); ++k) {
       rows_[k].file = samples[first + k];
       rows_[k].folder = alone() ? options.folder : options.folder / names_[k];
     }
     check_outputs();
+    set_order();
   }
 
   std::vector<Row> run() {
     io::parallel_for(
-        rows_.size(), [this](std::size_t k) { work(k); }, options_.jobs);
-    for (Row& row : rows_)
-      if (row.fault == Fault::none && earlier_.has(row.json["name"])) {
-        row.changes = earlier_.changes_to(row.json);
-        row.compared = !options_.against.empty() || !row.changes.empty();
-      }
+        rows_.size(),
+        [this](std::size_t k) {
+          work(order_[k]);
+          hand_over(order_[k]);
+        },
+        options_.jobs);
     if (is_part_) return std::move(rows_);
     const auto unreadable = [](const Row& row) { return row.fault == Fault::input; };
     if (std::ranges::all_of(rows_, unreadable)) {
@@ -70,6 +75,33 @@ class Study {
     }
   }
 
+  // Puts checks of earlier results between the studies of samples without results.
+  void set_order() {
+    std::vector<std::size_t> checks;
+    std::size_t checked = 0;
+    const auto check = [&](std::size_t most) {
+      for (std::size_t k = 0; k < most && checked < checks.size(); ++k) order_.push_back(checks[checked++]);
+    };
+    std::vector<std::size_t> studies;
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      (has_results(rows_[k].folder) ? checks : studies).push_back(k);
+    for (const std::size_t k : studies) {
+      order_.push_back(k);
+      check(kChecksBetweenStudies);
+    }
+    check(checks.size());
+  }
+
+  // Calls options.finished for all rows that are due.
+  void hand_over(std::size_t k) {
+    if (!options_.finished) return;
+    const std::lock_guard lock(mutex_);
+    is_done_[k] = true;
+    is_one_readable_ |= rows_[k].fault != Fault::input;
+    for (; is_one_readable_ && handed_over_ < rows_.size() && is_done_[handed_over_]; ++handed_over_)
+      options_.finished(rows_[handed_over_], handed_over_, rows_.size());
+  }
+
   void work(std::size_t k) {
     Row& row = rows_[k];
     int steps = 0;
@@ -86,6 +118,10 @@ class Study {
         fail(Fault::interrupted, row.file + ": interrupted");
       else if (!fill(row, names_[k], step))
         fail(Fault::interrupted, row.file + ": interrupted");
+      else if (earlier_.has(names_[k])) {
+        row.changes = earlier_.changes_to(row.json);
+        row.compared = !options_.against.empty() || !row.changes.empty();
+      }
     } catch (const InputError& error) {
       fail(Fault::input, error.what());
     } catch (const std::bad_alloc&) {
@@ -138,8 +174,13 @@ class Study {
   bool alone_ = false, is_part_ = false;
   const Earlier earlier_;  // read before its files are replaced
   std::vector<Row> rows_;
+  std::vector<std::size_t> order_;  // in which the rows are worked on
   std::mutex mutex_;
   int done_ = 0;
+  // Of the calls of options.finished.
+  std::vector<bool> is_done_;
+  std::size_t handed_over_ = 0;
+  bool is_one_readable_ = false;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "study/sample.h"
 
 namespace brdf::study {
+
+struct Row;
 
 struct StudyOptions {
   std::filesystem::path folder;
@@ -26,6 +29,10 @@ struct StudyOptions {
   // overview is written. Folder names are chosen from the whole list, so that partial runs agree.
   std::size_t first = 0, count = std::size_t(-1);
   io::Progress progress;  // called with the number of finished steps and of all steps
+  // Called by one thread at a time with each row and the rows' number, in the order of the samples, as soon
+  // as the rows before it are finished and a sample could be read. Rows for which no sample could be read
+  // have no call.
+  std::function<void(const Row& row, std::size_t k, std::size_t rows)> finished = {};
 };
 
 enum class Fault { none, input, environment, interrupted };
@@ -59,9 +66,11 @@ io::Json to_json(const Row& row);
 // several samples the pages are FOLDER/NAME/index.html, and FOLDER/index.html is the overview.
 //
 // A sample is kept if its results were made with the same settings from the same content, so that after an
-// interruption only unfinished samples are recomputed. An error in one sample is reported as the fault of
-// its row and does not affect other samples. Throws InputError if the folder cannot be written, if a result
-// would overwrite a sample, or if no sample can be used; nothing is written in these cases.
+// interruption only unfinished samples are recomputed. Samples without results are studied first, and the
+// results of the others are checked in between, so that new results appear at once. An error in one sample
+// is reported as the fault of its row and does not affect other samples. Throws InputError if the folder
+// cannot be written, if a result would overwrite a sample, or if no sample can be used; nothing is written in
+// these cases.
 std::vector<Row> study(const std::vector<std::string>& samples, const StudyOptions& options);
 
 }  // namespace brdf::study

@@ -89,6 +89,17 @@ def shares_of_limits(out):
     return shares
 
 
+def instructions(out):
+    """
+    >>> instructions("| form | type | arithmetic | divisions, roots |\\n|---|---|---:|---:|\\n| ward | float | 80 | 3 | 16 | 2 | 11 | 4 | 0.37 |")
+    {'ward, float': '80 arithmetic, 3 divisions and roots, 18 others, 11 moves: 37 %'}
+    """
+    return {f"{form}, {kind}": f"{arithmetic} arithmetic, {divider} divisions and roots, {int(selections) + int(integers)} others, {moves} moves"
+                               + (f": {round(100 * float(share))} %" if share else "")
+            for form, kind, arithmetic, divider, selections, integers, moves, _, share in
+            re.findall(r"^\| (\w+) \| (\w+)" + 6 * r" \| (\d+)" + r" \| ([\d.]*) ?\|$", out, re.M)}
+
+
 # Name of a row: (command, function from its output to figures, heading, explanation).
 FAULTS = "tests/faults/run --brdf build/release/brdf --library build/release/tests/libfaults.so"
 ROWS = {
@@ -104,6 +115,10 @@ ROWS = {
                 "Programs that read exported materials, and what they show."),
     "benchmarks": ("build/release/bench/bench_eval", shares_of_limits, "Benchmarks",
                    "Batches: the share of the limit that the machine's throughput sets for the operations of a form. The figures depend on the machine."),
+    "instructions": ("bench/instructions.py build/release", instructions, "Instructions of the batches",
+                     "The limit counts two additions or multiplications for each instruction. A batch has one for each, because its values have the\n"
+                     "same bits on every machine (decision 0024), and it compares, selects and moves. The share is the most of an arithmetic limit\n"
+                     "that remains if each instruction takes the time of a fused multiply-add; separate units for additions allow more."),
 }
 
 

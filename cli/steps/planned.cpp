@@ -44,10 +44,10 @@ Exit collect_tables(const work::Task& task, const CollectFiles& files) {
   work::unpack_units(task, files.output);
   const fit::FitChoice& choice = task.options().choice;
   if (task.plan().verb == "study") {
-    const study::StudyOptions options =
-        work::study_options(choice, !task.options().no_pictures, files.output, 1, this_program());
-    return print_study(study::study(task.samples(), options), files.output, false,
-                       choice.options.supplied == io::Supplied());
+    return study_files(
+        task.samples(),
+        work::study_options(choice, !task.options().no_pictures, files.output, 1, this_program()), false,
+        choice.options.supplied == io::Supplied());
   }
   const auto rows = work::fit_files({task.samples(), files.output, 1, !task.options().no_pictures}, choice,
                                     fit_options(choice, 1), this_program());

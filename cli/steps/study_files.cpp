@@ -11,6 +11,7 @@
 #include "io/files/standard_input.h"
 #include "io/files/text.h"
 #include "io/page/marks.h"
+#include "study/folder.h"
 
 namespace brdf::cli {
 namespace {
@@ -26,41 +27,39 @@ std::string_view word_of(const study::Row& row) {
   return io::look_of(mark.value_or(io::Mark::bad)).word;
 }
 
-void print_text(const std::vector<study::Row>& rows, const std::filesystem::path& folder) {
-  PlainText out;
-  const auto text = [](const io::Json& json) { return io::printable(json.get<std::string>()); };
-  std::size_t widest = 0;
-  for (const study::Row& row : rows)
-    if (!was_left(row)) widest = std::max(widest, text(row.json["name"]).size());
-  for (const study::Row& row : rows) {
-    if (was_left(row)) continue;
-    out << std::left << std::setw(int(widest) + 2) << text(row.json["name"]);
-    if (row.fault == study::Fault::none)
-      out << word_of(row) << ": " << text(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
-    else
-      out << "error\n";
-    for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
-      out << "  " << text(warning) << '\n';
-    if (row.misses_tolerance())
-      out << "  Outside the tolerance of " << io::percent(row.json["tolerance"].get<double>()) << ".\n";
-    for (const study::Change& c : row.changes)
-      out << "  Changed: " << io::printable(c.what) << " from " << c.before << " to " << c.after
-          << (c.is_beyond ? ", outside the older 95 % interval.\n" : ", within the older 95 % interval.\n");
-  }
-  out << io::printable((folder / study::kPage).string()) << '\n';
+std::string text_of(const io::Json& json) {
+  return io::printable(json.get<std::string>());
 }
 
-// Prints the reason for each sample without a study, one line per sample, and one line for all samples that
-// an interruption left.
-void say_faults(const std::vector<study::Row>& rows) {
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (const std::string& sentence : rows[k].assumptions)
-      Warning() << "brdf study: " << io::input_name(rows[k].file) << ": " << sentence;
-    if (rows[k].fault != study::Fault::none && !was_left(rows[k]))
-      Warning() << "[" << k + 1 << "/" << rows.size() << "] " << rows[k].json["error"].get<std::string>();
-  }
-  if (const auto left = std::ranges::count_if(rows, was_left); left > 0)
-    Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not processed";
+std::size_t widest_name(const std::vector<std::string>& samples) {
+  std::size_t widest = 0;
+  for (const std::string& name : study::folder_names(samples))
+    widest = std::max(widest, io::printable(name).size());
+  return widest;
+}
+
+void print_text(const study::Row& row, std::size_t widest) {
+  PlainText out;
+  out << std::left << std::setw(int(widest) + 2) << text_of(row.json["name"]);
+  if (row.fault == study::Fault::none)
+    out << word_of(row) << ": " << text_of(row.json["statement"]) << (row.kept ? " (kept)" : "") << '\n';
+  else
+    out << "error\n";
+  for (const io::Json& warning : row.json.value("warnings", io::Json::array()))
+    out << "  " << text_of(warning) << '\n';
+  if (row.misses_tolerance())
+    out << "  Outside the tolerance of " << io::percent(row.json["tolerance"].get<double>()) << ".\n";
+  for (const study::Change& c : row.changes)
+    out << "  Changed: " << io::printable(c.what) << " from " << c.before << " to " << c.after
+        << (c.is_beyond ? ", outside the older 95 % interval.\n" : ", within the older 95 % interval.\n");
+}
+
+// Prints the assumptions about the sample, and the reason if it has no study.
+void say_faults(const study::Row& row, std::size_t k, std::size_t rows) {
+  for (const std::string& sentence : row.assumptions)
+    Warning() << "brdf study: " << io::input_name(row.file) << ": " << sentence;
+  if (row.fault != study::Fault::none && !was_left(row))
+    Warning() << "[" << k + 1 << "/" << rows << "] " << row.json["error"].get<std::string>();
 }
 
 // Returns the command that shows the material of a single sample in the window.
@@ -84,11 +83,26 @@ void print_json(const std::vector<study::Row>& rows) {
 
 }  // namespace
 
-Exit print_study(const std::vector<study::Row>& rows, const std::filesystem::path& folder, bool json,
+Exit study_files(const std::vector<std::string>& samples, study::StudyOptions options, bool json,
                  bool is_readable) {
-  say_faults(rows);
-  json ? print_json(rows) : print_text(rows, folder);
-  if (const auto page = folder / study::kPage; !json && std::filesystem::exists(page))
+  const std::size_t widest = json ? 0 : widest_name(samples);
+  std::size_t printed = 0;
+  options.finished = [&](const study::Row& row, std::size_t k, std::size_t rows) {
+    say_faults(row, k, rows);
+    if (!json && !was_left(row)) print_text(row, widest);
+    std::cout << std::flush;
+    printed = k + 1;
+  };
+  const std::vector<study::Row> rows = study::study(samples, options);
+  // A part of a study whose samples all have faults.
+  for (std::size_t k = printed; k < rows.size(); ++k) options.finished(rows[k], k, rows.size());
+  if (const auto left = std::ranges::count_if(rows, was_left); left > 0)
+    Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not processed";
+  if (json)
+    print_json(rows);
+  else
+    PlainText() << io::printable((options.folder / study::kPage).string()) << '\n';
+  if (const auto page = options.folder / study::kPage; !json && std::filesystem::exists(page))
     print_next_step({open_page(page.string()), command_for(rows, is_readable)});
   const auto has = [&](study::Fault fault) {
     return std::ranges::any_of(rows, [&](const study::Row& row) { return row.fault == fault; });

@@ -37,7 +37,7 @@ Exit run_study(const CLI::App& verb, const StudyCall& o) {
   options.progress = progress_line("brdf study");
   if (!o.tolerance.empty()) options.sample.tolerance = fit::tolerance_of(o.tolerance);
   options.against = o.against;
-  return print_study(study::study(work::sample_files(o.samples), options), o.output, o.json,
+  return study_files(work::sample_files(o.samples), std::move(options), o.json,
                      o.choice.options.supplied == io::Supplied());
 }
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # ctest: scale.resume label=scale timeout=5400 needs=plain @brdf@
 """resume_test.py BRDF [TABLES]: a study of 20,000 tables is ended three times, twice by SIGKILL and once by Ctrl-C, and resumed. All files
-must have the bytes of a study that ran without a break. A resumed study compares the files of each table that is done with their hashes,
-which may take a fifteenth of the time that the table took, and no time that grows with the square of the number. Needs 20 GB of disk."""
+must have the bytes of a study that ran without a break. A resumed study writes its first new tables in the time of a few tables, however
+many are done: the checks of their files come between the new tables. Needs 20 GB of disk."""
 import hashlib
 import os
 import signal
@@ -55,7 +55,7 @@ with tempfile.TemporaryDirectory() as name:
         each = until(process, broken_off, before + 4 + more) / more
         if k:
             print(f"{before} tables done: first new tables after {first:.2f} s, then {1e3 * each:.0f} ms for each", flush=True)
-            assert first < (before / 15 + 60) * each + 0.5, (before, first, each)
+            assert first < 30 * each + 0.5, (before, first, each)
         until(process, broken_off, (k + 1) * TABLES // 4)
         ended = time.monotonic()
         process.send_signal(ending)

@@ -151,9 +151,45 @@ TEST_F(StudyOfFiles, ABrokenFileIsARowWithItsReasonAndEndsNoOther) {
 TEST_F(StudyOfFiles, NothingIsWrittenWhereNoSampleCanBeUsed) {
   for (const std::string& file : files_) std::ofstream(file) << "1,2\n";
   EXPECT_THROW(run(), InputError);
+  options_.finished = [](const Row& row, std::size_t, std::size_t) { ADD_FAILURE() << row.file; };
+  EXPECT_THROW(run(), InputError);
   files_.resize(1);
   EXPECT_THROW(run(), InputError);
   EXPECT_FALSE(fs::exists(options_.folder));
+}
+
+// The rows arrive in the order of the samples while later samples are still waiting, also after a row without
+// a study.
+TEST_F(StudyOfFiles, ARowIsHandedOverAsSoonAsItIsFinished) {
+  std::ofstream(files_[0]) << "1,2\n";
+  options_.jobs = 1;
+  std::size_t calls = 0;
+  options_.finished = [&](const Row& row, std::size_t k, std::size_t rows) {
+    EXPECT_EQ(k, calls++);
+    EXPECT_EQ(rows, 3u);
+    EXPECT_EQ(row.file, files_[k]);
+    EXPECT_EQ(row.fault, k == 0 ? Fault::input : Fault::none);
+    EXPECT_EQ(fs::exists(options_.folder / "s1" / kResults), true);
+    EXPECT_EQ(fs::exists(options_.folder / "s2" / kResults), k == 2);
+  };
+  run();
+  EXPECT_EQ(calls, 3u);
+}
+
+// Checks of many earlier results do not delay the first new result, and studies do not delay the checks.
+TEST_F(StudyOfFiles, ASampleWithoutResultsIsStudiedBeforeOthersAreChecked) {
+  run();
+  for (const char* name : {"s1", "s2"}) fs::remove_all(options_.folder / name);
+  options_.jobs = 1;
+  std::size_t calls = 0;
+  options_.finished = [&](const Row& row, std::size_t k, std::size_t) {
+    ++calls;
+    EXPECT_EQ(row.kept, k == 0);
+    EXPECT_TRUE(fs::exists(options_.folder / "s1" / kResults)) << k;
+    EXPECT_EQ(fs::exists(options_.folder / "s2" / kResults), k == 2);
+  };
+  run();
+  EXPECT_EQ(calls, 3u);
 }
 
 TEST_F(StudyOfFiles, PicturesThatWereLeftOutAreDrawnOnceTheyAreWanted) {
