@@ -13,14 +13,6 @@ constexpr std::array<Binding, 4> kLightBindings{
 constexpr VkImageUsageFlags kUploaded = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 constexpr VkImageUsageFlags kDrawn = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT;
 
-// This layout is the same as in shaders/environment.frag.
-struct RunPush {
-  std::int32_t item;
-  std::uint32_t seed;
-  std::int32_t count;
-  float first[kPointDimensions];
-};
-
 template <class T>
 Image uploaded(Device& device, VkFormat format, VkExtent2D extent, std::span<const T> texels) {
   Image image(device, format, extent, kUploaded);
@@ -65,9 +57,11 @@ EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const Ligh
       bits_(gbuffer_bits),
       run_(device, kColorFormat, extent, kDrawn),
       mean_(device, run_),
+      points_(device),
       code_(shader_code::environment, shader_code::environment_text) {
-  const std::array sets{gpu.frame_layout(), deferred.targets_layout(), light.layout()};
+  const std::array sets{gpu.frame_layout(), deferred.targets_layout(), light.layout(), points_.layout()};
   layout_ = make_pipeline_layout(device, sets, sizeof(RunPush));
+  points_.make_pipeline_of(layout_.get());
   backdrop_ = make_pipeline(device, {.vertex = shader_code::screen_vertex,
                                      .fragment = shader_code::backdrop,
                                      .colors = {kColorFormat},
@@ -102,18 +96,31 @@ void EnvironmentPass::begin_run(VkCommandBuffer commands) {
   vkCmdEndRendering(commands);
 }
 
+RunPush EnvironmentPass::push(std::uint32_t seed) const {
+  RunPush push{-1, seed, smooth_ ? directions_ : count_, {}};
+  for (std::size_t d = 0; d < kPointDimensions; ++d)
+    push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(first_ + samples())));
+  return push;
+}
+
+void EnvironmentPass::record_points(VkCommandBuffer commands, const GpuScene& gpu, std::uint32_t seed) {
+  bind(commands, layout_.get(), 0, gpu.frame_set());
+  bind(commands, layout_.get(), 2, light_->set());
+  points_.record(commands, layout_.get(), push(seed));
+}
+
 void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                              std::size_t layer, const VkRect2D& tile, std::uint32_t seed, Image& color) {
   Image& target = smooth_ ? color : run_;
   deferred_->prepare_to_read(commands);
+  points_.prepare_to_read(commands);
   target.transition(commands, Use::color_attachment);
   begin_colors(commands, {&target}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, layout_.get(), 0, gpu.frame_set());
   bind(commands, layout_.get(), 1, deferred_->targets_set());
   bind(commands, layout_.get(), 2, light_->set());
-  RunPush push{-1, seed, smooth_ ? directions_ : count_, {}};
-  for (std::size_t d = 0; d < kPointDimensions; ++d)
-    push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(first_ + samples())));
+  bind(commands, layout_.get(), 3, points_.set());
+  RunPush push = this->push(seed);
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = common(covered_by_form(scene, layer, form, run_.extent()), tile);
     if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;

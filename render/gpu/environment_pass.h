@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
+#include "render/gpu/light_points.h"
 #include "render/gpu/passes.h"
 #include "render/gpu/running_mean.h"
-#include "render/light/points.h"
 
 namespace brdf::render {
 
@@ -48,10 +48,12 @@ class EnvironmentPass {
 
   // Draws the picture of the light behind the objects, over the content of `color`.
   void record_backdrop(VkCommandBuffer commands, const GpuScene& gpu, Image& color);
-  // A run consists of begin_run(), record() for each layer and each tile of the picture while the layer's
-  // surfaces are in the targets, and end_run(), which adds the mean over all runs so far to `color`. The
-  // smooth picture consists of calls of record() alone, which draw into `color` and include the lights.
+  // A run consists of begin_run(); for each layer record_points() and, while the layer's surfaces are in the
+  // targets, record() for each tile of the picture; and end_run(), which adds the mean over all runs to
+  // `color`. The smooth picture consists of calls of record() alone, which draw into `color` and include the
+  // lights.
   void begin_run(VkCommandBuffer commands);
+  void record_points(VkCommandBuffer commands, const GpuScene& gpu, std::uint32_t seed);
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
               const VkRect2D& tile, std::uint32_t seed, Image& color);
   void end_run(VkCommandBuffer commands, Image& color);
@@ -60,6 +62,7 @@ class EnvironmentPass {
   std::vector<float> standard_error() { return mean_.standard_error(); }
 
  private:
+  RunPush push(std::uint32_t seed) const;
   VkPipeline pipeline(const Reflectance& form, int number, Blend blend, bool single);
 
   Device* device_;
@@ -71,6 +74,7 @@ class EnvironmentPass {
   bool smooth_ = false;
   Image run_;
   RunningMean mean_;
+  LightPoints points_;
   Owned<VkPipelineLayout> layout_;
   Owned<VkPipeline> backdrop_;
   FragmentCode code_;

@@ -158,9 +158,9 @@ void Renderer::record_tiles(VkCommandBuffer commands, std::size_t layer, int fir
     if (times) times->mark(commands, "lighting");
   }
   if (!environment_) return;
-  for (const VkRect2D& tile : tiles)
-    environment_->record(commands, scene_, gpu_, layer, tile, options_.seed + std::uint32_t(layer) * 0x10000u,
-                         color_);
+  const std::uint32_t seed = options_.seed + std::uint32_t(layer) * 0x10000u;
+  if (first == 0 && !environment_->is_smooth()) environment_->record_points(commands, gpu_, seed);
+  for (const VkRect2D& tile : tiles) environment_->record(commands, scene_, gpu_, layer, tile, seed, color_);
   if (times) times->mark(commands, "environment");
 }
 

@@ -45,6 +45,9 @@ constexpr std::uint32_t kCopy[] =
 constexpr std::uint32_t kEnvironment[] =
 #include "environment.frag.inc"
     ;
+constexpr std::uint32_t kLightPoints[] =
+#include "light_points.frag.inc"
+    ;
 constexpr std::uint32_t kBackdropFragment[] =
 #include "backdrop.frag.inc"
     ;
@@ -64,7 +67,8 @@ const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = 
             lighting = kLighting, forward = kForward, sky = kSky, classic_vertex = kClassicVertex,
             classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
             shadow_vertex = kShadowVertex, shadow = kShadow, environment = kEnvironment,
-            backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean, enlarge = kEnlarge;
+            light_points = kLightPoints, backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean,
+            enlarge = kEnlarge;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"

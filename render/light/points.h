@@ -1,6 +1,8 @@
 // The sample points of environment light. Each pixel has two sequences: one draws directions of the light,
 // the other draws directions of the reflectance. Each sequence is the additive recurrence
-// (brdf/low_discrepancy.h) from its own start, so that each point is uniformly distributed.
+// (brdf/low_discrepancy.h) from its own start, so that each point is uniformly distributed. The starts of the
+// light's sequences repeat in squares of pixels, so that the renderer finds the light's directions once for
+// all squares; each square is shifted by a random number of pixels, which hides the repetition.
 // shaders/points.glsl has the same in GLSL.
 #pragma once
 
@@ -15,8 +17,11 @@ namespace brdf::render {
 // between such runs.
 inline constexpr int kRun = 16;
 
+// Width of the squares in pixels.
+inline constexpr std::uint32_t kLightSquare = 64;
+
 // Two for the light, three for the reflectance.
-inline constexpr std::size_t kPointDimensions = 5;
+inline constexpr std::size_t kLightDimensions = 2, kPointDimensions = 5;
 inline constexpr std::array<double, kPointDimensions> kPointSteps = [] {
   const auto light = additive_recurrence_steps<2>();
   const auto own = additive_recurrence_steps<3>();
@@ -30,13 +35,28 @@ constexpr std::uint32_t mixed_bits(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-// Returns the start of each coordinate's sequence in this pixel, in [0, 1).
+// Returns the start of a coordinate's sequence, in [0, 1), where the hash of the pixel is `bits`.
+constexpr double point_start(std::uint32_t bits, std::size_t dimension) {
+  return double(mixed_bits(bits + std::uint32_t(dimension) * 0x9e3779b9u) >> 8) * 0x1p-24;
+}
+constexpr std::uint32_t pixel_bits(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+  return mixed_bits(seed + mixed_bits(y + mixed_bits(x)));
+}
+
+// Returns the place of a pixel in its shifted square.
+constexpr std::array<std::uint32_t, 2> light_place(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+  const std::uint32_t shift = pixel_bits(x / kLightSquare, y / kLightSquare, seed);
+  return {(x + shift) % kLightSquare, (y + (shift >> 16)) % kLightSquare};
+}
+
+// Returns the starts of all coordinates in this pixel.
 constexpr std::array<double, kPointDimensions> point_starts(std::uint32_t x, std::uint32_t y,
                                                             std::uint32_t seed) {
+  const auto [place_x, place_y] = light_place(x, y, seed);
+  const std::uint32_t of_light = pixel_bits(place_x, place_y, seed), own = pixel_bits(x, y, seed);
   std::array<double, kPointDimensions> starts{};
-  const std::uint32_t pixel = mixed_bits(seed + mixed_bits(y + mixed_bits(x)));
   for (std::size_t d = 0; d < kPointDimensions; ++d)
-    starts[d] = double(mixed_bits(pixel + std::uint32_t(d) * 0x9e3779b9u) >> 8) * 0x1p-24;
+    starts[d] = point_start(d < kLightDimensions ? of_light : own, d);
   return starts;
 }
 

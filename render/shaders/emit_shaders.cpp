@@ -105,10 +105,10 @@ std::string layout() {
          constant("kRemainderScale", kRemainderScale) + constant("kFourthShape", kFourthShape) +
          constant("kHatchPeriod", io::kHatchPeriod) + constant("kHatchDark", io::kHatchDark) +
          constant("kHatchBright", io::kHatchBright) + constant("kBackdrop", kBackdrop) +
-         constant("kPointDimensions", kPointDimensions) + point_steps() +
-         constant("kBlurredHeight", kBlurredHeight) + constant("kBlurredLevels", kBlurredLevels) +
-         "const float kNoFloor = " + std::to_string(kNoFloor) + ";\n" +
-         "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
+         constant("kPointDimensions", kPointDimensions) + constant("kLightSquare", kLightSquare) +
+         point_steps() + constant("kBlurredHeight", kBlurredHeight) +
+         constant("kBlurredLevels", kBlurredLevels) + "const float kNoFloor = " + std::to_string(kNoFloor) +
+         ";\n" + "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +
          enumerators<ToneMap>("tone_map") + enumerators<Display>("display") + enumerators<Target>("target") +
          enumerators<TextureSlot>("map");

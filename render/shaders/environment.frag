@@ -9,19 +9,15 @@ layout(constant_id = 1) const int kBits = 16;
 layout(constant_id = 2) const bool kSmooth = false;
 layout(constant_id = 3) const bool kSingle = false;  // as in lighting.frag
 #include "frame.glsl"
-layout(push_constant) uniform Push {
-  int item;  // the only item if kSingle
-  uint seed;
-  int count;  // of a run; smooth: half the number of directions
-  float first[kPointDimensions];  // how far each coordinate has moved before this run
-} push;
+#include "points.glsl"
 #include "brdf.glsl"
 #include "samplers.glsl"
 #include "shade.glsl"
 #include "stored_surface.glsl"
-#include "points.glsl"
 #include "rules.glsl"
 #include "light.glsl"
+layout(set = 3, binding = 0) uniform sampler2D points_towards;  // of light_points.frag
+layout(set = 3, binding = 1) uniform sampler2D points_radiance;
 layout(location = 0) out vec4 color;
 
 // Azimuth and polar angle in units of the picture, each in [0, 1]. In the first quadrant, by the kernel: the
@@ -88,18 +84,20 @@ void main() {
     color = vec4(direct + smooth_light(s, basis, wo) * frame.environment.z, 1.0);
     return;
   }
-  const float starts[kPointDimensions] = point_starts(uvec2(gl_FragCoord.xy), push.seed);
+  const uvec2 pixel = uvec2(gl_FragCoord.xy), place = light_place(pixel);
+  const uint bits = pixel_bits(pixel);
   vec3 sum = vec3(0.0);
   for (int k = 0; k < push.count; ++k) {
-    float u[kPointDimensions];
-    for (int d = 0; d < kPointDimensions; ++d) u[d] = moved(starts[d], fract(push.first[d] + kPointSteps[d] * float(k)));
     for (int own = 0; own < 2; ++own) {
       vec4 texel;
       vec3 wi;
       if (own == 0) {
-        wi = from_picture(light_sample(u[0], u[1], texel)) * basis;
+        const ivec2 at = ivec2(place) + ivec2(0, k * kLightSquare);
+        const vec4 towards = texelFetch(points_towards, at, 0);
+        wi = towards.xyz * basis;
+        texel = vec4(texelFetch(points_radiance, at, 0).rgb, towards.a);
       } else {
-        wi = brdf_sample(kForm, vec3(u[2], u[3], u[4]), wo, s.shape);
+        wi = brdf_sample(kForm, vec3(point(bits, 2, k), point(bits, 3, k), point(bits, 4, k)), wo, s.shape);
         texel = texel_towards(to_picture(basis * wi));
       }
       const float density = texel.a + brdf_pdf(kForm, wi, wo, s.shape);

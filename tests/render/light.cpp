@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <set>
 
 #include "brdf/random.h"
 #include "io/files/error.h"
@@ -225,6 +227,28 @@ TEST(Points, FillTheirDimensionsEvenly) {
     std::array<int, 16> counts{};
     for (std::uint64_t k = 0; k < 1600; ++k) counts[std::size_t(16 * point(starts, k)[d])]++;
     for (const int count : counts) EXPECT_NEAR(count, 100, 5);
+  }
+}
+
+// The light's starts are those of the place in a square, and squares are shifted by different numbers.
+TEST(Points, TheStartsOfTheLightRepeatInShiftedSquares) {
+  std::set<std::array<std::uint32_t, 2>> shifts;
+  for (std::uint32_t square = 0; square < 50; ++square) {
+    std::set<std::array<double, kLightDimensions>> starts;
+    for (std::uint32_t x = 0; x < kLightSquare; ++x) {
+      const auto here = point_starts(square * kLightSquare + x, 7, 3);
+      starts.insert({here[0], here[1]});
+    }
+    EXPECT_EQ(starts.size(), kLightSquare);
+    shifts.insert(light_place(square * kLightSquare, 0, 3));
+  }
+  EXPECT_GT(shifts.size(), 45u);
+  for (std::uint32_t x = 0; x < kLightSquare; ++x) {  // the pixel of the second square with the same place
+    const auto place = light_place(x, 7, 3), origin = light_place(kLightSquare, 0, 3);
+    const std::uint32_t across = (place[0] + kLightSquare - origin[0]) % kLightSquare;
+    const std::uint32_t down = (place[1] + kLightSquare - origin[1]) % kLightSquare;
+    const auto a = point_starts(x, 7, 3), b = point_starts(kLightSquare + across, down, 3);
+    for (std::size_t d = 0; d < kPointDimensions; ++d) EXPECT_EQ(a[d] == b[d], d < kLightDimensions);
   }
 }
 

@@ -50,18 +50,21 @@ with tempfile.TemporaryDirectory() as name:
         before = done_in(broken_off)
         process = subprocess.Popen([place.brdf, *WORDS, "broken_off"], cwd=place.folder, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL)
-        first = until(process, broken_off, before + 4)  # index.html and study.json may be new
-        more = 100
-        each = until(process, broken_off, before + 4 + more) / more
-        if k:
-            print(f"{before} tables done: first new tables after {first:.2f} s, then {1e3 * each:.0f} ms for each", flush=True)
-            assert first < 30 * each + 0.5, (before, first, each)
-        until(process, broken_off, (k + 1) * TABLES // 4)
-        ended = time.monotonic()
-        process.send_signal(ending)
-        code = process.wait()
-        print(f"ended after {time.monotonic() - ended:.2f} s", flush=True)
-        assert code == (-signal.SIGKILL if ending == signal.SIGKILL else 1), code
+        try:
+            first = until(process, broken_off, before + 4)  # index.html and study.json may be new
+            more = 100
+            each = until(process, broken_off, before + 4 + more) / more
+            if k:
+                print(f"{before} tables done: first new tables after {first:.2f} s, then {1e3 * each:.0f} ms for each", flush=True)
+                assert first < 30 * each + 0.5, (before, first, each)
+            until(process, broken_off, (k + 1) * TABLES // 4)
+            ended = time.monotonic()
+            process.send_signal(ending)
+            code = process.wait()
+            print(f"ended after {time.monotonic() - ended:.2f} s", flush=True)
+            assert code == (-signal.SIGKILL if ending == signal.SIGKILL else 1), code
+        finally:
+            process.kill()
     subprocess.run([place.brdf, *WORDS, "broken_off"], cwd=place.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
     subprocess.run([place.brdf, *WORDS, "at_once"], cwd=place.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
     resumed, whole = hashes(broken_off), hashes(place.folder / "at_once")
