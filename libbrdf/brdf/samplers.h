@@ -118,10 +118,10 @@ T pdf_visible_ggx(const Roughness<T>& a, const Geometry<T>& g) {
 namespace detail {
 // Returns the slope x below which a share u of the Gaussian slopes lies that are visible at this angle. The
 // distribution is cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. The equation is solved by
-// Newton's method inside a bracket. Plain numbers iterate until convergence (40 steps at most); the traced
-// version has the 14 steps that float needs.
+// Newton's method inside a bracket, whose ends are steps like others: a step of 0 stays where it is. Plain
+// numbers iterate until convergence; the traced version has the 14 steps that float needs.
 template <class T>
-T visible_gaussian_slope(T cosine, T sine, T u) {
+T visible_gaussian_slope(T cosine, T sine, T u, int most_steps = std::is_floating_point_v<T> ? 40 : 14) {
   using std::exp, std::erfc;
   const auto mass = [&](T x) {
     return cosine * T(0.5) * erfc(-x) + sine * T(0.28209479177387814) * exp(-x * x);
@@ -129,16 +129,15 @@ T visible_gaussian_slope(T cosine, T sine, T u) {
   T low = T(-6), high = select(cosine < T(6) * sine, cosine / sine, T(6));
   const T target = u * mass(high);
   T x = T(0.5) * (low + high);
-  constexpr bool kStops = std::is_floating_point_v<T>;
-  for (int k = 0; k < (kStops ? 40 : 14); ++k) {
+  for (int k = 0; k < most_steps; ++k) {
     const T excess = mass(x) - target;
     const auto above = T(0) < excess;
     high = select(above, x, high);
     low = select(above, low, x);
-    const T slope = (cosine - x * sine) * T(0.56418958354775629) * exp(-x * x);
+    const T slope = at_least((cosine - x * sine) * T(0.56418958354775629) * exp(-x * x), T(1e-30));
     const T step = x - excess / slope, middle = T(0.5) * (low + high);
-    const T next = select(low < step, select(step < high, step, middle), middle);
-    if constexpr (kStops)
+    const T next = select(step < low, middle, select(high < step, middle, step));
+    if constexpr (std::is_floating_point_v<T>)
       if (std::abs(next - x) < T(4) * std::numeric_limits<T>::epsilon()) break;
     x = next;
   }

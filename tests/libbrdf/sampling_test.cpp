@@ -311,5 +311,26 @@ TEST(Sampling, FloatStaysFiniteAtTheExtremes) {
   });
 }
 
+// The traced sampler has no more steps than these. A step that stays where it is must not leave the solution:
+// the errors of the share were up to 0.12 when it did.
+TEST(Sampling, FourteenStepsInvertTheGaussianSlopesInFloat) {
+  double worst = 0;
+  for (const double theta : {0.0, 1.0, 20.0, 45.0, 60.0, 70.0, 77.0, 85.0, 89.9}) {
+    const double cosine = std::cos(theta * kPi / 180), sine = std::sin(theta * kPi / 180);
+    const auto mass = [&](double x) {
+      return 0.5 * cosine * std::erfc(-x) + sine * std::exp(-x * x) / (2 * std::sqrt(kPi));
+    };
+    const double whole = mass(std::min(cosine / sine, 6.0));
+    for (int k = 0; k <= 20000; ++k) {
+      const float u = std::min(float(k) / 20000, 1 - 0x1p-24f);
+      const float slope = detail::visible_gaussian_slope(float(cosine), float(sine), u, 14);
+      ASSERT_TRUE(std::isfinite(slope)) << theta << ' ' << u;
+      worst = std::max(worst, std::abs(mass(double(slope)) / whole - double(u)));
+    }
+  }
+  EXPECT_LT(worst, 6e-7);
+  EXPECT_GT(worst, 1.5e-7);
+}
+
 }  // namespace
 }  // namespace brdf
