@@ -6,9 +6,9 @@
 bench_eval's limit counts additions and multiplications in pairs, because a fused multiply-add does two of them. A batch has an instruction
 for each, because its values have the same bits on every machine, and it has comparisons, selections and moves, which the limit
 does not count. The last column is the share of the limit at one instruction in the time of a fused multiply-add; a processor with more
-units for additions, selections or moves than for multiplications does better. It is for forms whose limit is set by arithmetic, not by the
-divider, and empty if the loop calls a function. The table is written as Markdown. Needs objdump and nm (binutils), and build/release/bench/bench_eval
-(`ninja -C build/release bench_eval`).
+units for additions, selections or moves than for multiplications does better. It says nothing about forms whose limit is set by the
+divider. A form that is evaluated pair by pair has no loop with vectors to count. The table is written as Markdown. Needs objdump and nm
+(binutils), and build/release/bench/bench_eval (`ninja -C build/release bench_eval`).
 """
 import argparse
 import collections
@@ -21,9 +21,9 @@ TYPES = {"d": "double", "f": "float"}
 CLASSES = {  # the first that matches
     "arithmetic": r"vf?n?m?(mul|add|sub)(add|sub)?(\d{3})?[ps][sd]$",
     "divisions, roots": r"v(div|sqrt)[ps][sd]$",
-    "comparisons, selections": r"v(cmp|blend|min|max|and|or|xor|pcmp|pblend|pand|por|pxor|ptern|ptest|range)|k",
+    "comparisons, selections": r"v(cmp|u?comis|blend|min|max|and|or|xor|pcmp|pblend|pand|por|pxor|ptern|ptest|range)|k",
     "integers, conversions": r"v(p(add|sub|s[lr]|mul|abs|min|max)|cvt|scalef|rndscale|getexp|getmant)",
-    "moves": r"v(mov|broadcast|perm|pbroadcast|pgather|gather|insert|extract|unpck|shuf|p?compress|p?expand|pmov)",
+    "moves": r"v(mov|zeroupper|broadcast|perm|pbroadcast|pgather|gather|insert|extract|unpck|shuf|p?compress|p?expand|pmov)",
 }
 
 
@@ -32,14 +32,16 @@ def output(*words):
 
 
 def loop_of(binary, symbol):
-    """Returns the mnemonics of the innermost loop with the most vector instructions, and whether the loop calls a function."""
+    """Returns the mnemonics of the innermost loop with the most vector instructions; None without vectors, or if the loop calls a function."""
     code = [(int(m[1], 16), m[2].strip()) for line in output("objdump", "-d", "--no-show-raw-insn", f"--disassemble={symbol}", binary).splitlines()
             if (m := re.match(r"\s+([0-9a-f]+):\s+(.*)", line))]
     jumps = [(int(m[1], 16), at) for at, words in code if (m := re.match(r"j\w+\s+([0-9a-f]+)", words)) and code[0][0] <= int(m[1], 16) < at]
     innermost = [(a, b) for a, b in jumps if not any((c, d) != (a, b) and a <= c and d <= b for c, d in jumps)]
     loops = [[words for place, words in code if first <= place <= last] for first, last in innermost]
     body = max(loops, key=lambda words: sum("%zmm" in w for w in words))
-    return [words.split()[0] for words in body], any(words.startswith("call") for words in body)
+    if not any("%zmm" in words for words in body) or any(words.startswith("call") for words in body):
+        return None
+    return [words.split()[0] for words in body]
 
 
 def class_of(mnemonic):
@@ -47,7 +49,10 @@ def class_of(mnemonic):
     >>> [class_of(m) for m in ("vmulpd", "vfmadd231ps", "vsqrtps", "vblendmpd", "vpsllq", "vmovupd", "jne")]
     ['arithmetic', 'arithmetic', 'divisions, roots', 'comparisons, selections', 'integers, conversions', 'moves', 'loop']
     """
-    return next((name for name, pattern in CLASSES.items() if re.match(pattern, mnemonic)), "loop")
+    found = next((name for name, pattern in CLASSES.items() if re.match(pattern, mnemonic)), "loop")
+    if found == "loop" and mnemonic.startswith("v"):
+        sys.exit(f"{mnemonic}: no class of CLASSES holds this vector instruction")
+    return found
 
 
 def main():
@@ -67,12 +72,15 @@ def main():
     for (form, kind), symbol in sorted(symbols.items()):
         if options.forms and form not in options.forms:
             continue
-        body, calls = loop_of(binary, symbol)
+        body = loop_of(binary, symbol)
+        if body is None:
+            print(f"| {form} | {TYPES[kind]} |{' - |' * len(names)} no vectors |")
+            continue
         count = collections.Counter(map(class_of, body))
         fused = sum("fm" in m or "fnm" in m for m in body)
         paid = sum(count.values()) - count["loop"] - count["divisions, roots"]
-        share = "" if calls else f"{(count['arithmetic'] + fused) / 2 / paid:.2f}"
-        print(f"| {form} | {TYPES[kind]} | {' | '.join(str(count[n]) for n in names)} | {share} |")
+        share = (count["arithmetic"] + fused) / 2 / paid
+        print(f"| {form} | {TYPES[kind]} | {' | '.join(str(count[n]) for n in names)} | {share:.2f} |")
 
 
 if __name__ == "__main__":

@@ -30,8 +30,7 @@ struct StudyOptions {
   std::size_t first = 0, count = std::size_t(-1);
   io::Progress progress;  // called with the number of finished steps and of all steps
   // Called by one thread at a time with each row and the rows' number, in the order of the samples, as soon
-  // as the rows before it are finished and a sample could be read. Rows for which no sample could be read
-  // have no call.
+  // as the rows before it are finished and a sample could be read. There is no call if no sample can be read.
   std::function<void(const Row& row, std::size_t k, std::size_t rows)> finished = {};
 };
 

@@ -93,11 +93,17 @@ def instructions(out):
     """
     >>> instructions("| form | type | arithmetic | divisions, roots |\\n|---|---|---:|---:|\\n| ward | float | 80 | 3 | 16 | 2 | 11 | 4 | 0.37 |")
     {'ward, float': '80 arithmetic, 3 divisions and roots, 18 others, 11 moves: 37 %'}
+    >>> instructions("| retro | float | - | - | - | - | - | - | no vectors |")
+    {'retro, float': 'no vectors'}
     """
-    return {f"{form}, {kind}": f"{arithmetic} arithmetic, {divider} divisions and roots, {int(selections) + int(integers)} others, {moves} moves"
-                               + (f": {round(100 * float(share))} %" if share else "")
-            for form, kind, arithmetic, divider, selections, integers, moves, _, share in
-            re.findall(r"^\| (\w+) \| (\w+)" + 6 * r" \| (\d+)" + r" \| ([\d.]*) ?\|$", out, re.M)}
+    found = {}
+    for form, kind, counts, share in re.findall(r"^\| (\w+) \| (double|float) \| (.*) \| ([\d.]+|no vectors) \|$", out, re.M):
+        found[f"{form}, {kind}"] = share
+        if share != "no vectors":
+            arithmetic, divider, selections, integers, moves, _ = map(int, counts.split(" | "))
+            found[f"{form}, {kind}"] = (f"{arithmetic} arithmetic, {divider} divisions and roots, {selections + integers} others, "
+                                        f"{moves} moves: {round(100 * float(share))} %")
+    return found
 
 
 # Name of a row: (command, function from its output to figures, heading, explanation).
@@ -118,7 +124,8 @@ ROWS = {
     "instructions": ("bench/instructions.py build/release", instructions, "Instructions of the batches",
                      "The limit counts two additions or multiplications for each instruction. A batch has one for each, because its values have the\n"
                      "same bits on every machine (decision 0024), and it compares, selects and moves. The share is the most of an arithmetic limit\n"
-                     "that remains if each instruction takes the time of a fused multiply-add; separate units for additions allow more."),
+                     "that remains if each instruction takes the time of a fused multiply-add; separate units for additions allow more. It says nothing\n"
+                     "about forms whose limit is set by the divider, for example cook_torrance."),
 }
 
 

@@ -119,7 +119,8 @@ namespace detail {
 // Returns the slope x below which a share u of the Gaussian slopes lies that are visible at this angle. The
 // distribution is cos (1 + erf x)/2 + sin e^(-x^2)/(2 sqrt(pi)), normalised. The equation is solved by
 // Newton's method inside a bracket, whose ends are steps like others: a step of 0 stays where it is. Plain
-// numbers iterate until convergence; the traced version has the 14 steps that float needs.
+// numbers iterate until convergence, `most_steps` at most; the traced version has the 14 steps that float
+// needs. The slope of the mass is 0 at the upper end; its lower bound keeps the step a number there.
 template <class T>
 T visible_gaussian_slope(T cosine, T sine, T u, int most_steps = std::is_floating_point_v<T> ? 40 : 14) {
   using std::exp, std::erfc;

@@ -43,7 +43,7 @@ LightImages::LightImages(Device& device, const LightMap& map) {
 std::uint64_t light_bytes(const LightMap& map) {
   constexpr std::uint64_t kBlurred = std::uint64_t(kBlurredPictureWidth) * kBlurredPictureHeight;
   return map.texels().size_bytes() + map.columns().size_bytes() + map.rows().size_bytes() +
-         kBlurred * sizeof(glm::vec4);
+         kBlurred * sizeof(glm::vec4) + kLightPointsBytes;
 }
 std::uint64_t sums_bytes(std::uint64_t pixels) {
   return 3 * pixels * std::uint64_t(texel_size(kColorFormat));

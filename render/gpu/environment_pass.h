@@ -24,7 +24,7 @@ class LightImages {
   Owned<VkDescriptorPool> pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
-// Returns the bytes of device memory that a light of this size takes.
+// Returns the bytes of device memory that a light of this size takes, with its points.
 std::uint64_t light_bytes(const LightMap& map);
 
 class EnvironmentPass {

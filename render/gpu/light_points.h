@@ -14,6 +14,10 @@ struct RunPush {
   float first[kPointDimensions];
 };
 
+// Bytes of device memory of the points.
+inline constexpr std::uint64_t kLightPointsBytes =
+    2 * std::uint64_t(kLightSquare) * kLightSquare * std::uint64_t(kRun) * sizeof(glm::vec4);
+
 class LightPoints {
  public:
   explicit LightPoints(Device& device);

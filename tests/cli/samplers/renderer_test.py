@@ -57,7 +57,7 @@ with tempfile.TemporaryDirectory() as folder:
             sys.exit(77)
         assert done.stdout, done.stderr
         found = {f["check"]: f["verdict"] for f in json.loads(done.stdout)["findings"] if CHECKS.fullmatch(f["check"])}
-        assert found.get("sample_distribution") and found.get("jacobian"), found
+        assert found["sample_distribution"] in ("pass", "fail"), found  # decided, so that the test can fail
         print(form["form"], found, flush=True)
         wrong += [f"{form['form']}: {check}" for check, verdict in found.items() if verdict == "fail"]
 assert not wrong, wrong
