@@ -69,10 +69,14 @@ class Study {
     for (const Row& row : rows_) inputs.emplace_back(row.file);
     const io::Inputs read(inputs);
     io::check_folder_target({"-o", options_.folder}, {kPage, kResults}, read);
-    for (const Row& row : rows_) {
-      if (options_.sample.fit.stop()) return;  // each sample then reports the interruption
-      io::check_folder_target({"-o", row.folder}, {kSampleFiles.begin(), kSampleFiles.end()}, read);
-    }
+    const std::vector<std::string> names(kSampleFiles.begin(), kSampleFiles.end());
+    io::parallel_for(
+        rows_.size(),
+        [&](std::size_t k) {
+          if (!options_.sample.fit.stop())  // otherwise each sample reports the interruption
+            io::check_folder_target({"-o", rows_[k].folder}, names, read);
+        },
+        options_.jobs);
   }
 
   // Puts checks of earlier results between the studies of samples without results.

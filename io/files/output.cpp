@@ -83,14 +83,14 @@ std::optional<Inputs::Identity> identity(const fs::path& path) {
   return Inputs::Identity{folder->st_dev, folder->st_ino, target.filename().string()};
 }
 
-// Returns true if there is no such file, or if the file is a plain one that may be written, that is no input,
-// and that has no second name. The folder is writable. Two calls of the system in place of six: a study has
-// many thousands of files.
-bool is_surely_writable(const fs::path& path, const Inputs& inputs) {
+// Returns true if the folder has no such file, or if the file is a plain one that may be written, that is no
+// input, and that has no second name. The folder is writable. Two calls of the system in place of six, and no
+// path: a study has many thousands of files.
+bool is_surely_writable(int folder, const std::string& name, const Inputs& inputs) {
   struct stat status;
-  if (::lstat(path.c_str(), &status) != 0) return errno == ENOENT;
+  if (::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) return errno == ENOENT;
   return S_ISREG(status.st_mode) && status.st_nlink == 1 && (status.st_mode & 0222) != 0 &&
-         ::access(path.c_str(), W_OK) == 0 && !inputs.find({status.st_dev, status.st_ino, ""});
+         ::faccessat(folder, name.c_str(), W_OK, 0) == 0 && !inputs.find({status.st_dev, status.st_ino, ""});
 }
 
 }  // namespace
@@ -172,10 +172,12 @@ void check_folder_target(const Target& folder, const std::vector<std::string>& n
                      " is not a folder");
   if (::access(existing.c_str(), W_OK | X_OK) != 0) cannot_write(folder.path, errno);
   if (existing != folder.path) return;
+  const int opened = ::open(folder.path.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+  if (opened < 0) cannot_write(folder.path, errno);
+  const std::unique_ptr<const int, void (*)(const int*)> closed(&opened, [](const int* f) { ::close(*f); });
   std::vector<Target> targets;
   for (const std::string& name : names)
-    if (const fs::path file = folder.path / name; !is_surely_writable(file, inputs))
-      targets.push_back({folder.option, file});
+    if (!is_surely_writable(opened, name, inputs)) targets.push_back({folder.option, folder.path / name});
   check_targets(targets, inputs);
 }
 

@@ -42,13 +42,14 @@ inline unsigned all_processors() {
   return std::min(number, most);
 }
 
-// Calls work(k) once for each k in [0, count), on `threads` threads including the calling one. Each call
-// must store its result in a place of its own, so that results do not depend on the order. The first
-// exception stops the work and is rethrown here.
+// Calls work(k) once for each k in [0, count), on `threads` threads including the calling one. Each call must
+// store its result in a place of its own, so that results do not depend on the order. An exception stops the
+// work and is rethrown here; of several, the one of the smallest k, because all smaller k have begun.
 template <class Work>
 void parallel_for(std::size_t count, Work&& work, unsigned threads = all_processors()) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
+  std::size_t failed = count;
   std::mutex mutex;
   const auto run = [&] {
     for (std::size_t k = next++; k < count; k = next++) {
@@ -56,7 +57,8 @@ void parallel_for(std::size_t count, Work&& work, unsigned threads = all_process
         work(k);
       } catch (...) {
         const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
+        if (k < failed) failure = std::current_exception();
+        failed = std::min(failed, k);
         next = count;
       }
     }

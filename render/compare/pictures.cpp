@@ -62,7 +62,7 @@ Picture Pictures::read(Renderer& renderer) {
 int Pictures::samples_drawn() const {
   if (!a_ || !prepared_.environment) return 0;
   if (standing_) return standing_->plan().run * standing_->pictures();
-  return fine_a_ ? fine_samples_ : a_->samples();
+  return fine_a_ ? fine_a_->samples : a_->samples();
 }
 
 void Pictures::prepare_to_sample(VkCommandBuffer commands) {
@@ -208,7 +208,7 @@ void Pictures::draw_other_material(const ViewState& state) {
   } else {
     b_.emplace(*device_, other, options_);
   }
-  draw_fine_b_ = [this] { return fine(*b_); };
+  draw_fine_b_ = [this] { return fine(*b_).picture; };
   standing_b_.reset();
   if (standing_) {
     standing_b_.emplace(*device_, *b_, standing_->plan());

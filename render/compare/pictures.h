@@ -22,8 +22,8 @@ struct Finish {
   // The picture with one sample per pixel is needed, too.
   bool probed = false;
   Rounding rounding = Rounding::dithered;
-  // A picture of A alone in an environment: draws further rounds of samples until noise() is at most this,
-  // or until a pixel has `most_samples`. 0: one round.
+  // A picture of A alone in an environment: draws further samples until noise() is at most this, or until a
+  // pixel has `most_samples`. 0: the samples of Pictures alone.
   double noise = 0;
   int most_samples = 0;
   // Called after each sample place of a picture, with the finished places and their total number.
@@ -118,15 +118,21 @@ class Pictures {
   void draw_other_material(const ViewState& state);
   Picture read(Renderer& renderer);
   int samples_of_a_place() const;
-  Picture fine(Renderer& renderer);
-  // Draws A with rounds of samples until the noise of `finish` is reached.
-  Picture fine_of_a();
+  // A picture with the samples of `Finish`. samples: of an environment's light per pixel; noise: as of
+  // noise().
+  struct Fine {
+    Picture picture;
+    int samples = 0;
+    double noise = -1;
+  };
+  // Draws through all places of a pixel, with an environment again and again until the noise is at most
+  // `wanted_noise`, if that is above 0, or until a pixel has the most samples of `Finish`.
+  Fine fine(Renderer& renderer, double wanted_noise = 0);
   void reduce_noise();
   void measure_noise();
   void show_again(Renderer& renderer, const PreparedScene& scene);
-  // Calls draw() at each place, and reports the progress; `total`: of all rounds.
-  Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw,
-                    int before = 0, int total = 0);
+  // Calls draw() at each place, and reports the progress.
+  Picture at_places(const PreparedScene& scene, const std::function<Picture(const PreparedScene&)>& draw);
   Comparison comparison(const ViewState& state, bool labels);
 
   Device* device_;
@@ -144,8 +150,8 @@ class Pictures {
   Image upload_;                                   // B, if B is computed on the CPU
   std::optional<Picture> a_picture_;
   Picture b_picture_;
-  std::optional<Picture> fine_a_, fine_b_;
-  int fine_samples_ = 0;  // of fine_a_
+  std::optional<Fine> fine_a_;
+  std::optional<Picture> fine_b_;
   std::function<Picture()> draw_fine_b_;
   std::filesystem::path samples_file_;
   Measured samples_;

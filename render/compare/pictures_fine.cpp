@@ -4,14 +4,23 @@
 #include <utility>
 
 #include "brdf/scalar.h"
-#include "render/compare/picture_spread.h"
 #include "render/compare/pictures.h"
 #include "render/compare/supersample.h"
 
 namespace brdf::render {
 namespace {
 
-constexpr int kRound = 64;  // samples of an environment's light per pixel
+// Returns the number of samples after which the noise is probably reached. The noise of these points falls
+// faster than with the root of their number (between the powers -0.68 and -0.72 in the studio).
+int samples_for(double noise, double wanted_noise, int samples) {
+  return int(std::min(samples * std::pow(noise / wanted_noise, 1.5), 1e8));
+}
+
+// Returns the picture with alpha 1 where at least half of the places show a surface, otherwise 0.
+Picture by_majority(Picture picture) {
+  for (glm::vec4& pixel : picture.pixels) pixel.a = pixel.a >= 0.5f;
+  return picture;
+}
 
 }  // namespace
 
@@ -21,27 +30,13 @@ int Pictures::samples_of_a_place() const {
   return std::max((wanted_ + places - 1) / places, 1);
 }
 
-Picture Pictures::at_places(const PreparedScene& scene, const Draw& draw, int before, int total) {
-  int done = before;
+Picture Pictures::at_places(const PreparedScene& scene, const Draw& draw) {
+  int done = 0;
   return supersampled(scene, finish_.supersample, [&](const PreparedScene& moved) {
     Picture picture = draw(moved);
-    if (finish_.progress)
-      finish_.progress(++done, std::max(total, before + finish_.supersample * finish_.supersample));
+    if (finish_.progress) finish_.progress(++done, finish_.supersample * finish_.supersample);
     return picture;
   });
-}
-
-Picture Pictures::fine(Renderer& renderer) {
-  PreparedScene scene = renderer.scene();
-  scene.scene.camera.offset = {};
-  int first = 0;  // all places share one sequence of random directions
-  Picture picture = at_places(scene, [&](const PreparedScene& moved) {
-    renderer.update(moved);
-    renderer.draw_samples(samples_of_a_place(), nullptr, std::exchange(first, first + samples_of_a_place()));
-    return read(renderer);
-  });
-  show_again(renderer, scene);
-  return picture;
 }
 
 // Restores the picture that the window shows.
@@ -55,42 +50,49 @@ void Pictures::show_again(Renderer& renderer, const PreparedScene& scene) {
     renderer.draw_smooth();
 }
 
-Picture Pictures::fine_of_a() {
-  const bool lit = prepared_.environment != nullptr;
-  PreparedScene scene = a_->scene();
+Pictures::Fine Pictures::fine(Renderer& renderer, double wanted_noise) {
+  PreparedScene scene = renderer.scene();
   scene.scene.camera.offset = {};
-  const int places = finish_.supersample * finish_.supersample;
-  // The fixed number of samples is divided into rounds, whose spread gives the noise.
-  const int planned = lit ? std::max(wanted_ / kRound, 1) : 1;
-  const int count = std::max((wanted_ + planned * places - 1) / (planned * places), 1);
-  PictureSpread of_places(scene.scene.camera.width, scene.scene.camera.height), of_rounds = of_places;
-  Picture sum;
-  fine_samples_ = 0;
-  double rounds = 0, expected = planned;
-  // All places and rounds share one sequence of random directions.
-  do {
-    const auto draw = [&](const PreparedScene& moved) {
-      a_->update(moved);
-      a_->draw_samples(count, nullptr, std::exchange(fine_samples_, fine_samples_ + count));
-      Picture picture = read(*a_);
-      if (lit && rounds == 0) of_places.add(picture);
-      return picture;
-    };
-    const Picture round = at_places(scene, draw, int(rounds) * places, int(std::ceil(expected)) * places);
-    sum = rounds > 0 ? weighted(sum, rounds, round) : round;
-    ++rounds;
-    if (!lit) break;
-    of_rounds.add(round);
-    const double noise = rounds > 1 ? of_rounds.noise() : of_places.noise();
-    if (effort_ == Effort::whole) noise_ = noise;  // otherwise it is the noise of the shown picture
-    if (finish_.noise > 0)
-      expected = std::clamp(rounds * square(noise / finish_.noise), rounds + 1,
-                            std::max(double(finish_.most_samples) / (places * count), rounds + 1));
-  } while (int(rounds) < planned || (finish_.noise > 0 && noise_ > finish_.noise &&
-                                     fine_samples_ + places * count <= finish_.most_samples));
-  if (!lit) fine_samples_ = 0;
-  show_again(*a_, scene);
-  return sum;
+  const bool lit = scene.environment != nullptr;
+  const std::vector<glm::vec2> places = sample_places(finish_.supersample);
+  const int of_a_sweep = int(places.size());
+  PlaceSums sums = renderer.place_sums();
+  Fine fine;
+  const auto measure = [&] {
+    fine.picture = picture_from(scene.scene.camera.width, scene.scene.camera.height, sums.mean());
+    if (lit) fine.noise = noise_of(sums.difference(), fine.picture);
+  };
+  const auto further = [&](int samples, int least) {
+    const int left = std::max(finish_.most_samples - fine.samples, 0) / of_a_sweep * of_a_sweep;
+    const int needed = samples_for(fine.noise, wanted_noise, samples) - fine.samples;
+    return std::min(std::clamp(needed, least, std::max(of_a_sweep * kRun, least)), left);
+  };
+  int more = lit ? wanted_ : 1, done = 0;
+  if (lit && wanted_noise > 0) {  // one run shows how many samples each place needs
+    renderer.update(scene);
+    renderer.draw_place(sums, {kRun, 0, 1, 1});
+    measure();
+    sums.reset();
+    more = further(kRun, wanted_);
+  }
+  while (more > 0) {
+    const StandingPlan plan = standing_plan(finish_.supersample, more);
+    for (int k = 0; k < plan.pictures; ++k) {
+      scene.scene.camera.offset = places[std::size_t(k % of_a_sweep)];
+      renderer.update(scene);
+      renderer.draw_place(sums, run_of(plan, k, fine.samples));
+      ++done;
+      if (finish_.progress) finish_.progress(done, done + plan.pictures - k - 1);
+    }
+    fine.samples += plan.pictures * plan.run;
+    measure();
+    more = wanted_noise > 0 && fine.noise > wanted_noise ? further(fine.samples, of_a_sweep) : 0;
+  }
+  fine.picture = by_majority(std::move(fine.picture));
+  if (!lit) fine.samples = 0;
+  scene.scene.camera.offset = {};
+  show_again(renderer, scene);
+  return fine;
 }
 
 void Pictures::measure_noise() {
@@ -109,8 +111,11 @@ void Pictures::reduce_noise() {
 
 const Picture& Pictures::fine_a() {
   if (finish_.supersample <= 1) return a_picture();
-  if (!fine_a_) fine_a_ = fine_of_a();
-  return *fine_a_;
+  if (!fine_a_) {
+    fine_a_ = fine(*a_, finish_.noise);
+    if (effort_ == Effort::whole) noise_ = fine_a_->noise;  // otherwise it is the noise of the shown picture
+  }
+  return fine_a_->picture;
 }
 
 const Picture& Pictures::fine_b() {

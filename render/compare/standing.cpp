@@ -23,6 +23,16 @@ StandingPlan standing_plan(int across, int samples) {
   return {rounds * places, across, (of_a_place + rounds - 1) / rounds};
 }
 
+PlaceRun run_of(const StandingPlan& plan, int k, int first) {
+  const int places = plan.across * plan.across, place = k % places, round = k / places;
+  PlaceRun run{plan.run, first + round * places * plan.run + place, places, 1};
+  // The halves of an odd run are unequal. Every other run has its larger half in the second half of the sum,
+  // and of an odd number of places, the last one is left out.
+  if (run.samples % 2 == 1)
+    run.sign = place % 2 == 1 ? -1.0f : place + 1 == places && places > 1 ? 0.0f : 1.0f;
+  return run;
+}
+
 Standing::Standing(Device& device, Renderer& renderer, const StandingPlan& plan)
     : device_(&device),
       renderer_(&renderer),
@@ -45,7 +55,7 @@ void Standing::begin_picture(const PreparedScene& scene) {
   }
   renderer_->update(moved);
   if (smooth_done_)
-    renderer_->begin_run(plan_.run * mean_.count(), plan_.run);
+    renderer_->begin_run(run_of(plan_, mean_.count()));
   else
     renderer_->begin_smooth();
 }

@@ -20,6 +20,10 @@ struct StandingPlan {
 // Returns the plan with whole rounds through `across` x `across` places and at least `samples` samples of an
 // environment, at most kRun in each picture. If kRun samples in each place suffice, a place is visited once.
 StandingPlan standing_plan(int across, int samples);
+// Returns the samples of the k-th picture of a plan, where `first` samples of the sequence are drawn. Between
+// two samples of a picture, the other places have one each: the first halves of all pictures of a round are
+// points that follow each other, and so are the second halves.
+PlaceRun run_of(const StandingPlan& plan, int k, int first = 0);
 
 class Standing {
  public:

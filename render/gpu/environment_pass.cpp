@@ -46,7 +46,8 @@ std::uint64_t light_bytes(const LightMap& map) {
          kBlurred * sizeof(glm::vec4) + kLightPointsBytes;
 }
 std::uint64_t sums_bytes(std::uint64_t pixels) {
-  return 3 * pixels * std::uint64_t(texel_size(kColorFormat));
+  constexpr std::uint64_t kImages = 4;  // the two of a run, two sums
+  return kImages * pixels * std::uint64_t(texel_size(kColorFormat));
 }
 
 EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const LightImages& light,
@@ -55,8 +56,8 @@ EnvironmentPass::EnvironmentPass(Device& device, const GpuScene& gpu, const Ligh
       light_(&light),
       deferred_(&deferred),
       bits_(gbuffer_bits),
-      run_(device, kColorFormat, extent, kDrawn),
-      mean_(device, run_),
+      run_{{device, kColorFormat, extent, kDrawn}, {device, kColorFormat, extent, kDrawn}},
+      mean_(device, run_.mean),
       points_(device),
       code_(shader_code::environment, shader_code::environment_text) {
   const std::array sets{gpu.frame_layout(), deferred.targets_layout(), light.layout(), points_.layout()};
@@ -75,7 +76,7 @@ VkPipeline EnvironmentPass::pipeline(const Reflectance& form, int number, Blend 
         make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
                                  .fragment = code_.of(form, number),
                                  .constants = {std::uint32_t(number), std::uint32_t(bits_), smooth_, single},
-                                 .colors = {kColorFormat},
+                                 .colors = std::vector(smooth_ ? 1 : 2, kColorFormat),
                                  .blend = blend,
                                  .layout = layout_.get()});
   return found.get();
@@ -91,15 +92,18 @@ void EnvironmentPass::record_backdrop(VkCommandBuffer commands, const GpuScene& 
 }
 
 void EnvironmentPass::begin_run(VkCommandBuffer commands) {
-  run_.transition(commands, Use::color_attachment, true);
-  begin_colors(commands, {&run_}, VK_ATTACHMENT_LOAD_OP_CLEAR);
+  for (Image* image : {&run_.mean, &run_.difference})
+    image->transition(commands, Use::color_attachment, true);
+  begin_colors(commands, {&run_.mean, &run_.difference}, VK_ATTACHMENT_LOAD_OP_CLEAR);
   vkCmdEndRendering(commands);
 }
 
 RunPush EnvironmentPass::push(std::uint32_t seed) const {
-  RunPush push{-1, seed, smooth_ ? directions_ : count_, {}};
-  for (std::size_t d = 0; d < kPointDimensions; ++d)
+  RunPush push{-1, seed, smooth_ ? directions_ : count_, {}, {}};
+  for (std::size_t d = 0; d < kPointDimensions; ++d) {
     push.first[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(first_ + samples())));
+    push.step[d] = float(additive_recurrence(0, kPointSteps[d], std::uint64_t(stride_)));
+  }
   return push;
 }
 
@@ -111,18 +115,21 @@ void EnvironmentPass::record_points(VkCommandBuffer commands, const GpuScene& gp
 
 void EnvironmentPass::record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu,
                              std::size_t layer, const VkRect2D& tile, std::uint32_t seed, Image& color) {
-  Image& target = smooth_ ? color : run_;
   deferred_->prepare_to_read(commands);
   points_.prepare_to_read(commands);
-  target.transition(commands, Use::color_attachment);
-  begin_colors(commands, {&target}, VK_ATTACHMENT_LOAD_OP_LOAD);
+  for (Image* image : {&color, &run_.mean, &run_.difference})
+    if ((image == &color) == smooth_) image->transition(commands, Use::color_attachment);
+  if (smooth_)
+    begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
+  else
+    begin_colors(commands, {&run_.mean, &run_.difference}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, layout_.get(), 0, gpu.frame_set());
   bind(commands, layout_.get(), 1, deferred_->targets_set());
   bind(commands, layout_.get(), 2, light_->set());
   bind(commands, layout_.get(), 3, points_.set());
   RunPush push = this->push(seed);
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
-    const VkRect2D scissor = common(covered_by_form(scene, layer, form, run_.extent()), tile);
+    const VkRect2D scissor = common(covered_by_form(scene, layer, form, color.extent()), tile);
     if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
     vkCmdSetScissor(commands, 0, 1, &scissor);
     push.item = smooth_ ? only_item(scene, layer, form) : -1;

@@ -6,6 +6,7 @@
 
 #include "render/gpu/light_points.h"
 #include "render/gpu/passes.h"
+#include "render/gpu/place_sums.h"
 #include "render/gpu/running_mean.h"
 
 namespace brdf::render {
@@ -35,9 +36,9 @@ class EnvironmentPass {
   // Discards the sum because the scene has changed.
   void reset() { mean_.reset(); }
   // Discards the sum. From here on, runs have `samples_of_a_run` samples, at most kRun, and begin at sample
-  // `first` of the sequence.
-  void reset(int samples_of_a_run, int first) {
-    mean_.reset(), count_ = samples_of_a_run, first_ = first, smooth_ = false;
+  // `first` of the sequence. A run takes every `stride`-th sample; the next run follows only if that is 1.
+  void reset(int samples_of_a_run, int first, int stride = 1) {
+    mean_.reset(), count_ = samples_of_a_run, first_ = first, stride_ = stride, smooth_ = false;
   }
   // Discards the sum. From here on, each run is the picture without noise of blurred_light.h.
   // `directions`: 1 or 2 for the lobe and as many for the cosine.
@@ -57,6 +58,7 @@ class EnvironmentPass {
   void record(VkCommandBuffer commands, const PreparedScene& scene, const GpuScene& gpu, std::size_t layer,
               const VkRect2D& tile, std::uint32_t seed, Image& color);
   void end_run(VkCommandBuffer commands, Image& color);
+  RunImages& run() { return run_; }  // of the last run, also before its end
 
   // See RunningMean; each picture is a run.
   std::vector<float> standard_error() { return mean_.standard_error(); }
@@ -69,10 +71,10 @@ class EnvironmentPass {
   const LightImages* light_;
   const DeferredPass* deferred_;
   int bits_;
-  int count_ = kRun, first_ = 0;
+  int count_ = kRun, first_ = 0, stride_ = 1;
   int directions_ = 2;
   bool smooth_ = false;
-  Image run_;
+  RunImages run_;
   RunningMean mean_;
   LightPoints points_;
   Owned<VkPipelineLayout> layout_;

@@ -11,7 +11,7 @@ struct RunPush {
   std::int32_t item;
   std::uint32_t seed;
   std::int32_t count;
-  float first[kPointDimensions];
+  float first[kPointDimensions], step[kPointDimensions];
 };
 
 // Bytes of device memory of the points.

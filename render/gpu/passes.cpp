@@ -194,16 +194,17 @@ VkPipeline DeferredPass::geometry_pipeline(bool textured) {
   return pipeline.get();
 }
 
-VkPipeline DeferredPass::lighting_pipeline(const Reflectance& form, int number, bool add, bool single) {
-  Owned<VkPipeline>& pipeline = lighting_pipelines_[{number, add, single}];
+VkPipeline DeferredPass::lighting_pipeline(const Reflectance& form, int number, bool add, bool single,
+                                           bool dark) {
+  Owned<VkPipeline>& pipeline = lighting_pipelines_[{number, add, single, dark}];
   if (!pipeline) {
-    pipeline =
-        make_pipeline(*device_, {.vertex = shader_code::screen_vertex,
-                                 .fragment = lighting_code_.of(form, number),
-                                 .constants = {std::uint32_t(number), std::uint32_t(gbuffer_->bits), single},
-                                 .colors = {kColorFormat},
-                                 .blend = add ? Blend::add : Blend::replace,
-                                 .layout = lighting_layout_.get()});
+    pipeline = make_pipeline(
+        *device_, {.vertex = shader_code::screen_vertex,
+                   .fragment = lighting_code_.of(form, number),
+                   .constants = {std::uint32_t(number), std::uint32_t(gbuffer_->bits), single, dark},
+                   .colors = {kColorFormat},
+                   .blend = add ? Blend::add : Blend::replace,
+                   .layout = lighting_layout_.get()});
   }
   return pipeline.get();
 }
@@ -246,13 +247,14 @@ void DeferredPass::record_lighting(VkCommandBuffer commands, const PreparedScene
   begin_colors(commands, {&color}, VK_ATTACHMENT_LOAD_OP_LOAD);
   bind(commands, lighting_layout_.get(), 0, gpu.frame_set());
   bind(commands, lighting_layout_.get(), 1, targets_set_);
+  const bool dark = scene.scene.lights.empty() && scene.scene.ambient == glm::vec3(0);
   for (const Reflectance& form : forms_in(scene.layers[layer])) {
     const VkRect2D scissor = common(covered_by_form(scene, layer, form, color.extent()), tile);
     if (scissor.extent.width == 0 || scissor.extent.height == 0) continue;
     vkCmdSetScissor(commands, 0, 1, &scissor);
     const int single = only_item(scene, layer, form);
     vkCmdPushConstants(commands, lighting_layout_.get(), kDrawingStages, 0, sizeof single, &single);
-    draw_screen(commands, lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0));
+    draw_screen(commands, lighting_pipeline(form, gpu.number_of(form), layer > 0, single >= 0, dark));
   }
   vkCmdEndRendering(commands);
 }

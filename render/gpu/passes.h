@@ -74,7 +74,7 @@ class DeferredPass {
 
  private:
   VkPipeline geometry_pipeline(bool textured);
-  VkPipeline lighting_pipeline(const Reflectance& form, int number, bool add, bool single);
+  VkPipeline lighting_pipeline(const Reflectance& form, int number, bool add, bool single, bool dark);
 
   Device* device_;
   GBuffer* gbuffer_;
@@ -85,7 +85,7 @@ class DeferredPass {
   Owned<VkPipelineLayout> geometry_layout_, lighting_layout_;
   std::map<bool, Owned<VkPipeline>> geometry_pipelines_;
   FragmentCode lighting_code_;
-  std::map<std::tuple<int, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
+  std::map<std::tuple<int, bool, bool, bool>, Owned<VkPipeline>> lighting_pipelines_;
 };
 
 // Lights each fragment when it is rasterised, as a comparison for deferred rendering. Supports one layer

@@ -166,8 +166,7 @@ void Renderer::record_tiles(VkCommandBuffer commands, std::size_t layer, int fir
 
 void Renderer::record_parts(VkCommandBuffer commands, int first, int count, Timestamps* times) {
   const int meshes = int(mesh_parts_.size()), of_a_layer = parts() / int(scene_.layers.size());
-  const bool has_run = environment_ && !environment_->is_smooth();
-  if (first == 0 && has_run) environment_->begin_run(commands);
+  if (first == 0 && has_run()) environment_->begin_run(commands);
   for (int part = first, end = first + count; part < end;) {
     const int layer = part / of_a_layer, within = part % of_a_layer;
     const int kind_end = within < meshes ? meshes : of_a_layer;
@@ -182,9 +181,6 @@ void Renderer::record_parts(VkCommandBuffer commands, int first, int count, Time
     }
     part += together;
   }
-  if (first + count < parts() || !has_run) return;
-  environment_->end_run(commands, color_);
-  if (times) times->mark(commands, "environment");
 }
 
 void Renderer::record_start(VkCommandBuffer commands, Timestamps* times) {
@@ -214,6 +210,18 @@ void Renderer::draw_parts(int first, int count, Timestamps* times) {
     if (times) times->begin(commands);
     if (first == 0) record_start(commands, times);
     if (uses_gbuffer(scene_.scene, options_)) record_parts(commands, first, count, times);
+    if (first + count < parts() || !has_run()) return;
+    environment_->end_run(commands, color_);
+    if (times) times->mark(commands, "environment");
+  });
+}
+
+void Renderer::draw_place(PlaceSums& sums, const PlaceRun& run) {
+  begin_run(run);
+  device_->run([&](VkCommandBuffer commands) {
+    record_start(commands, nullptr);
+    if (uses_gbuffer(scene_.scene, options_)) record_parts(commands, 0, parts(), nullptr);
+    sums.record_add(commands, float(run.samples), run.sign);
   });
 }
 
@@ -232,8 +240,8 @@ void Renderer::draw_samples(int samples, Timestamps* times, int first, int run) 
   while (environment_ && this->samples() < samples);
 }
 
-void Renderer::begin_run(int first, int run) {
-  if (environment_) environment_->reset(run, first);
+void Renderer::begin_run(const PlaceRun& run) {
+  if (environment_) environment_->reset(run.samples, run.first, run.stride);
 }
 
 void Renderer::begin_smooth() {

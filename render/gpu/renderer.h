@@ -25,6 +25,13 @@ struct RendererOptions {
   bool coarse = false;
 };
 
+// The samples of an environment's light in one picture: at most kRun, every `stride`-th one of the sequence
+// from `first` on. `sign`: of the difference of the run's halves in PlaceSums.
+struct PlaceRun {
+  int samples, first, stride;
+  float sign;
+};
+
 class Renderer {
  public:
   // Throws InputError if the picture is too large for the device or for its memory limit.
@@ -46,14 +53,18 @@ class Renderer {
   // begin_smooth() before the first part.
   int parts() const;
   void draw_parts(int first, int count, Timestamps* times = nullptr);
-  // The next picture has a run of this many samples of an environment, at most kRun, from sample `first` of
-  // the sequence; earlier samples are discarded.
-  void begin_run(int first, int run);
+  // The next picture has this run of an environment's light; earlier samples are discarded.
+  void begin_run(const PlaceRun& run);
   // The next picture is the one of draw_smooth().
   void begin_smooth();
   // Draws until there are `samples` samples, from sample `first` of the sequence, in runs of at most `run`
   // samples; `run` is at most kRun. Draws once if there is no environment.
   void draw_samples(int samples, Timestamps* times = nullptr, int first = 0, int run = kRun);
+  // For pictures through several places of a pixel: each draw_place() draws the scene with one run of samples
+  // of an environment, and adds the picture to the sums with the run's number of samples as its weight. The
+  // sums are of use until update() changes the environment.
+  PlaceSums place_sums() { return {*device_, color_, environment_ ? &environment_->run() : nullptr}; }
+  void draw_place(PlaceSums& sums, const PlaceRun& run);
   // Draws the scene without noise, but not exactly: the light of the environment is averaged over wide solid
   // angles (light/blurred_light.h). The exact picture if there is no environment.
   void draw_smooth(Timestamps* times = nullptr);
@@ -73,6 +84,7 @@ class Renderer {
   int gbuffer_bits() const { return options_.gbuffer_bits; }
 
  private:
+  bool has_run() const { return environment_ && !environment_->is_smooth(); }
   void make_passes();
   void make_environment();
   void record_start(VkCommandBuffer commands, Timestamps* times);

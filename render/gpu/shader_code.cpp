@@ -57,6 +57,9 @@ constexpr std::uint32_t kAccumulate[] =
 constexpr std::uint32_t kMean[] =
 #include "mean.frag.inc"
     ;
+constexpr std::uint32_t kPlaces[] =
+#include "places.frag.inc"
+    ;
 constexpr std::uint32_t kEnlarge[] =
 #include "enlarge.frag.inc"
     ;
@@ -68,7 +71,7 @@ const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = 
             classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
             shadow_vertex = kShadowVertex, shadow = kShadow, environment = kEnvironment,
             light_points = kLightPoints, backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean,
-            enlarge = kEnlarge;
+            places = kPlaces, enlarge = kEnlarge;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"

@@ -85,17 +85,6 @@ std::string enumerators(const std::string& prefix) {
   return text;
 }
 
-std::string point_steps() {
-  const std::string array = "float[" + std::to_string(kPointDimensions) + "]";
-  std::string values;
-  for (const double step : kPointSteps) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", step);
-    values += (values.empty() ? "" : ", ") + std::string(text);
-  }
-  return "const " + array + " kPointSteps = " + array + "(" + values + ");\n";
-}
-
 std::string layout() {
   const auto constant = [](const char* name, std::size_t value) {
     return "const int " + std::string(name) + " = " + std::to_string(value) + ";\n";
@@ -106,9 +95,9 @@ std::string layout() {
          constant("kHatchPeriod", io::kHatchPeriod) + constant("kHatchDark", io::kHatchDark) +
          constant("kHatchBright", io::kHatchBright) + constant("kBackdrop", kBackdrop) +
          constant("kPointDimensions", kPointDimensions) + constant("kLightSquare", kLightSquare) +
-         point_steps() + constant("kBlurredHeight", kBlurredHeight) +
-         constant("kBlurredLevels", kBlurredLevels) + "const float kNoFloor = " + std::to_string(kNoFloor) +
-         ";\n" + "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
+         constant("kBlurredHeight", kBlurredHeight) + constant("kBlurredLevels", kBlurredLevels) +
+         "const float kNoFloor = " + std::to_string(kNoFloor) + ";\n" +
+         "const float kLeastFacing = " + std::to_string(kLeastFacing) + ";\n" +
          "const float kLeastSeen = " + std::to_string(kLeastSeen) + ";\n" + enumerators<Shading>("shading") +
          enumerators<ToneMap>("tone_map") + enumerators<Display>("display") + enumerators<Target>("target") +
          enumerators<TextureSlot>("map");

@@ -19,6 +19,7 @@ layout(constant_id = 3) const bool kSingle = false;  // as in lighting.frag
 layout(set = 3, binding = 0) uniform sampler2D points_towards;  // of light_points.frag
 layout(set = 3, binding = 1) uniform sampler2D points_radiance;
 layout(location = 0) out vec4 color;
+layout(location = 1) out vec4 difference;  // of a run: render/gpu/place_sums.h
 
 // Azimuth and polar angle in units of the picture, each in [0, 1]. In the first quadrant, by the kernel: the
 // device's own arctangents are coarser than a large picture's texels.
@@ -86,7 +87,8 @@ void main() {
   }
   const uvec2 pixel = uvec2(gl_FragCoord.xy), place = light_place(pixel);
   const uint bits = pixel_bits(pixel);
-  vec3 sum = vec3(0.0);
+  const int half_run = (push.count + 1) / 2;
+  vec3 sum = vec3(0.0), first_half = vec3(0.0);
   for (int k = 0; k < push.count; ++k) {
     for (int own = 0; own < 2; ++own) {
       vec4 texel;
@@ -104,6 +106,9 @@ void main() {
       const vec3 value = brdf_eval_cos(kForm, wi, wo, s.shape, s.weights[0], s.weights[1], s.weights[2]);
       if (wi.z > 0.0 && density > 0.0) sum += value * texel.rgb * (floor_share(s.position, basis * wi) / density);
     }
+    if (k + 1 == half_run) first_half = sum;
   }
-  color = vec4(sum * (frame.environment.z / float(push.count)), 0.0);
+  const float share = frame.environment.z / float(push.count);
+  color = vec4(sum * share, 0.0);
+  difference = vec4((2.0 * first_half - sum) * share, 0.0);
 }

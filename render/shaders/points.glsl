@@ -4,6 +4,7 @@ layout(push_constant) uniform Push {
   uint seed;
   int count;  // of a run; smooth: half the number of directions
   float first[kPointDimensions];  // how far each coordinate has moved before this run
+  float step[kPointDimensions];   // how far each coordinate moves from one point of this run to the next
 } push;
 
 uint mixed_bits(uint x) {
@@ -21,5 +22,5 @@ uvec2 light_place(uvec2 pixel) {
 // A coordinate of the k-th point of this run, in [0, 1); both terms are.
 float point(uint bits, int d, int k) {
   const float start = float(mixed_bits(bits + uint(d) * 0x9e3779b9u) >> 8) * exp2(-24.0);
-  return min(fract(start + fract(push.first[d] + kPointSteps[d] * float(k))), 1.0 - exp2(-24.0));
+  return min(fract(start + fract(push.first[d] + push.step[d] * float(k))), 1.0 - exp2(-24.0));
 }

@@ -21,11 +21,10 @@ VkPipelineColorBlendAttachmentState blend_state(Blend blend) {
   state.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
                          VK_COLOR_COMPONENT_A_BIT;
   if (blend != Blend::replace) {
-    const bool keeps = blend == Blend::add_color;
     state.blendEnable = VK_TRUE;
     state.srcColorBlendFactor = state.dstColorBlendFactor = VK_BLEND_FACTOR_ONE;
-    state.srcAlphaBlendFactor = keeps ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE;
-    state.dstAlphaBlendFactor = keeps ? VK_BLEND_FACTOR_ONE : VK_BLEND_FACTOR_ZERO;
+    state.srcAlphaBlendFactor = blend == Blend::add_color ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE;
+    state.dstAlphaBlendFactor = blend == Blend::add ? VK_BLEND_FACTOR_ZERO : VK_BLEND_FACTOR_ONE;
   }
   return state;
 }

@@ -12,8 +12,9 @@ namespace brdf::render {
 using Spirv = std::span<const std::uint32_t>;
 
 enum class VertexInput { none, mesh, mesh_without_tangent, mesh_position };
-// add: adds to the colour, with the new alpha; add_color: adds to the colour and keeps the alpha.
-enum class Blend { replace, add, add_color };
+// add: adds to the colour, with the new alpha; add_color: adds to the colour and keeps the alpha; add_all:
+// adds to colour and alpha.
+enum class Blend { replace, add, add_color, add_all };
 
 struct PipelineDescription {
   Spirv vertex, fragment;

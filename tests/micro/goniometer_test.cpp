@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include "brdf/material.h"
 
@@ -157,18 +156,6 @@ TEST(Goniometer, AnotherSeedIsAnotherSurface) {
   const double one = measure_scatter(s, {{radians(1.0), {}}}, Cells(radians(0.3)))[0].total[5].mean;
   s.seed = 2;
   EXPECT_NE(measure_scatter(s, {{radians(1.0), {}}}, Cells(radians(0.3)))[0].total[5].mean, one);
-}
-
-TEST(Parallel, HandsOverInOrderAndPassesExceptionsOn) {
-  std::vector<int> seen;
-  int last = 0;
-  io::parallel_in_order(
-      50, 4, [&](int done, int) { last = done; }, [](int i) { return i * i; },
-      [&](int v) { seen.push_back(v); });
-  for (int i = 0; i < 50; ++i) EXPECT_EQ(seen[i], i * i);
-  EXPECT_EQ(last, 50);
-  const auto fail = [](int i) { return i == 3 ? throw std::runtime_error("three") : i; };
-  EXPECT_THROW(io::parallel_in_order(9, 2, {}, fail, [](int) {}), std::runtime_error);
 }
 
 }  // namespace

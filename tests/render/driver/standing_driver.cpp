@@ -104,7 +104,7 @@ TEST(Standing, APictureInPartsHasTheBytesOfTheWholePicture) {
   ASSERT_GT(parts.parts(), 9) << "nine tiles and the mesh";
   for (const bool smooth : {false, true}) {
     smooth ? whole.draw_smooth() : whole.draw_samples(0, nullptr, 32, 4);
-    smooth ? parts.begin_smooth() : parts.begin_run(32, 4);
+    smooth ? parts.begin_smooth() : parts.begin_run({4, 32, 1, 1});
     for (int part = 0; part < parts.parts(); part += 2)
       parts.draw_parts(part, std::min(2, parts.parts() - part));
     EXPECT_EQ(whole.read_color(), parts.read_color()) << smooth;
