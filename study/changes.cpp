@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "study/folder.h"
@@ -36,6 +37,14 @@ bool is_outside(const Json& older, double value) {
   return value < older.at("low").get<double>() || value > older.at("high").get<double>();
 }
 
+// A row without estimates has a fault, or was written by an older version.
+bool can_be_compared(const Json& row) {
+  return row.contains("form") && row.contains("estimates");
+}
+
+// Bytes: a sample takes about 4,000.
+constexpr std::size_t kLargestOverview = std::size_t{1} << 28;
+
 }  // namespace
 
 std::vector<Change> changes_between(const Json& older, const Json& newer) {
@@ -58,18 +67,28 @@ std::vector<Change> changes_between(const Json& older, const Json& newer) {
   return changes;
 }
 
-Earlier::Earlier(const std::filesystem::path& against, const std::filesystem::path& folder) {
-  const std::filesystem::path file = (against.empty() ? folder : against) / kResults;
+std::vector<Change> changes_from(const Json& results, const Json& row) {
+  try {
+    for (const Json& older : results.at("results"))
+      if (older.at("name") == row.at("name"))
+        return can_be_compared(older) ? changes_between(older, row) : std::vector<Change>();
+  } catch (const Json::exception&) {  // edited by hand
+  }
+  return {};
+}
+
+Earlier::Earlier(const std::filesystem::path& against) {
+  if (against.empty()) return;
+  const std::filesystem::path file = against / kResults;
   std::string why;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
     why = "it holds no study.json";
   } else {
     try {
-      const Json json = io::read_json(file);
-      for (const Json& row : json.at("results"))
-        // A row without estimates has a fault, or was written by an older version.
-        if (row.contains("form") && row.contains("estimates")) rows_.emplace(row.at("name"), row);
+      Json json = io::read_json(io::read_content(file, kLargestOverview), kLargestOverview);
+      for (Json& row : json.at("results"))
+        if (can_be_compared(row)) rows_.emplace(row.at("name"), std::move(row));
       if (rows_.empty()) why = "no sample in it can be compared";
     } catch (const InputError&) {
       why = "its study.json cannot be read";
@@ -77,7 +96,7 @@ Earlier::Earlier(const std::filesystem::path& against, const std::filesystem::pa
       why = "its study.json was not written by brdf study";
     }
   }
-  if (!against.empty() && !why.empty())
+  if (!why.empty())
     throw InputError("--against " + against.string() + ": " + why +
                      "; give a folder that brdf study has written");
 }

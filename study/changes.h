@@ -22,12 +22,16 @@ struct Change {
 // parameter by parameter: the form is then the only change. Empty if nothing differs.
 std::vector<Change> changes_between(const io::Json& older, const io::Json& newer);
 
+// Returns the differences of the row from the row of the same name in an older study.json. Empty if there is
+// no such row, or if it has no values.
+std::vector<Change> changes_from(const io::Json& results, const io::Json& row);
+
 // The rows of an older study.
 class Earlier {
  public:
-  // Reads the rows of `against`; if it is empty, the rows that are in `folder` now, if there are any. Throws
-  // InputError if `against` is given and holds no study.
-  Earlier(const std::filesystem::path& against, const std::filesystem::path& folder);
+  // Reads the rows of this folder; there are none if it is empty. Throws InputError if the folder holds no
+  // study.
+  explicit Earlier(const std::filesystem::path& against);
 
   // Returns whether a sample of this name was studied without a fault.
   bool has(const std::string& name) const { return rows_.contains(name); }

@@ -14,17 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using io::Json;
 
-// The content of study.json; std::nullopt if the file does not exist or was not written by a study.
-std::optional<Json> results_in(const fs::path& folder) {
-  if (!has_results(folder)) return std::nullopt;
-  try {
-    Json json = io::read_json(folder / kResults);
-    if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
-  } catch (const InputError&) {  // not written by a study: it will be overwritten
-  }
-  return std::nullopt;
-}
-
 // Returns whether the name refers to a file directly in its folder.
 bool is_plain(const std::string& name) {
   return !name.empty() && name == fs::path(name).filename() && name != "." && name != "..";
@@ -32,7 +21,19 @@ bool is_plain(const std::string& name) {
 
 // A fingerprint of the inputs and of the results themselves, so that an edited row is recomputed.
 std::string sealed(const std::string& key, const Json& results) {
-  return io::fingerprint({key, results.value("results", Json()).dump()});
+  const auto found = results.find("results");
+  return io::fingerprint({key, found == results.end() ? "null" : found->dump()});
+}
+
+// Returns whether the folder has files that are not written anew. Folders are not looked at: those of an
+// overview are many.
+bool has_others(const fs::path& folder, const Json& written) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_regular_file(error) && name != kResults && !written.contains(name)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -57,8 +58,17 @@ bool has_results(const fs::path& folder) {
   return fs::is_regular_file(folder / kResults, ignored);
 }
 
+std::optional<Json> results_in(const fs::path& folder) {
+  if (!has_results(folder)) return std::nullopt;
+  try {
+    Json json = io::read_json(folder / kResults);
+    if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
+  } catch (const InputError&) {  // not written by a study: it will be overwritten
+  }
+  return std::nullopt;
+}
+
 void publish(const fs::path& folder, const std::vector<File>& files, Json results, const std::string& key) {
-  const std::optional<Json> before = results_in(folder);
   io::make_folder(folder);
   results["key"] = sealed(key, results);
   results["files"] = Json::object();
@@ -66,6 +76,9 @@ void publish(const fs::path& folder, const std::vector<File>& files, Json result
     io::write_file_atomically(folder / file.name, file.bytes);
     results["files"][file.name] = io::fingerprint({file.bytes});
   }
+  // The earlier study.json of many samples is large, and is read only for the names of other files.
+  const std::optional<Json> before =
+      has_others(folder, results["files"]) ? results_in(folder) : std::optional<Json>();
   io::write_file_atomically(folder / kResults, io::to_text(results));
   if (!before) return;
   for (const auto& [name, fingerprint] : (*before)["files"].items()) {

@@ -46,6 +46,10 @@ void publish(const std::filesystem::path& folder, const std::vector<File>& files
 // Returns whether the folder has a study.json, which may be an older one.
 bool has_results(const std::filesystem::path& folder);
 
+// Returns the content of the folder's study.json; std::nullopt if the file does not exist or was not written
+// by a study.
+std::optional<io::Json> results_in(const std::filesystem::path& folder);
+
 // Returns the folder's study.json if it was made with the same `key` and every file that it lists is
 // unchanged; otherwise std::nullopt.
 std::optional<io::Json> kept(const std::filesystem::path& folder, const std::string& key);

@@ -156,7 +156,9 @@ struct Columns {
 io::Row cells_of(const Row& row, const Columns& columns) {
   const bool studied = row.fault == Fault::none;
   const std::string name = text_of(row.json, "name"), folder = studied ? io::address_of(name) : "";
-  io::Row cells{{.text = name, .link = studied ? folder + "/" + kPage : ""}};
+  io::Row cells;
+  cells.reserve(9);
+  cells.push_back({.text = name, .link = studied ? folder + "/" + kPage : ""});
   if (columns.pictures)
     cells.push_back(
         studied ? picture_cell(row, kSmallStudio, folder, name + ", fitted, in the studio", columns.embedded)
@@ -258,6 +260,7 @@ void add_table(io::HtmlReport& report, const std::vector<Row>& rows, const std::
   if (columns.changes) header.emplace_back("change");
   header.emplace_back("remarks");
   std::vector<io::Row> cells;
+  cells.reserve(order.size());
   for (const Row* row : order) cells.push_back(cells_of(*row, columns));
   report.style("body { max-width: 84rem; } td img { width: 5rem; height: 5rem; max-width: none; }");
   report.table(header, cells, true);

@@ -26,7 +26,7 @@ constexpr std::size_t kChecksBetweenStudies = 8;
 class Study {
  public:
   Study(const std::vector<std::string>& samples, const StudyOptions& options)
-      : options_(options), names_(folder_names(samples)), earlier_(options.against, options.folder) {
+      : options_(options), names_(folder_names(samples)), earlier_(options.against) {
     const std::size_t first = std::min(options.first, samples.size());
     names_.erase(names_.begin(), names_.begin() + std::ptrdiff_t(first));
     names_.resize(std::min(options.count, names_.size()));
@@ -124,7 +124,7 @@ class Study {
         fail(Fault::interrupted, row.file + ": interrupted");
       else if (earlier_.has(names_[k])) {
         row.changes = earlier_.changes_to(row.json);
-        row.compared = !options_.against.empty() || !row.changes.empty();
+        row.compared = true;
       }
     } catch (const InputError& error) {
       fail(Fault::input, error.what());
@@ -150,6 +150,8 @@ class Study {
       row.kept = true;
       return true;
     }
+    const std::optional<Json> before =
+        options_.against.empty() ? results_in(row.folder) : std::optional<Json>();
     SampleOptions options = options_.sample;
     options.alone = alone();
     SampleStudy found = study_sample(std::move(content), name, options, step);
@@ -159,6 +161,8 @@ class Study {
     Json results = io::to_json(io::provenance(options.fit.seed));
     results["results"] = Json::array({row.json});
     publish(row.folder, found.files, std::move(results), key);
+    if (before) row.changes = changes_from(*before, row.json);
+    row.compared = !row.changes.empty();
     return true;
   }
 
@@ -176,7 +180,7 @@ class Study {
   std::vector<std::string> names_;  // of the folders of the samples that are studied
   // alone_: there is only one sample. is_part_: only some of the samples are studied.
   bool alone_ = false, is_part_ = false;
-  const Earlier earlier_;  // read before its files are replaced
+  const Earlier earlier_;  // of options.against
   std::vector<Row> rows_;
   std::vector<std::size_t> order_;  // in which the rows are worked on
   std::mutex mutex_;

@@ -125,6 +125,14 @@ class Builder {
   std::size_t parts_ = 0;
 };
 
+// Keys that need no escape, which are nearly all, are not made into documents of their own.
+std::string quoted_key(const std::string& key) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  return std::ranges::all_of(key, is_plain) ? '"' + key + '"' : to_line(Json(key));
+}
+
 void write(const Json& json, const std::string& indent, std::string& out) {
   const bool is_flat =
       json.is_array() && std::ranges::none_of(json, [](const Json& item) { return item.is_structured(); });
@@ -142,7 +150,7 @@ void write(const Json& json, const std::string& indent, std::string& out) {
     out += first ? "\n" : ",\n";
     first = false;
     out += inner;
-    if (json.is_object()) out += to_line(Json(key)) + ": ";
+    if (json.is_object()) out += quoted_key(key) + ": ";
     write(value, inner, out);
   }
   out += "\n" + indent + (json.is_array() ? "]" : "}");
@@ -150,9 +158,9 @@ void write(const Json& json, const std::string& indent, std::string& out) {
 
 }  // namespace
 
-Json parse_json(const std::string& text, const std::string& file) {
-  if (text.size() > kLargestJson)
-    throw InputError(file + ": is larger than " + std::to_string(kLargestJson >> 20) + " MiB");
+Json parse_json(const std::string& text, const std::string& file, std::size_t largest) {
+  if (text.size() > largest)
+    throw InputError(file + ": is larger than " + std::to_string(largest >> 20) + " MiB");
   if (const std::size_t nul = text.find('\0'); nul != text.npos)  // the parser would stop there
     throw InputError(file + ", line " + std::to_string(line_of(text, nul)) + ": contains a NUL byte");
   Builder builder;
@@ -166,8 +174,8 @@ Json parse_json(const std::string& text, const std::string& file) {
   return builder.result();
 }
 
-Json read_json(const Content& content) {
-  return parse_json(content.bytes, content.name);
+Json read_json(const Content& content, std::size_t largest) {
+  return parse_json(content.bytes, content.name, largest);
 }
 
 Json read_json(const std::filesystem::path& path) {

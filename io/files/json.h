@@ -15,10 +15,10 @@ namespace brdf::io {
 using Json = nlohmann::ordered_json;
 
 // Parses strictly. Throws InputError, which names the file and the place, on syntax errors, duplicate keys,
-// numbers out of range, a NUL byte, nesting deeper than kDeepestJson and texts larger than kLargestJson.
+// numbers out of range, a NUL byte, nesting deeper than kDeepestJson and texts larger than `largest` bytes.
 Json read_json(const std::filesystem::path& path);
-Json read_json(const Content& content);
-Json parse_json(const std::string& text, const std::string& file);
+Json read_json(const Content& content, std::size_t largest = kLargestJson);
+Json parse_json(const std::string& text, const std::string& file, std::size_t largest = kLargestJson);
 
 // Writes JSON: to_text() indents by two spaces and puts arrays of numbers on one line, to_line() writes a
 // single line. Numbers read back exactly. Invalid UTF-8, for example in a file's name, is replaced instead

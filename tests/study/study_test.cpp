@@ -350,6 +350,16 @@ TEST_F(StudyOfFiles, AnotherRunShowsTheParametersThatMoved) {
   EXPECT_THAT(text("index.html"), Not(HasSubstr("Compared with")));
 }
 
+TEST_F(StudyOfFiles, ParametersThatMovedAreFoundWithoutAnOverview) {
+  run();
+  fs::remove(options_.folder / "study.json");  // as after a run that was killed
+  write_sample("s1.csv", 0.3);
+  const std::vector<Row> rows = run();
+  EXPECT_FALSE(rows[0].compared);
+  EXPECT_TRUE(rows[1].compared);
+  EXPECT_TRUE(std::ranges::any_of(rows[1].changes, [](const Change& c) { return c.what == "alpha"; }));
+}
+
 TEST_F(StudyOfFiles, AnOlderFolderCanBeNamed) {
   run();
   const fs::path older = options_.folder;
@@ -392,6 +402,17 @@ TEST(Changes, CountFormsParametersAndIntervals) {
       changes_between(older, row("ward", io::Json::array({estimate("kd", 0.5, 0.4, 0.6)})));
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].after, "not identifiable");
+}
+
+TEST(Changes, ARowIsComparedWithTheOneOfItsNameThatHasValues) {
+  const io::Json now = io::Json::parse(R"({"name": "s", "form": "ward", "estimates": []})");
+  const auto changes = [&](const char* older) { return changes_from(io::Json::parse(older), now).size(); };
+  EXPECT_EQ(changes(R"({"results": [{"name": "s", "form": "phong", "estimates": []}]})"), 1u);
+  EXPECT_EQ(changes(R"({"results": [{"name": "t", "form": "phong", "estimates": []}]})"), 0u);
+  EXPECT_EQ(changes(R"({"results": [{"name": "s", "error": "a fault"}]})"), 0u);
+  for (const char* edited :
+       {"{}", R"({"results": [3]})", R"({"results": [{"name": "s", "form": "ward", "estimates": [{}]}]})"})
+    EXPECT_EQ(changes(edited), 0u) << edited;
 }
 
 // 200 samples whose thumbnails weigh as much as those of a real study.
