@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <set>
 #include <tuple>
 
@@ -284,10 +285,12 @@ std::string page_of(const std::vector<Row>& rows, const std::filesystem::path& a
 
 void write_overview(const std::vector<Row>& rows, const std::filesystem::path& folder,
                     const std::filesystem::path& against) {
+  // A user who has interrupted a study of many thousands of samples waits for both.
+  std::future<std::string> page = std::async(std::launch::async, [&] { return page_of(rows, against); });
   Json results = io::to_json(io::provenance());
   results["results"] = Json::array();
   for (const Row& row : rows) results["results"].push_back(to_json(row));
-  publish(folder, {{kPage, page_of(rows, against)}}, std::move(results), "overview");
+  publish(folder, {{kPage, page.get()}}, std::move(results), "overview");
 }
 
 }  // namespace brdf::study

@@ -4,7 +4,7 @@
 
 #include "cli/options/fit_options.h"
 #include "cli/options/options.h"
-#include "cli/steps/planned.h"
+#include "cli/program/planned.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
 

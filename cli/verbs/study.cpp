@@ -4,7 +4,7 @@
 #include "cli/options/fit_options.h"
 #include "cli/options/products.h"
 #include "cli/options/progress.h"
-#include "cli/steps/study_files.h"
+#include "cli/program/study_files.h"
 #include "cli/verb.h"
 #include "fit/report/first_screen.h"
 #include "work/files.h"

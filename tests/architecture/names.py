@@ -42,7 +42,7 @@ HOMONYMS = {
     ("io/formats/rgl_writer.cpp", "sigma"): "a field of RGL's files",
     ("fit/model/options.h", "sigma"): "a weighting",
     ("cli/verbs/albedo.cpp", "albedo"): "the verb",
-    ("cli/steps/written_table.h", "albedo"): "the integral",
+    ("cli/program/written_table.h", "albedo"): "the integral",
     ("browser/session.cpp", "albedo"): "the integral",
     ("interop/lookup_table.cpp", "albedo"): "the integral",
     ("interop/lookup_table.cpp", "roughness"): "an axis",

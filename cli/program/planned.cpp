@@ -1,14 +1,14 @@
-#include "cli/steps/planned.h"
+#include "cli/program/planned.h"
 
 #include <filesystem>
 
 #include "cli/options/fit_options.h"
 #include "cli/options/streams.h"
 #include "cli/options/terminal.h"
+#include "cli/program/study_files.h"
 #include "cli/steps/fit_files.h"
 #include "cli/steps/fit_stack.h"
 #include "cli/steps/fit_table.h"
-#include "cli/steps/study_files.h"
 #include "io/files/error.h"
 #include "io/files/output.h"
 #include "io/files/provenance.h"

@@ -1,4 +1,4 @@
-#include "cli/steps/written_maps.h"
+#include "cli/program/written_maps.h"
 
 #include "io/files/error.h"
 #ifdef BRDF_HAS_MAPS

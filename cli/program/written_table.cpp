@@ -1,4 +1,4 @@
-#include "cli/steps/written_table.h"
+#include "cli/program/written_table.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "cli/steps/study_files.h"
+#include "cli/program/study_files.h"
 
 #include <algorithm>
 #include <iomanip>
