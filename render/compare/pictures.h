@@ -46,7 +46,9 @@ class Pictures {
         effort_(effort),
         finish_(finish),
         pace_(std::move(clock)),
-        times_(device) {}
+        times_(device) {
+    options_.has_places = effort == Effort::whole && finish.supersample > 1;
+  }
 
   // Draws the pictures that the state needs at this size, in pixels. Throws InputError if a file of the
   // state cannot be used.

@@ -73,7 +73,7 @@ Pictures::Fine Pictures::fine(Renderer& renderer, double wanted_noise) {
     renderer.draw_place(sums, {kRun, 0, 1, 1});
     measure();
     sums.reset();
-    more = further(kRun, wanted_);
+    more = std::max(further(kRun, wanted_), of_a_sweep);
   }
   while (more > 0) {
     const StandingPlan plan = standing_plan(finish_.supersample, more);

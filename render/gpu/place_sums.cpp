@@ -11,6 +11,10 @@ constexpr VkImageUsageFlags kPlacesSummed =
 
 }  // namespace
 
+std::uint64_t place_sums_bytes(std::uint64_t pixels) {
+  return 2 * pixels * std::uint64_t(texel_size(kColorFormat));
+}
+
 PlaceSums::PlaceSums(Device& device, Image& color, RunImages* run)
     : device_(&device),
       color_(&color),

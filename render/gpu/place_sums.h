@@ -11,6 +11,9 @@ struct RunImages {
   Image mean, difference;
 };
 
+// Returns the bytes of device memory that the sums of a picture with this number of pixels take.
+std::uint64_t place_sums_bytes(std::uint64_t pixels);
+
 class PlaceSums {
  public:
   // Each record_add() adds the present content of `color` and of `run`, which must outlive this object. `run`

@@ -83,7 +83,7 @@ std::uint64_t picture_bytes(const Scene& scene, const RendererOptions& options) 
   const std::uint64_t pixels = std::uint64_t(scene.camera.width) * std::uint64_t(scene.camera.height);
   const int targets = uses_gbuffer(scene, options) ? kTargetCount * options.gbuffer_bits / 2 : 0;
   return pixels * std::uint64_t(targets + texel_size(kColorFormat) + 4) +
-         (scene.environment ? sums_bytes(pixels) : 0);
+         (scene.environment ? sums_bytes(pixels) : 0) + (options.has_places ? place_sums_bytes(pixels) : 0);
 }
 
 Renderer::Renderer(Device& device, const PreparedScene& scene, const RendererOptions& options)

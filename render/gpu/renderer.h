@@ -23,6 +23,8 @@ struct RendererOptions {
   // For pictures that are shown for a moment: large meshes have fewer triangles, and draw_smooth() uses fewer
   // directions.
   bool coarse = false;
+  // place_sums() is used: its memory is checked with the memory of the picture.
+  bool has_places = false;
 };
 
 // The samples of an environment's light in one picture: at most kRun, every `stride`-th one of the sequence

@@ -1,6 +1,8 @@
 // Pictures through several places of the pixels, added up on the device.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/files/error.h"
 #include "render/compare/pictures.h"
 #include "render/compare/supersample.h"
 #include "tests/render/furnace.h"
@@ -108,6 +110,42 @@ TEST(Places, TheStatedNoiseIsNearTheTrueErrorAndNotBelowIt) {
     EXPECT_GT(stated, found) << samples;
     EXPECT_LT(stated, 2 * found) << samples;
   }
+}
+
+TEST(Places, TheSumsCountInTheMemoryThatIsCheckedFirst) {
+  Scene scene = studio_ball(64).scene;
+  EXPECT_EQ(picture_bytes(scene, {.has_places = true}) - picture_bytes(scene, {}), 2u * 64 * 64 * 16);
+  Device device(
+      {.memory_limit = picture_bytes(scene, {.has_places = true})});  // no room for the light's picture
+  ViewState state;
+  state.scene = scene;
+  Pictures pictures(device, {}, 16);
+  try {
+    pictures.update(state, {64, 64});
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("a picture of 64 x 64 needs "));
+  }
+}
+
+TEST(Places, ANoiseIsReachedOrTheLimitIsAndEveryPlaceIsDrawn) {
+  Device device;
+  ViewState state;
+  state.scene = studio_ball(32).scene;
+  const auto drawn = [&](double noise, int most) {
+    Pictures pictures(device, {}, 16, {.noise = noise, .most_samples = most});
+    pictures.update(state, {32, 32});
+    pictures.fine_a();
+    return std::pair(pictures.samples_drawn(), pictures.noise());
+  };
+  const auto [few, reached] = drawn(0.08, 1024);
+  EXPECT_LE(reached, 0.08);
+  EXPECT_GE(few, 16);
+  EXPECT_LT(few, 256);
+  const auto [most, missed] = drawn(0.001, 100);
+  EXPECT_EQ(most, 96);  // whole sweeps of 16 places
+  EXPECT_GT(missed, 0.001);
+  EXPECT_EQ(drawn(0.001, 4).first, 16) << "one sample at each place";
 }
 
 TEST(Places, ASceneWithoutLightsEqualsTheOneWithALightOfNoPower) {
