@@ -176,7 +176,7 @@ TEST_F(RenderCli, TheOldSpellingsOfLobesAndMapsSayTheNewOnes) {
 
 TEST_F(RenderCli, TooLargeAPictureIsRefusedAtOnce) {
   expect_refused("render m.json --hard-light --width 16384 --height 16384 --memory-limit 1G -o x.png", 2,
-                 "a picture of 16384 x 16384 needs 19456 MiB of device memory, but the limit is 1024 MiB");
+                 "a picture of 16384 x 16384 needs 27648 MiB of device memory, but the limit is 1024 MiB");
   expect_refused("render m.json --memory-limit 1M -o x.png", 2, "the limit is 1 MiB");
 }
 
