@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+#include "brdf/any_form.h"
 #include "brdf/clones.h"
 #include "brdf/dual.h"
 #include "brdf/form.h"
@@ -263,10 +264,19 @@ class FormModel final : public ReflectanceModel {
 
 }  // namespace detail
 
+// Returns the model of a form of the catalogue, which the library alone compiles, with the flags that its
+// batches need. A second copy in a program would take the place of the library's in all of the program.
+template <class F>
+const ReflectanceModel& model_in_library();
+
 template <class F>
 const ReflectanceModel& reflectance_of() {
-  static const detail::FormModel<F> model;
-  return model;
+  if constexpr (kInCatalogue<F>) {
+    return model_in_library<F>();
+  } else {
+    static const detail::FormModel<F> model;
+    return model;
+  }
 }
 
 // A string as a template argument.

@@ -17,7 +17,7 @@ import sys
 
 import rooms
 
-FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/forms.h", "libbrdf/brdf/parameter.h")
+FORMS = ("libbrdf/brdf/forms/", "libbrdf/brdf/targets/", "libbrdf/brdf/any_form.h", "libbrdf/brdf/parameter.h")
 EXEMPT = {
     "trade/questions/": "the trade's questions",
     "bench/": "measured examples",

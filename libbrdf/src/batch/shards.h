@@ -5,9 +5,16 @@
 #include <array>
 
 #include "brdf/forms.h"
-#include "brdf/reflectance.h"
+#include "brdf/reflectance_of.h"
 
 namespace brdf {
+
+// Not inlined, because callers in other sources need it.
+template <class F>
+[[gnu::noinline]] const ReflectanceModel& model_in_library() {
+  static const detail::FormModel<F> model;
+  return model;
+}
 
 // One function per form, by position. A table of functions forces the compiler to keep them for all callers
 // that name the form.
