@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "fit/solve/nearby.h"
+
 namespace brdf::fit {
 namespace {
 
@@ -79,6 +81,31 @@ TEST(Solve, FailsWithoutAFiniteCost) {
   };
   const std::vector<double> from{0.0}, low{-1.0}, high{1.0};
   EXPECT_EQ(solve(objective, from, low, high, {}).termination, Termination::failed);
+}
+
+// The cost is almost flat along the curve y = exp(x) and steep beside it; the least is at (1, e).
+NormalEquations curved_valley(std::span<const double> p) {
+  constexpr double kSteep = 100, kRest = 0.3;
+  const double curve = std::exp(p[0]), beside = kSteep * (p[1] - curve), along = 1 - p[0];
+  NormalEquations n{Matrix(2, 2),
+                    {-kSteep * curve * beside - along, kSteep * beside},
+                    0.5 * (beside * beside + along * along + kRest * kRest)};
+  n.hessian(0, 0) = kSteep * kSteep * curve * curve + 1;
+  n.hessian(0, 1) = n.hessian(1, 0) = -kSteep * kSteep * curve;
+  n.hessian(1, 1) = kSteep * kSteep;
+  return n;
+}
+
+// With a damping that always changes by a factor of ten, every second step failed: 148 passes from -1.2.
+TEST(SolveNearby, FollowsACurvedValleyWithoutManyFailedSteps) {
+  const std::vector<double> low{-100, -100}, high{100, 100};
+  for (const auto& [x, passes] : {std::pair{-1.2, 42}, std::pair{3.0, 7}}) {
+    const Solution s = solve_nearby(curved_valley, std::vector{x, 1.0}, low, high, {});
+    EXPECT_EQ(s.termination, Termination::converged) << x;
+    EXPECT_NEAR(s.p[0], 1, 1e-8) << x;
+    EXPECT_NEAR(s.p[1], std::exp(1), 1e-7) << x;
+    EXPECT_NEAR(s.passes, passes, passes / 2) << x;
+  }
 }
 
 }  // namespace
