@@ -5,8 +5,8 @@
 
 Both builds take turns, and the least of the rounds counts, so that a busy machine changes both columns alike. The table is written as
 Markdown. The programs of bench/ are built by `ninja -C build/release bench`. The goals hold for an idle machine with two processors, on
-which the program of the day of the goals (commit 8172a034) took the time in the column `then`. On another machine, compare the ratio
-now / before of that program with the ratio goal / then.
+which the program of the day of the goals (commit 8172a034) had the figures in the column `then`. On another machine, give that program
+with --before, and compare now / before with goal / then.
 """
 import argparse
 import os
@@ -180,7 +180,7 @@ def share(form, column):
 
 
 PLACES = {  # name: (description, unit, then or None, goal, whether less is better, preparation, measurement)
-    "resume": ("first new table of a `study` of 20,000 tables of which 100 are done", "s", 604, 2, True, many_tables,
+    "resume": ("first new table of a `study` of 20,000 tables of which 100 are done", "s", None, 2, True, many_tables,
                lambda place, build: resumed(place, build)[0]),
     "interrupt": ("end of this study after Ctrl-C", "s", None, 1, True, many_tables, lambda place, build: resumed(place, build)[1]),
     "fit-shader": ("`fit --shader`, 6 parameters, in fits of a built-in form", "", 250, 10, True, shader_table, fits_of_forms),

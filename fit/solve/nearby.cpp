@@ -28,7 +28,7 @@ struct Move {
 
 // The damping of the steps (Nielsen 1999). After a step it falls by a factor that the kept share of the
 // promised reduction decides, and it rises faster with every step that fails in succession. In a narrow
-// curved valley, a damping that always falls by the same factor makes every second step fail.
+// curved valley, a damping that always falls by the same factor makes many steps fail.
 class Damping {
  public:
   double value() const { return value_; }

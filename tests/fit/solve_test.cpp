@@ -96,7 +96,7 @@ NormalEquations curved_valley(std::span<const double> p) {
   return n;
 }
 
-// With a damping that always changes by a factor of ten, every second step failed: 148 passes from -1.2.
+// With a damping that always changes by a factor of ten, many steps failed: 148 passes from -1.2.
 TEST(SolveNearby, FollowsACurvedValleyWithoutManyFailedSteps) {
   const std::vector<double> low{-100, -100}, high{100, 100};
   for (const auto& [x, passes] : {std::pair{-1.2, 42}, std::pair{3.0, 7}}) {
