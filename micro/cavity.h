@@ -1,7 +1,7 @@
 // The cavity integral that the Oren-Nayar form approximates.
 #pragma once
 
-#include "micro/tracer.h"
+#include "micro/march.h"
 
 namespace brdf::micro {
 

@@ -3,15 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brdf/fresnel.h"
 #include "brdf/scalar.h"
 
 namespace brdf::micro {
-Vec turned(const Vec& v, double azimuth) {
-  if (azimuth == 0) return v;
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
-  return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
-}
 
 Vec normal(const Facet& f) {
   const double scale = 1 / std::sqrt(1 + f.slope_x * f.slope_x + f.slope_y * f.slope_y);
@@ -26,15 +20,6 @@ Vec cosine_direction(const Facet& facet, Random& random) {
   const Vec sum = normal(facet) + Vec{r * std::cos(phi), r * std::sin(phi), z};
   const double length = std::sqrt(dot(sum, sum));
   return length > 1e-9 ? sum * (1 / length) : normal(facet);
-}
-
-Scattered scatter(const FacetOptics& facets, const Facet& facet, const Vec& incoming, Random& random) {
-  if (facets.reflection == Reflection::lambert) return {cosine_direction(facet, random), facets.rho};
-  const Vec n = normal(facet);
-  const double cosine = -dot(n, incoming);
-  const Vec out = incoming + n * (2 * cosine);
-  const double reflectance = facets.eta == 0 ? 1 : fresnel_dielectric(facets.eta, cosine);
-  return {out * (1 / std::sqrt(dot(out, out))), reflectance};
 }
 
 }  // namespace brdf::micro

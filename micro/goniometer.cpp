@@ -28,20 +28,28 @@ struct SurfaceScatter {
   std::vector<Account> accounts;
 };
 
-SurfaceScatter scatter_on(Tracer& tracer, Random& random, const Simulation& s,
+SurfaceScatter scatter_on(const Surface& surface, Random& random, const Simulation& s,
                           const std::vector<Incidence>& incidences, const Cells& cells) {
   SurfaceScatter result;
+  March march = surface.march();
   const double share = 1.0 / strata_count(s.rays);
   for (const Incidence& from : incidences) {
     Energies energies;
     energies.fill(std::vector<double>(cells.size()));
     Account account = empty_account(s), shares;
     const Vec wi = direction(from.theta, from.phi);
-    for_each_stratum(s.rays, random, [&](double u, double v) {
-      walk(tracer, s.facets, wi, u, v, random, account, [&](int order, const Vec& wo, double weight) {
-        energies[order_class(order)][cells.find(wo, from.phi)] += weight * share;
-      });
-    });
+    const auto leave = [&](int order, const Vec& wo, double weight) {
+      energies[order_class(order)][cells.find(wo, from.phi)] += weight * share;
+    };
+    if (s.device && s.facets.reflection == Reflection::mirror) {
+      std::vector<Start> starts;
+      for_each_stratum(s.rays, random, [&](double u, double v) { starts.push_back({u, v}); });
+      s.device->follow(surface, wi, s.facets.eta, s.max_bounces, starts,
+                       [&](const Path& path) { settle(path, account, leave); });
+    } else {
+      for_each_stratum(s.rays, random,
+                       [&](double u, double v) { walk(march, s.facets, wi, u, v, random, account, leave); });
+    }
     add_scaled(shares, account, share);
     result.energies.push_back(std::move(energies));
     result.accounts.push_back(std::move(shares));
@@ -82,24 +90,25 @@ std::vector<Estimate> estimates(const std::vector<Collector>& collectors) {
 // [source][order class].
 using Shares = std::vector<std::array<double, kOrderClasses>>;
 
-void view_path(Tracer& tracer, const Simulation& s, const Vec& wo, const std::vector<Vec>& sources, double u,
+void view_path(March& march, const Simulation& s, const Vec& wo, const std::vector<Vec>& sources, double u,
                double v, Random& random, Shares& shares) {
-  Vec position = tracer.entry(u, v);
-  const double azimuth = tracer.surface().azimuth_at(position.x);
-  Vec travel = turned(wo * -1.0, -azimuth);
+  Place place = march.entry(u, v);
+  const Turn turn = march.turns[place.i / march.columns_per_frame];
+  Vec travel = march.turned_by(wo * -1.0, turn.cosine, -turn.sine);
   double weight = 1;
-  Facet facet;
   for (int order = 1; order <= s.max_bounces; ++order) {
-    if (tracer.next(position, travel, facet) != Fate::hit) return;
+    const March::Meeting met = march.march(place, travel);
+    if (met.fate != March::hit) return;
+    place = met.place;
     weight *= s.facets.rho;
-    const Vec n = normal(facet);
+    const Vec n = normal(met.facet);
     for (std::size_t k = 0; k < sources.size(); ++k) {
-      const Vec wi = turned(sources[k], -azimuth);
+      const Vec wi = march.turned_by(sources[k], turn.cosine, -turn.sine);
       const double cosine = dot(n, wi);
-      if (cosine <= 0 || !tracer.escapes(position, wi)) continue;
+      if (cosine <= 0 || march.march(place, wi).fate != March::escaped) continue;
       shares[k][order_class(order)] += weight * cosine / (kPi * sources[k].z);
     }
-    travel = cosine_direction(facet, random);
+    travel = cosine_direction(met.facet, random);
   }
 }
 
@@ -117,7 +126,9 @@ std::vector<Scatter> measure_scatter(const Simulation& s, const std::vector<Inci
   std::vector<ScatterCollector> collectors(incidences.size());
   on_each_surface(
       s, Purpose::scatter, progress,
-      [&](Tracer& tracer, Random& random) { return scatter_on(tracer, random, s, incidences, cells); },
+      [&](const Surface& surface, Random& random) {
+        return scatter_on(surface, random, s, incidences, cells);
+      },
       [&](const SurfaceScatter& one) {
         for (std::size_t k = 0; k < incidences.size(); ++k)
           collectors[k].add(one.energies[k], one.accounts[k], cells, 1.0 / s.surfaces);
@@ -147,13 +158,14 @@ std::vector<std::vector<Radiance>> measure_radiance(const Simulation& s,
   };
   std::vector<std::vector<Collected>> collected(sources.size(), std::vector<Collected>(views.size()));
   const double share = 1.0 / strata_count(s.rays);
-  const auto job = [&](Tracer& tracer, Random& random) {
+  const auto job = [&](const Surface& surface, Random& random) {
+    March march = surface.march();
     std::vector<Shares> result;
     for (const Incidence& view : views) {
       const Vec wo = direction(view.theta, view.phi);
       Shares shares(sources.size());
       for_each_stratum(s.rays, random,
-                       [&](double u, double v) { view_path(tracer, s, wo, sources, u, v, random, shares); });
+                       [&](double u, double v) { view_path(march, s, wo, sources, u, v, random, shares); });
       result.push_back(std::move(shares));
     }
     return result;
@@ -190,12 +202,12 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
     return theta >= cell.theta_low && theta < cell.theta_high && phi < cell.phi_high;
   };
   const double share = 1.0 / strata_count(s.rays);
-  const auto one_way = [&](Tracer& tracer, Random& random, const Cell& from, const Cell& to) {
+  const auto one_way = [&](March march, Random& random, const Cell& from, const Cell& to) {
     double power = 0;
     Account account = empty_account(s);
     for_each_stratum(s.rays, random, [&](double u, double v) {
       const double a1 = random.uniform(), a2 = random.uniform();
-      walk(tracer, s.facets, from.point(a1, a2), u, v, random, account,
+      walk(march, s.facets, from.point(a1, a2), u, v, random, account,
            [&](int, const Vec& wo, double weight) {
              if (inside(to, wo)) power += weight;
            });
@@ -205,9 +217,9 @@ Exchange measure_exchange(const Simulation& s, const Cell& a, const Cell& b, con
   Collector forward, backward;
   on_each_surface(
       s, Purpose::exchange, progress,
-      [&](Tracer& tracer, Random& random) {
-        const double there = one_way(tracer, random, a, b);
-        return std::pair{there, one_way(tracer, random, b, a)};
+      [&](const Surface& surface, Random& random) {
+        const double there = one_way(surface.march(), random, a, b);
+        return std::pair{there, one_way(surface.march(), random, b, a)};
       },
       [&](const std::pair<double, double>& one) {
         forward.add(one.first);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "io/files/parallel.h"
 #include "micro/cells.h"
+#include "micro/device_paths.h"
 #include "micro/estimate.h"
 #include "micro/facets.h"
 #include "micro/grooves.h"
@@ -35,12 +37,15 @@ struct Simulation {
   int max_bounces = 64;
   std::uint64_t seed = 1;
   int threads = int(io::all_processors());
+  // Follows the paths over mirrors from one direction; null: this processor, with the same results as a
+  // device that rounds correctly.
+  std::shared_ptr<DevicePaths> device;
 };
 
 // Returns the surface with this index among the independent surfaces of the simulation.
 Surface make_surface(const Simulation& simulation, int index);
 
-// Runs job(tracer, random) on every surface and passes the results to `consume` in order.
+// Runs job(surface, random) on every surface and passes the results to `consume` in order.
 template <class Job, class Consume>
 void on_each_surface(const Simulation& s, Purpose purpose, const Progress& progress, const Job& job,
                      const Consume& consume) {
@@ -48,9 +53,8 @@ void on_each_surface(const Simulation& s, Purpose purpose, const Progress& progr
       s.surfaces, s.threads, progress,
       [&](int index) {
         const Surface surface = make_surface(s, index);
-        Tracer tracer(surface);
         Random random = random_for(s.seed, index, purpose);
-        return job(tracer, random);
+        return job(surface, random);
       },
       consume);
 }

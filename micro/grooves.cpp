@@ -30,15 +30,16 @@ Surface make_grooves(const Grooves& settings, Random& random) {
   surface.dy = 16;  // grooves are uniform along y: the period only has to be long compared with their width
   surface.columns_per_frame = 2;
   surface.heights.reserve(surface.nx);
-  surface.azimuths.reserve(settings.count);
+  surface.turns.clear();
   for (int k = 0; k < settings.count; ++k) {
     const double slope = settings.angles == GrooveAngles::beckmann ? beckmann_slope(settings.width, random)
                                                                    : oren_nayar_slope(settings.width, random);
     surface.heights.push_back(0);
     surface.heights.push_back(static_cast<float>(-slope / 2));
-    surface.azimuths.push_back(2 * kPi * random.uniform());
+    const double azimuth = 2 * kPi * random.uniform();
+    surface.turns.push_back({std::cos(azimuth), std::sin(azimuth)});
   }
-  surface.find_range();
+  surface.find_tops();
   return surface;
 }
 

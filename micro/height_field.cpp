@@ -69,7 +69,7 @@ Surface make_height_field(const HeightField& settings, Random& random) {
   surface.heights.reserve(spectrum.size());
   for (const std::complex<double>& s : spectrum)
     surface.heights.push_back(static_cast<float>(scale * s.real()));
-  surface.find_range();
+  surface.find_tops();
   return surface;
 }
 

@@ -33,18 +33,20 @@ struct Counts {
   double facing_area = 0, seen_area = 0;
 };
 
-Counts look(Tracer& tracer, const Vec& w, std::int64_t points, Random& random) {
+Counts look(const Surface& surface, const Vec& w, std::int64_t points, Random& random) {
   Counts counts;
+  March march = surface.march();
   const double share = 1.0 / strata_count(points);
   for_each_stratum(points, random, [&](double u, double v) {
-    const double x = u * tracer.surface().period_x(), y = v * tracer.surface().period_y();
-    const Facet f = tracer.surface().facet_at(x, y);
+    Place place = march.entry(u, v);
+    const Facet f = march.facet_of(place.i, place.j, place.upper);
     const double tilt = -f.slope_x * w.x - f.slope_y * w.y;
     const double area = w.z + tilt;  // area along w, per macroscopic area
     if (area <= 0) return;
     (tilt > 0 ? counts.towards : counts.away) += share;
     counts.facing_area += share * area;
-    if (!tracer.escapes(tracer.on_surface(x, y), w)) return;
+    place.at.z = f.height(place.at.x, place.at.y);
+    if (march.march(place, w).fate != March::escaped) return;
     (tilt > 0 ? counts.towards_seen : counts.away_seen) += share;
     counts.seen_area += share * area;
   });
@@ -86,9 +88,10 @@ std::vector<Masking> measure_masking(const Simulation& s, const std::vector<Angl
   std::vector<MaskingCollector> collectors(thetas.size());
   on_each_surface(
       s, Purpose::masking, progress,
-      [&](Tracer& tracer, Random& random) {
+      [&](const Surface& surface, Random& random) {
         std::vector<Counts> counts;
-        for (const Angle theta : thetas) counts.push_back(look(tracer, direction(theta, {}), s.rays, random));
+        for (const Angle theta : thetas)
+          counts.push_back(look(surface, direction(theta, {}), s.rays, random));
         return counts;
       },
       [&](const std::vector<Counts>& counts) {

@@ -58,12 +58,14 @@ double value(const Material& material, const Vec& wi, const Vec& wo) {
 
 double cell_mean(const Material& material, const Incidence& from, const Cell& cell) {
   constexpr int kPoints = 8;
+  const double c = std::cos(from.phi.radians()), s = std::sin(from.phi.radians());
   const Vec wi = direction(from.theta, from.phi);
   double sum = 0;
   for (int j = 0; j < kPoints; ++j) {
     for (int i = 0; i < kPoints; ++i) {
-      sum += value(material, wi,
-                   turned(cell.point((i + 0.5) / kPoints, (j + 0.5) / kPoints), from.phi.radians()));
+      const Vec at = cell.point((i + 0.5) / kPoints, (j + 0.5) / kPoints);
+      const Vec wo{c * at.x - s * at.y, s * at.x + c * at.y, at.z};
+      sum += value(material, wi, wo);
     }
   }
   return sum / (kPoints * kPoints);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include "io/files/error.h"
@@ -85,6 +86,9 @@ void check(const SampleSettings& s, const Kind& kind) {
   if (s.size % 2 != 0) throw InputError("--size " + std::to_string(s.size) + ": must be even");
   io::require_between("--rays", static_cast<double>(s.rays), 0, 1e10);
   io::require_between("--min-power", s.min_power, 0, 1);
+  if (s.gpu && kind.lambert)
+    throw InputError("--gpu: follows rays over mirrors only; the facets of " + s.surface +
+                     " draw random numbers on the way. Leave --gpu out");
 }
 
 std::optional<double> parameter(const SampleSettings& s, const std::string& name) {
@@ -114,6 +118,7 @@ Simulation simulation(const SampleSettings& s, const Kind& kind) {
   result.max_bounces = s.bounces;
   result.seed = s.seed;
   result.threads = s.threads;
+  if (s.gpu) result.device = std::make_shared<DevicePaths>();
   return result;
 }
 
@@ -185,9 +190,9 @@ void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vect
     lost = std::max(lost, one.account.leaked + (s.bounces >= 64 ? one.account.beyond : 0));
   }
   if (lost > 1e-5) {
-    writer.table.warnings.push_back("rays with " + io::to_text(lost) +
-                                    " of the power were lost (still inside after " +
-                                    std::to_string(s.bounces) + " reflections, or passed through the mesh)");
+    writer.table.warnings.push_back(
+        "rays with " + io::to_text(lost) + " of the power were lost (still inside after " +
+        std::to_string(s.bounces) + " reflections, or after the limit of 2^24 triangles)");
   }
 }
 
@@ -240,6 +245,7 @@ void record(const SampleSettings& s, const Simulation& sim, double cell, io::Sam
   add("surfaces", std::to_string(sim.surfaces));
   add("rays", std::to_string(sim.rays) + " per surface and direction");
   if (sim.facets.reflection == Reflection::mirror) add("min_power", io::to_text(s.min_power));
+  if (sim.device) add("device", sim.device->device());
 }
 
 }  // namespace

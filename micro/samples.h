@@ -29,7 +29,8 @@ struct SampleSettings {
   int surfaces = 0;         // independent surfaces, at least 8; 0: 16, for mirror_grooves 512
   // Rays per surface and direction. 0: 2^18, for mirror_grooves 2^13, for Lambertian facets 2^12.
   std::int64_t rays = 0;
-  int size = 512;  // cells along each side of a height field's period
+  int size = 512;    // cells along each side of a height field's period
+  bool gpu = false;  // mirrors: follow the rays on a Vulkan device
   std::uint64_t seed = 1;
   int threads = int(io::all_processors());
 };
@@ -37,7 +38,8 @@ struct SampleSettings {
 // Traces the surface. Light comes from phi 180 before the sample is rotated, as in the other grids. For
 // mirrors the value of a row is the mean of f_r over a cell of the outgoing hemisphere; for Lambertian
 // facets it is f_r at the centre of the cell. sigma is the standard error over independent surfaces. The
-// direction is the centre of the cell. Throws InputError if a name or value is out of range.
+// direction is the centre of the cell. Throws InputError if a name or value is out of range, and
+// EnvironmentError if no Vulkan device computes in double and one is requested.
 io::SampleTable trace_samples(const SampleSettings& settings, const Progress& progress = {});
 
 // Returns the permitted names of `surface`.

@@ -13,39 +13,38 @@ int wrap(int index, int count) {
 
 }  // namespace
 
+March Surface::march() const {
+  return {heights.data(), tops.data(), turns.data(), nx, ny, columns_per_frame, dx, dy, z_max};
+}
+
 Facet Surface::facet(int i, int j, int half) const {
-  const int i0 = wrap(i, nx), j0 = wrap(j, ny), i1 = wrap(i + 1, nx), j1 = wrap(j + 1, ny);
-  const double z00 = vertex(i0, j0), z10 = vertex(i1, j0), z01 = vertex(i0, j1), z11 = vertex(i1, j1);
-  Facet f{i * dx, j * dy, z00, 0, 0};
-  if (rising_diagonal(i0, j0)) {
-    f.slope_x = (half == 0 ? z10 - z00 : z11 - z01) / dx;
-    f.slope_y = (half == 0 ? z11 - z10 : z01 - z00) / dy;
-    return f;
-  }
-  f.slope_x = (half == 0 ? z10 - z00 : z11 - z01) / dx;
-  f.slope_y = (half == 0 ? z01 - z00 : z11 - z10) / dy;
-  if (half == 1) f.z0 = z11 - f.slope_x * dx - f.slope_y * dy;
+  const int i0 = wrap(i, nx), j0 = wrap(j, ny);
+  Facet f = march().facet_of(i0, j0, half);
+  f.x0 = i * dx;
+  f.y0 = j * dy;
   return f;
 }
 
 Facet Surface::facet_at(double x, double y) const {
-  const double u = x / dx, v = y / dy;
-  const int i = static_cast<int>(std::floor(u)), j = static_cast<int>(std::floor(v));
-  const double fu = u - i, fv = v - j;
-  const bool upper = rising_diagonal(wrap(i, nx), wrap(j, ny)) ? fv > fu : fu + fv > 1;
-  return facet(i, j, upper ? 1 : 0);
+  const int i = int(std::floor(x / dx)), j = int(std::floor(y / dy));
+  const int i0 = wrap(i, nx), j0 = wrap(j, ny);
+  const double side = march().side_of(i0, j0, x - (i - i0) * dx, y - (j - j0) * dy);
+  return facet(i, j, side > 0 ? 1 : 0);
 }
 
-double Surface::azimuth_at(double x) const {
-  if (azimuths.empty()) return 0;
-  const int column = static_cast<int>(std::floor(x / dx)) / columns_per_frame;
-  return azimuths[wrap(column, static_cast<int>(azimuths.size()))];
-}
-
-void Surface::find_range() {
-  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-  z_min = *low;
-  z_max = *high;
+void Surface::find_tops() {
+  constexpr int kSide = March::block_cells;
+  tops.clear();
+  for (int low_j = 0; low_j < ny; low_j += kSide) {
+    for (int low_i = 0; low_i < nx; low_i += kSide) {
+      float top = vertex(low_i, low_j);
+      for (int j = low_j; j <= std::min(low_j + kSide, ny); ++j)
+        for (int i = low_i; i <= std::min(low_i + kSide, nx); ++i)
+          top = std::max(top, vertex(i % nx, j % ny));
+      tops.push_back(top);
+    }
+  }
+  z_max = *std::ranges::max_element(tops);
 }
 
 SlopeVariance slope_variance(const Surface& surface) {

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "micro/facets.h"
-#include "micro/random.h"
-#include "micro/tracer.h"
+#include "micro/surface.h"
 
 namespace brdf::micro {
 
@@ -15,46 +14,38 @@ struct Account {
   std::vector<double> escaped;  // [order - 1], up to the bounce limit
   double absorbed = 0;          // absorbed by facets that do not reflect everything
   double beyond = 0;            // still travelling after the last allowed reflection
-  double leaked = 0;            // lost through the mesh (rounding)
+  double leaked = 0;            // still travelling after the limit of triangles (march.glsl)
 
   double albedo() const { return std::accumulate(escaped.begin(), escaped.end(), 0.0); }
   double lost() const { return beyond + leaked; }
 };
 
-// Follows one ray of weight 1 that arrives from `wi` (unit, towards the source) over the share (u, v) of
-// the period. Adds the result to the account. Calls leave(order, wo, weight) if the ray leaves the surface.
+// Follows a ray of weight 1 over Lambertian facets of albedo rho; as path_over_mirrors in march.glsl.
+Path path_over_lambert(March& march, const Vec& wi, double u, double v, double rho, int limit,
+                       Random& random);
+
+// Adds the path to the account. Calls leave(order, wo, weight) if the path leaves the surface.
 template <class Leave>
-void walk(Tracer& tracer, const FacetOptics& facets, const Vec& wi, double u, double v, Random& random,
-          Account& account, const Leave& leave) {
-  const int limit = static_cast<int>(account.escaped.size());
-  Vec position = tracer.entry(u, v);
-  const double azimuth = tracer.surface().azimuth_at(position.x);
-  Vec travel = turned(wi * -1.0, -azimuth);
-  double weight = 1;
-  Facet facet;
-  for (int order = 0;; ++order) {
-    const bool last = order == limit;
-    const Fate fate = !last                              ? tracer.next(position, travel, facet)
-                      : tracer.escapes(position, travel) ? Fate::escaped
-                                                         : Fate::hit;
-    if (fate == Fate::escaped && order > 0) {
-      account.escaped[order - 1] += weight;
-      leave(order, turned(travel, azimuth), weight);
-      return;
-    }
-    if (fate != Fate::hit) {
-      account.leaked += weight;
-      return;
-    }
-    if (last) {
-      account.beyond += weight;
-      return;
-    }
-    const Scattered s = scatter(facets, facet, travel, random);
-    account.absorbed += weight * (1 - s.weight);
-    weight *= s.weight;
-    travel = s.direction;
+void settle(const Path& path, Account& account, const Leave& leave) {
+  account.absorbed += path.absorbed;
+  if (path.fate == March::escaped && path.order > 0) {
+    account.escaped[std::size_t(path.order) - 1] += path.weight;
+    leave(path.order, path.travel, path.weight);
+  } else {
+    (path.fate == March::hit ? account.beyond : account.leaked) += path.weight;
   }
+}
+
+// Follows one ray of weight 1 that arrives from `wi` (unit, towards the source) over the share (u, v) of
+// the period, and settles it.
+template <class Leave>
+void walk(March& march, const FacetOptics& facets, const Vec& wi, double u, double v, Random& random,
+          Account& account, const Leave& leave) {
+  const int limit = int(account.escaped.size());
+  settle(facets.reflection == Reflection::mirror
+             ? march.path_over_mirrors(wi, u, v, facets.eta, limit)
+             : path_over_lambert(march, wi, u, v, facets.rho, limit, random),
+         account, leave);
 }
 
 }  // namespace brdf::micro

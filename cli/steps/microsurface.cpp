@@ -39,6 +39,7 @@ void add_microsurface_options(CLI::App& verb, micro::SampleSettings& s) {
       verb.add_option(
           "--rays", s.rays,
           "Rays per surface and direction (default 262144; mirror grooves 8192, Lambertian facets 4096)"),
+      verb.add_flag("--gpu", s.gpu, "Follow the rays over mirrors on the Vulkan device, in double"),
       verb.add_option("--threads", s.threads, "Number of threads; the samples do not depend on it")
           ->check(CLI::Range(1, 1024))
           ->capture_default_str()};
@@ -151,7 +152,7 @@ Exit validate_microsurface(const micro::TheoryOptions& options, bool json) {
 
 namespace {
 const char* const kMissing =
-    "this build has no traced microsurfaces: Embree was missing (see the messages of cmake)";
+    "this build has no traced microsurfaces: Vulkan was missing (see the messages of cmake)";
 }
 
 io::SampleTable trace_microsurface(micro::SampleSettings, const std::vector<std::string>&) {

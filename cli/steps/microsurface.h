@@ -18,7 +18,7 @@ namespace brdf::cli {
 void add_microsurface_options(CLI::App& verb, micro::SampleSettings& settings);
 
 // Traces the surface with parameters given as name=value (`set`) for `brdf synth`. Throws InputError for
-// invalid parameters, and EnvironmentError if this build has no ray tracer.
+// invalid parameters, and EnvironmentError if this build has no ray tracer or no device for --gpu.
 io::SampleTable trace_microsurface(micro::SampleSettings settings, const std::vector<std::string>& set);
 
 // Compares theory and simulation for `brdf validate --microsurface`, and prints a table or JSON on stdout.

@@ -122,6 +122,7 @@ constexpr OptionRow kTable[] = {
     {"--surfaces", Group::microsurface},
     {"--rays", Group::microsurface},
     {"synth --size", Group::microsurface},
+    {"synth --gpu", Group::microsurface},
     {"--scene", Group::scene, Value::scene},
     {"--state", Group::scene, Value::json},
     {"--environment", Group::scene, Value::light},

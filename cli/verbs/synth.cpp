@@ -116,7 +116,7 @@ void add_options(CLI::App& verb, SynthCall& o) {
       "          brdf synth --microsurface gaussian --set alpha=0.3 --size 256 --cell 5 --min-power 0.001 "
       "--threads 2 -o traced.csv\n"
       "          brdf synth --microsurface mirror_grooves --set alpha=0.2 --bounces 8 --orders --surfaces 64 "
-      "--rays 4096 -o grooves.csv\n"
+      "--rays 4096 --gpu -o grooves.csv\n"
       "          brdf synth brushed.json --grid in_plane --azimuths 0,45,90 -o turned.csv\n"
       "          brdf synth --form cook_torrance --set kd=0.3,0.2,0.1 --texels 64x64 --lights 151 --viewers "
       "1 --vary "

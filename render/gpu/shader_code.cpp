@@ -63,6 +63,9 @@ constexpr std::uint32_t kPlaces[] =
 constexpr std::uint32_t kEnlarge[] =
 #include "enlarge.frag.inc"
     ;
+constexpr std::uint32_t kPaths[] =
+#include "paths.comp.inc"
+    ;
 
 }  // namespace
 
@@ -71,7 +74,7 @@ const Spirv mesh_vertex = kMeshVertex, screen_vertex = kScreenVertex, gbuffer = 
             classic = kClassic, display = kDisplay, proof = kProof, copy = kCopy,
             shadow_vertex = kShadowVertex, shadow = kShadow, environment = kEnvironment,
             light_points = kLightPoints, backdrop = kBackdropFragment, accumulate = kAccumulate, mean = kMean,
-            places = kPlaces, enlarge = kEnlarge;
+            places = kPlaces, enlarge = kEnlarge, paths = kPaths;
 
 const char* const lighting_text =
 #include "lighting.frag.text.inc"

@@ -8,7 +8,7 @@ namespace brdf::render::shader_code {
 
 extern const Spirv mesh_vertex, screen_vertex, gbuffer, lighting, forward, sky, classic_vertex, classic,
     display, proof, copy, shadow_vertex, shadow, environment, light_points, backdrop, accumulate, mean,
-    places, enlarge;
+    places, enlarge, paths;
 
 // Sources without brdf.glsl and samplers.glsl (see FragmentCode).
 extern const char* const lighting_text;

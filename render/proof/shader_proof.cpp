@@ -60,18 +60,7 @@ class ProofMachine {
       const NumberedReflectance only{index, form};
       own = compiled(proof_glsl({&only, 1}), Stage::compute, info(form).name);
     }
-    const Owned<VkShaderModule> module = make_module(device_, index < 0 ? Spirv(own) : of_catalogue_);
-    VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
-    create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    create.stage.module = module.get();
-    create.stage.pName = "main";
-    create.stage.pSpecializationInfo = &constants;
-    create.layout = layout_.get();
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    check(vkCreateComputePipelines(device_.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
-          "vkCreateComputePipelines");
-    return Owned<VkPipeline>(device_.get(), pipeline, vkDestroyPipeline);
+    return make_compute_pipeline(device_, layout_.get(), index < 0 ? Spirv(own) : of_catalogue_, &constants);
   }
 
   // Takes at most kBatch configurations; calls visit(configuration, values).

@@ -1,11 +1,12 @@
 // Build step that writes shader code into a folder. The includes of the shaders are brdf.glsl (all forms of
 // the catalogue, traced), samplers.glsl (their samplers), layout.glsl (the limits and enumerators shared
-// with C++) and rules.glsl (the texture rule and the display's colours, traced). The other outputs are the
-// proof's compute shader, its negative control without `precise`, and the sources that are compiled again
-// at run time.
+// with C++), rules.glsl (the texture rule and the display's colours, traced) and fresnel.glsl (in double, for
+// paths). The other outputs are the proof's compute shader, negative controls without `precise`, and the
+// sources that are compiled again at run time.
 #include <cstdio>
 #include <fstream>
 
+#include "brdf/fresnel.h"
 #include "io/colour/traced_power.h"
 #include "io/light/studio.h"
 #include "io/page/hatching.h"
@@ -77,6 +78,26 @@ std::string traced_rules() {
   return text;
 }
 
+// Returns the library's Fresnel reflectance in double. All constants of the formula are whole numbers and
+// halves, besides a floor of sums, which no ray that meets a facet reaches: their float literals stand for
+// the same values in double.
+std::string fresnel() {
+  Trace trace;
+  const Trace::Scope scope(trace);
+  const Traced reflectance = fresnel_dielectric(Traced::input("index"), Traced::input("cosine"));
+  std::string text = detail::glsl_function("float fresnel_dielectric(float index, float cosine)",
+                                           {reflectance}, "return %0;", true);
+  for (std::size_t at = 0; (at = text.find("float", at)) != std::string::npos;) text.replace(at, 5, "double");
+  return text;
+}
+
+// Returns the shader without its words `precise`.
+std::string unprecise(std::string text) {
+  constexpr std::string_view kWord = "precise ";
+  for (std::size_t at = 0; (at = text.find(kWord, at)) != std::string::npos;) text.erase(at, kWord.size());
+  return text;
+}
+
 template <class Enum>
 std::string enumerators(const std::string& prefix) {
   std::string text;
@@ -132,7 +153,9 @@ bool write_all(const std::string& sources, const std::string& folder) {
       !write(folder + "/samplers.glsl", samplers_glsl(list)) ||
       !write(folder + "/rules.glsl", traced_rules()) || !write(folder + "/layout.glsl", layout()) ||
       !write(folder + "/proof.comp", proof_glsl(list)) ||
-      !write(folder + "/proof_unprecise.comp", proof_glsl(list, {.precise = false})))
+      !write(folder + "/proof_unprecise.comp", proof_glsl(list, {.precise = false})) ||
+      !write(folder + "/fresnel.glsl", fresnel()) ||
+      !write(folder + "/paths_unprecise.comp", unprecise(expanded({sources, folder}, "paths.comp"))))
     return false;
   for (const char* shader : {"lighting.frag", "forward.frag", "environment.frag"})
     if (!write(folder + "/" + shader + ".text.inc",

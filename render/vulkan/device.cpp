@@ -30,14 +30,15 @@ bool layer_installed(const char* name) {
       layers, [&](const VkLayerProperties& layer) { return std::strcmp(layer.layerName, name) == 0; });
 }
 
-bool has_needed_features(VkPhysicalDevice physical) {
+bool has_needed_features(VkPhysicalDevice physical, bool doubles) {
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(physical, &properties);
   if (properties.apiVersion < VK_API_VERSION_1_3 || properties.limits.maxColorAttachments < 7) return false;
   VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
   VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features13};
   vkGetPhysicalDeviceFeatures2(physical, &features);
-  return features13.dynamicRendering && features13.synchronization2 && features13.maintenance4;
+  return features13.dynamicRendering && features13.synchronization2 && features13.maintenance4 &&
+         (!doubles || features.features.shaderFloat64);
 }
 
 // Returns the first queue family with graphics, or -1 if there is none.
@@ -66,8 +67,8 @@ void check(VkResult result, const char* call) {
 
 Device::Device(const DeviceOptions& options) : memory_limit_(options.memory_limit) {
   create_instance(options);
-  pick_physical_device();
-  create_device(!options.instance_extensions.empty());
+  pick_physical_device(options.doubles);
+  create_device(options);
 }
 
 void Device::create_instance(const DeviceOptions& options) {
@@ -115,17 +116,18 @@ void Device::create_instance(const DeviceOptions& options) {
   messenger_ = {instance, messenger, destroy};
 }
 
-void Device::pick_physical_device() {
+void Device::pick_physical_device(bool doubles) {
   std::uint32_t count = 0;
   vkEnumeratePhysicalDevices(instance_.get(), &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
   vkEnumeratePhysicalDevices(instance_.get(), &count, devices.data());
-  const auto usable = std::ranges::find_if(devices, [](VkPhysicalDevice device) {
-    return has_needed_features(device) && graphics_family(device) >= 0;
+  const auto usable = std::ranges::find_if(devices, [&](VkPhysicalDevice device) {
+    return has_needed_features(device, doubles) && graphics_family(device) >= 0;
   });
   if (usable == devices.end()) {
     throw EnvironmentError(
         count == 0 ? "no Vulkan driver found (Debian: mesa-vulkan-drivers; VK_DRIVER_FILES chooses one)"
+        : doubles  ? "no Vulkan device offers version 1.3 and numbers of 64 bits in shaders"
                    : "no Vulkan device offers version 1.3 with dynamic rendering and synchronization2");
   }
   physical_ = *usable;
@@ -137,7 +139,7 @@ void Device::pick_physical_device() {
   max_image_size_ = properties.limits.maxImageDimension2D;
 }
 
-void Device::create_device(bool window) {
+void Device::create_device(const DeviceOptions& options) {
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = queue_family_;
@@ -150,8 +152,11 @@ void Device::create_device(bool window) {
   VkDeviceCreateInfo info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features13};
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
+  VkPhysicalDeviceFeatures features{};
+  features.shaderFloat64 = options.doubles;
+  info.pEnabledFeatures = &features;
   const char* swapchain = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-  if (window) {
+  if (!options.instance_extensions.empty()) {
     info.enabledExtensionCount = 1;
     info.ppEnabledExtensionNames = &swapchain;
   }

@@ -16,13 +16,15 @@ struct DeviceOptions {
   std::vector<const char*> instance_extensions;  // of the window system; empty: headless
   std::uint64_t memory_limit = 0;                // bytes of device memory, 0: no limit
   bool validation = false;  // validation and synchronisation layers; counts their messages
+  bool doubles = false;     // shaders compute in double
 };
 
 class Device {
  public:
   // Takes the first device with Vulkan 1.3, dynamic rendering, synchronization2, maintenance4 and at least
   // seven colour attachments (VK_DRIVER_FILES chooses the driver). Throws EnvironmentError if there is no
-  // such device, or if validation is requested and the layer is not installed.
+  // such device (one that also computes in double, if requested), or if validation is requested and the layer
+  // is not installed.
   explicit Device(const DeviceOptions& options = {});
   Device(const Device&) = delete;
   Device& operator=(const Device&) = delete;
@@ -54,8 +56,8 @@ class Device {
 
  private:
   void create_instance(const DeviceOptions& options);
-  void pick_physical_device();
-  void create_device(bool window);
+  void pick_physical_device(bool doubles);
+  void create_device(const DeviceOptions& options);
 
   struct Destroy {
     void operator()(VkInstance instance) const { vkDestroyInstance(instance, nullptr); }

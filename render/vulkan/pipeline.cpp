@@ -112,6 +112,22 @@ Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription&
   return Owned<VkPipeline>(device.get(), pipeline, vkDestroyPipeline);
 }
 
+Owned<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout, Spirv code,
+                                        const VkSpecializationInfo* constants) {
+  const Owned<VkShaderModule> module = make_module(device, code);
+  VkComputePipelineCreateInfo create{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  create.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+  create.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+  create.stage.module = module.get();
+  create.stage.pName = "main";
+  create.stage.pSpecializationInfo = constants;
+  create.layout = layout;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  check(vkCreateComputePipelines(device.get(), VK_NULL_HANDLE, 1, &create, nullptr, &pipeline),
+        "vkCreateComputePipelines");
+  return Owned<VkPipeline>(device.get(), pipeline, vkDestroyPipeline);
+}
+
 Owned<VkDescriptorSetLayout> make_set_layout(const Device& device, std::span<const Binding> bindings,
                                              VkShaderStageFlags stages) {
   std::vector<VkDescriptorSetLayoutBinding> entries(bindings.size());

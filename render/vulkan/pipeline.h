@@ -1,4 +1,4 @@
-// Graphics pipelines for dynamic rendering, and descriptor sets.
+// Compute pipelines, graphics pipelines for dynamic rendering, and descriptor sets.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,9 @@ struct PipelineDescription {
 
 Owned<VkShaderModule> make_module(const Device& device, Spirv code);
 Owned<VkPipeline> make_pipeline(const Device& device, const PipelineDescription& description);
+// A pipeline of one compute shader.
+Owned<VkPipeline> make_compute_pipeline(const Device& device, VkPipelineLayout layout, Spirv code,
+                                        const VkSpecializationInfo* constants = nullptr);
 
 struct Binding {
   VkDescriptorType type;

@@ -104,40 +104,107 @@ TEST(Grooves, HaveTheStatedAngles) {
   }
 }
 
-// The tracer against a march in small steps over the endless surface. The march uses neither the period nor
-// Embree.
-TEST(Tracer, FindsWhatAMarchFinds) {
+// Returns the surface's point over (x, y) as the start of a ray.
+Place on_surface(const Surface& s, March& march, double x, double y) {
+  Place place = march.place_over(x, y, 0);
+  place.at.z = s.facet_at(x, y).height(x, y);
+  return place;
+}
+
+// The tracer against small steps over the endless surface, which use neither cells nor the period.
+TEST(March, FindsWhatSmallStepsFind) {
   const Surface s = make_surface(field(0.6, 0.4, 32), 3);
-  Tracer tracer(s);
+  March march = s.march();
   Random random = random_for(5, 0, Purpose::scatter);
   int hits = 0, escapes = 0;
   for (int trial = 0; trial < 300; ++trial) {
-    const Vec start = tracer.on_surface(s.period_x() * random.uniform(), s.period_y() * random.uniform());
+    const Place start =
+        on_surface(s, march, s.period_x() * random.uniform(), s.period_y() * random.uniform());
     const Vec w =
         direction(radians(kPi / 2 * (0.7 + 0.35 * random.uniform())), radians(2 * kPi * random.uniform()));
-    const Facet at_start = s.facet_at(start.x, start.y);
+    const Facet at_start = s.facet_at(start.at.x, start.at.y);
     if (w.z - at_start.slope_x * w.x - at_start.slope_y * w.y < 0.02) continue;
-    Vec p = start;
-    double t = 0;
+    double t = 2e-3;
+    Vec p = start.at + w * t;
     const double step = 2e-3;
-    while (p.z > s.facet_at(p.x, p.y).height(p.x, p.y) && p.z <= s.z_max + 0.1) p = start + w * (t += step);
-    Vec found = start;
-    Facet facet;
-    const Fate fate = tracer.next(found, w, facet);
+    while (p.z > s.facet_at(p.x, p.y).height(p.x, p.y) && p.z <= s.z_max + 0.1)
+      p = start.at + w * (t += step);
+    const March::Meeting met = march.march(start, w);
     if (p.z > s.z_max) {
       ++escapes;
-      EXPECT_EQ(fate, Fate::escaped) << trial;
-      EXPECT_TRUE(tracer.escapes(start, w)) << trial;
+      EXPECT_EQ(met.fate, March::escaped) << trial;
       continue;
     }
     ++hits;
-    ASSERT_EQ(fate, Fate::hit) << trial;
-    EXPECT_FALSE(tracer.escapes(start, w)) << trial;
+    ASSERT_EQ(met.fate, March::hit) << trial;
+    const Vec& found = met.place.at;
     EXPECT_NEAR(std::remainder(found.x - p.x, s.period_x()), 0, 2 * step) << trial;
     EXPECT_NEAR(std::remainder(found.y - p.y, s.period_y()), 0, 2 * step) << trial;
+    EXPECT_NEAR(found.z, s.facet_at(found.x, found.y).height(found.x, found.y), 1e-12) << trial;
   }
   EXPECT_GT(hits, 50);
   EXPECT_GT(escapes, 30);
+}
+
+// Rays from vertices and along edges, diagonals and the seams of the period meet a surface that continues:
+// no ray passes between two triangles.
+TEST(March, MeetsEdgesAndVertices) {
+  const Surface s = make_surface(field(0.8, 0.5, 16), 1);
+  March march = s.march();
+  int hits = 0;
+  for (const double dx : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+    for (const double dy : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      for (const double dz : {-2.0, -0.1, -1e-3}) {
+        const Vec along{dx * s.dx, dy * s.dy, dz};
+        const Vec w = along * (1 / std::sqrt(dot(along, along)));
+        for (int j = 0; j <= s.ny; ++j) {
+          for (int i = 0; i <= s.nx; ++i) {
+            const Place start = march.place_over(i * s.dx, j * s.dy, s.z_max);
+            const March::Meeting met = march.march(start, w);
+            ASSERT_EQ(met.fate, March::hit) << i << ' ' << j << ' ' << dx << ' ' << dy << ' ' << dz;
+            EXPECT_NEAR(met.place.at.z,
+                        s.facet_at(met.place.at.x, met.place.at.y).height(met.place.at.x, met.place.at.y),
+                        1e-12);
+            ++hits;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(hits, 5 * 5 * 3 * 17 * 17);
+}
+
+// Blocks and cells above which a ray stays are left out. With blocks that are never left out, every path is
+// the same.
+TEST(March, LeavesOutOnlyWhatARayDoesNotMeet) {
+  const Surface s = make_surface(field(0.7, 0.3, 130), 2);
+  EXPECT_EQ(s.tops.size(), 17u * 17u);
+  Surface whole = s;
+  std::ranges::fill(whole.tops, float(s.z_max));
+  March march = s.march(), slow = whole.march();
+  Random random(8);
+  for (const double theta : {0.2, 1.0, 1.5}) {
+    const Vec wi = direction(radians(theta), radians(1.1));
+    for (int k = 0; k < 2000; ++k) {
+      const double u = random.uniform(), v = random.uniform();
+      const Path a = march.path_over_mirrors(wi, u, v, 0, 64), b = slow.path_over_mirrors(wi, u, v, 0, 64);
+      ASSERT_EQ(a.order, b.order) << k;
+      ASSERT_EQ(a.fate, March::escaped);
+      ASSERT_NEAR(dot(a.travel, b.travel), 1, 1e-12) << k;
+    }
+  }
+}
+
+// A level ray below the highest vertex of a surface that it never meets is followed to the limit and no
+// further.
+TEST(March, GivesUpALevelRay) {
+  Surface s;
+  s.nx = s.ny = 2;
+  s.heights = {0, 0, 0, 0};
+  s.tops = {0};
+  s.z_max = 1;
+  March march = s.march();
+  EXPECT_EQ(march.march(march.place_over(0.25, 0.5, 0.5), {1, 0, 0}).fate, March::lost);
 }
 
 // For any surface, the visible area projected along a direction is cos theta per macroscopic area.
