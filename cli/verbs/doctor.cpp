@@ -67,13 +67,18 @@ std::vector<Part> parts() {
   out.push_back(part("Vulkan driver", "render, lobes, parity, validate --gpu, view",
                      "install a driver; mesa-vulkan-drivers has one without hardware",
                      [] { return render::Device().name(); }));
+  out.push_back(part("Vulkan doubles", "synth --gpu",
+                     "install a driver that computes in double; mesa-vulkan-drivers has one without hardware",
+                     [] { return render::Device({.doubles = true}).name(); }));
   out.push_back(part("fonts", "labels in pictures of render, and view", "install fonts-dejavu-core", [] {
     render::Font plain(render::Font::plain()), bold(render::Font::bold());
     return render::Font::plain().string();
   }));
 #else
-  out.push_back({"Vulkan driver", "render, lobes, parity, validate --gpu, view", false,
-                 "this program was built without the renderer", kOwnBuild});
+  for (const auto& [name, enables] :
+       {std::pair{"Vulkan driver", "render, lobes, parity, validate --gpu, view"},
+        {"Vulkan doubles", "synth --gpu"}})
+    out.push_back({name, enables, false, "this program was built without the renderer", kOwnBuild});
 #endif
 #ifdef BRDF_HAS_VIEWER
   out.push_back(part("display", "windows of view; view --screenshot works without one",

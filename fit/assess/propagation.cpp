@@ -106,7 +106,7 @@ ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<c
     influence.emplace_back(on.data(), on.data() + on.size());
   }
   out.freedom.assign(n, std::max(freedom, 1.0));
-  if (stream.data().rows() <= kManyRows) {
+  if (!c.pooled && stream.data().rows() <= kManyRows) {
     const std::vector<NoiseShares> shares = stream.noise_shares(p, influence);
     for (std::size_t k = 0; k < n; ++k)
       if (shares[k].any()) out.freedom[k] = std::clamp(shares[k].freedom(), 1.0, out.freedom[k]);

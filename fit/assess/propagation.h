@@ -18,6 +18,7 @@ inline constexpr std::size_t kManyRows = 100000;
 // matrix.
 struct SlotCovariance {
   const RowMatrix &matrix, &inverse;
+  bool pooled;  // the residuals of all values state it, and not those of the deciding values
 };
 
 // The effect of one source of a budget on the solver's parameters.
@@ -35,9 +36,9 @@ RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double 
 Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n);
 
 // Returns the covariance of the parameters that are neither held nor at a bound. Parameters that are set
-// together count as one. The components are the principal components of the correlations; the degrees of
-// freedom of each component are counted in the same way as for a parameter. The sources that rows share
-// follow as components of their own.
+// together count as one. The components are the principal components of the correlations. A component has
+// `freedom` degrees of freedom if the covariance is pooled, otherwise Satterthwaite's (1946) of the values
+// that decide the component. The sources that rows share follow as components of their own.
 ParameterCovariance parameter_covariance(const SampleStream& stream, std::span<const double> p,
                                          const std::vector<Reported>& all, const SlotCovariance& c,
                                          double freedom, std::span<const SourceCovariance> sources = {});

@@ -131,8 +131,8 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
   }
   if (detail == Detail::profiles && !many) profile_all(all, stream, on, profiles, out);
   std::optional<RowMatrix> scatter;
-  if (!lean)
-    scatter = working ? larger_of(working->covariance, c.covariance, least_trust(all)) : c.covariance;
+  const double trust = least_trust(all);
+  if (!lean) scatter = working ? larger_of(working->covariance, c.covariance, trust) : c.covariance;
   std::optional<InstrumentCovariance> instrument;
   if (!lean && !few && stream.data().budget) {
     instrument = instrument_covariance(stream, m.p, c.inverse, *scatter, freedom);
@@ -151,7 +151,8 @@ Uncertainty uncertainty(const SampleStream& stream, const Minimum& m, Detail det
     const bool bent = out.profiled && any_unidentified;
     if (c.null_space.cols() == 0 && !few && !bent)
       out.covariance = parameter_covariance(
-          stream, m.p, all, {instrument ? instrument->rowwise : *scatter, c.inverse}, freedom,
+          stream, m.p, all, {instrument ? instrument->rowwise : *scatter, c.inverse, working && trust == 0},
+          freedom,
           instrument ? std::span<const SourceCovariance>(instrument->sources)
                      : std::span<const SourceCovariance>());
   }

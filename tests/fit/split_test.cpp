@@ -234,15 +234,17 @@ TEST(DerivedIntervals, ComeBackFromAMaterialsFile) {
   EXPECT_FALSE(intervals(f.material, stranger, {}, [](const Material&) { return std::vector<double>{}; }));
 }
 
-// Checks the root mean square deviation of 60 replicates in units of the standard error. The standard
-// deviation of their mean square is 0.18; the bounds 0.7 and 1.3 allow for it. The slow test counts the
-// coverage.
+// Checks the root mean square deviation of 60 replicates in units of the half interval over 1.96. Its
+// standard deviation is 0.09. The slow test counts the coverage. Under the metric log, two or three rows
+// decide the albedo of cook_torrance at 70 degrees, and all rows state the noise: with the few degrees of
+// freedom of those rows the number was 0.71.
 TEST(DerivedIntervals, OfTheAlbedoAreAsWideAsItScatters) {
-  for (const CoverageCase& c : coverage_cases())
-    for (const auto& [theta, covered] : covered_albedos(c, 60, 3, Metric::log_relative)) {
-      EXPECT_GT(std::sqrt(covered.square / 60), 0.7) << c.form << " at " << theta;
-      EXPECT_LT(std::sqrt(covered.square / 60), 1.3) << c.form << " at " << theta;
-    }
+  for (const Metric metric : {Metric::log, Metric::log_relative})
+    for (const CoverageCase& c : coverage_cases())
+      for (const auto& [theta, covered] : covered_albedos(c, 60, 3, metric)) {
+        EXPECT_GT(std::sqrt(covered.square / 60), 0.78) << c.form << " at " << theta;
+        EXPECT_LT(std::sqrt(covered.square / 60), 1.25) << c.form << " at " << theta;
+      }
 }
 
 }  // namespace
