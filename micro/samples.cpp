@@ -192,7 +192,7 @@ void add_mirrors(const SampleSettings& s, const Simulation& sim, const std::vect
   if (lost > 1e-5) {
     writer.table.warnings.push_back(
         "rays with " + io::to_text(lost) + " of the power were lost (still inside after " +
-        std::to_string(s.bounces) + " reflections, or after the limit of 2^24 triangles)");
+        std::to_string(s.bounces) + " reflections, or after the limit of 2^24 steps)");
   }
 }
 

@@ -14,7 +14,7 @@ struct Account {
   std::vector<double> escaped;  // [order - 1], up to the bounce limit
   double absorbed = 0;          // absorbed by facets that do not reflect everything
   double beyond = 0;            // still travelling after the last allowed reflection
-  double leaked = 0;            // still travelling after the limit of triangles (march.glsl)
+  double leaked = 0;            // still travelling after the limit of steps (march.glsl)
 
   double albedo() const { return std::accumulate(escaped.begin(), escaped.end(), 0.0); }
   double lost() const { return beyond + leaked; }

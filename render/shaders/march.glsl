@@ -2,14 +2,15 @@
 // a class (micro/march.h), and of the tracer on a Vulkan device (paths.comp). All numbers are double, and
 // every result is `precise`, so that both have the same bits where the device rounds correctly.
 //
-// The includer defines heights[] (row by row), tops[], turns[], nx, ny, columns_per_frame, dx, dy and z_max as in
-// micro/surface.h, the structs Facet and Turn, fresnel_dielectric(eta, cosine), and how a CONSTANT is declared.
+// The includer defines heights[] (row by row), tops[], turns[], nx, ny, columns_per_frame, dx, dy and z_max as
+// in micro/surface.h, the structs Facet and Turn, fresnel_dielectric(eta, cosine), and how a CONSTANT is
+// declared.
 
 // Cells along each side of a block, for which tops[] has the greatest height.
 CONSTANT block_cells = 8;
 
 // How a ray ends: it meets a facet, leaves the surface, or is still between the heights after the limit of
-// triangles.
+// steps.
 CONSTANT hit = 0;
 CONSTANT escaped = 1;
 CONSTANT lost = 2;
@@ -96,9 +97,9 @@ Place entry(double u, double v) {
 // Follows the ray from `from` along the unit vector d, from triangle to triangle. Within a triangle the height
 // over the surface is linear in the distance t, and the ray meets the plane if it falls towards the plane
 // and has t before the edge. A point that rounding puts below its triangle is thereby met at once, or left if
-// the ray rises, and no ray passes between two triangles. Cells, and blocks of cells,
-// above which the ray stays are left out. A ray that leaves the period continues on the opposite side, from which its distances are counted
-// again. It escapes when it rises above the highest vertex.
+// the ray rises, and no ray passes between two triangles. Cells, and blocks of cells, above which the ray
+// stays are left out. A ray that leaves the period continues on the opposite side, from which its distances
+// are counted again. It escapes when it rises above the highest vertex, and is lost after 2^24 steps.
 Meeting march(Place from, dvec3 d) {
   const double far = 1267650600228229401496703205376.0;  // 2^100
   precise double x = from.at.x;
