@@ -8,8 +8,9 @@
 
 namespace brdf::fit {
 
-// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. Meant for the few unknowns of one
-// channel's weights.
+// Minimises x'Hx/2 + g'x within bounds, exactly, by active sets. H is symmetric and not indefinite. The
+// factors are dense for few unknowns, and sparse for many unknowns that mostly do not meet, such as the
+// weights of many channels.
 std::vector<double> box_quadratic(const Matrix& hessian, std::span<const double> gradient,
                                   std::span<const double> low, std::span<const double> high);
 

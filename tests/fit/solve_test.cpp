@@ -1,4 +1,4 @@
-// Tests the solver on costs of one parameter.
+// Tests the solvers on costs of few parameters, and the minimisation of a quadratic within bounds.
 #include "fit/solve/solve.h"
 
 #include <gmock/gmock.h>
@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <span>
 #include <vector>
 
+#include "fit/algebra/box_quadratic.h"
 #include "fit/solve/nearby.h"
 
 namespace brdf::fit {
@@ -106,6 +108,82 @@ TEST(SolveNearby, FollowsACurvedValleyWithoutManyFailedSteps) {
     EXPECT_NEAR(s.p[1], std::exp(1), 1e-7) << x;
     EXPECT_NEAR(s.passes, passes, passes / 2) << x;
   }
+}
+
+struct BoxProblem {
+  Matrix hessian;
+  std::vector<double> gradient, low, high;
+};
+
+// Returns the quadratic of `channels` channels with three unknowns each and one unknown that all share, in
+// which each row of residuals concerns the unknowns of a single channel, and bounds that hold most of
+// the unknowns.
+BoxProblem channels_that_share_one(std::size_t channels, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const std::size_t n = 3 * channels + 1;
+  BoxProblem out{Matrix(n, n), std::vector<double>(n, 0), std::vector<double>(n), std::vector<double>(n)};
+  for (std::size_t c = 0; c < channels; ++c)
+    for (int row = 0; row < 5; ++row) {
+      const std::size_t unknowns[] = {0, 3 * c + 1, 3 * c + 2, 3 * c + 3};
+      double slopes[4];
+      for (double& slope : slopes) slope = normal(random);
+      const double residual = normal(random);
+      for (int i = 0; i < 4; ++i) {
+        out.gradient[unknowns[i]] += slopes[i] * residual;
+        for (int j = 0; j < 4; ++j) out.hessian(unknowns[i], unknowns[j]) += slopes[i] * slopes[j];
+      }
+    }
+  for (std::size_t k = 0; k < n; ++k) {
+    out.low[k] = k % 4 == 1 ? 0 : -0.2;
+    out.high[k] = k % 4 == 2 ? 0 : 0.2;
+  }
+  return out;
+}
+
+// Returns the largest slope that a move within the bounds could follow downhill: 0 at the minimum.
+double slope_left(const BoxProblem& q, std::span<const double> x) {
+  double left = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    double slope = q.gradient[k];
+    for (std::size_t j = 0; j < x.size(); ++j) slope += q.hessian(k, j) * x[j];
+    if (x[k] > q.low[k]) left = std::max(left, slope);
+    if (x[k] < q.high[k]) left = std::max(left, -slope);
+  }
+  return left;
+}
+
+// 31 channels are factored as a sparse matrix, 2 channels as a dense one.
+TEST(BoxQuadratic, LeavesNoSlopeWithinTheBoundsForFewChannelsAndForMany) {
+  for (const std::size_t channels : {2u, 31u}) {
+    double bound = 0, all = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      const BoxProblem q = channels_that_share_one(channels, seed);
+      const std::vector<double> x = box_quadratic(q.hessian, q.gradient, q.low, q.high);
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        ASSERT_GE(x[k], q.low[k]);
+        ASSERT_LE(x[k], q.high[k]);
+        bound += x[k] == q.low[k] || x[k] == q.high[k];
+        ++all;
+      }
+      EXPECT_LT(slope_left(q, x), 1e-13) << channels << " channels, seed " << seed;
+      EXPECT_GT(slope_left(q, std::vector<double>(x.size(), 0.0)), 1);  // the start is not the minimum
+    }
+    EXPECT_NEAR(bound / all, 0.7, 0.1) << channels << " channels";
+  }
+}
+
+// Two unknowns of each channel have the same effect, so that only their sum is determined.
+TEST(BoxQuadratic, LeavesNoSlopeIfUnknownsOfManyChannelsDependOnEachOther) {
+  BoxProblem q = channels_that_share_one(31, 1);
+  const std::size_t n = q.gradient.size();
+  for (std::size_t k = 2; k < n; k += 3) {
+    for (std::size_t j = 0; j < n; ++j) q.hessian(k, j) = q.hessian(k - 1, j);
+    for (std::size_t i = 0; i < n; ++i) q.hessian(i, k) = q.hessian(i, k - 1);
+    q.gradient[k] = q.gradient[k - 1];
+  }
+  const std::vector<double> x = box_quadratic(q.hessian, q.gradient, q.low, q.high);
+  EXPECT_LT(slope_left(q, x), 1e-12);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ TEST(SpectrumSlow, TheIntervalsOfF0CoverTheTruthInBandsTimesReplicates) {
   FitOptions options;
   options.metric = Metric::log_relative;
   options.cross_validation = false;
-  constexpr int kReplicates = 12;  // a fit with the profiles of 94 parameters takes most of a minute
+  constexpr int kReplicates = 100;  // a fit with the profiles of 94 parameters takes several seconds
   int covered = 0, all = 0;
   const auto fitted = [&](int k) {
     return fit_one(measured(truth, {"hemisphere"}, 0.02, std::uint64_t(k + 1)), {"cook_torrance"}, options);
