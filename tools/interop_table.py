@@ -15,7 +15,6 @@ import subprocess
 import sys
 import tempfile
 
-NOT_PROGRAMS = {"glsl", "glsl-es", "hlsl", "cpp", "explorer", "merl", "rgl", "dfg", "albedo"}  # shaders and tables
 TABLES = ("mitsuba", "pbrt")  # programs that import RGL files
 WRITTEN = "written by tools/interop_table.py"
 FORMS = {
@@ -61,15 +60,20 @@ def cell(brdf, words, program, scratch):
     return f"{rms[0]:.2g} ({'the copy' if 'copied: ' in said else 'no copy'})", True
 
 
-def programs_of(brdf):
-    """Returns the values of --to that name a program, as the program itself lists them."""
+def programs_of(brdf, scratch):
+    """Returns the values of --to that name a program, as the program itself lists them. The others write a formula or a table."""
     told = json.loads(subprocess.run([brdf, "describe", "json"], check=True, text=True, capture_output=True).stdout)
     options = next(verb["options"] for verb in told["verbs"] if verb["name"] == "export")
-    return [word for word in next(o["words"] for o in options if o["names"] == ["--to"]) if word not in NOT_PROGRAMS]
+
+    def kind(word):
+        words = [brdf, "export", "--form", "lambert", "--to", word, "-o", scratch, "--json"]
+        return json.loads(subprocess.run(words, check=True, text=True, capture_output=True).stdout)["kind"]
+
+    return [word for word in next(o["words"] for o in options if o["names"] == ["--to"]) if kind(word) not in ("formula", "table")]
 
 
 def losses(brdf, scratch):
-    programs = programs_of(brdf)
+    programs = programs_of(brdf, scratch)
     lines = ["| material | " + " | ".join(programs) + " |", "|---" * (len(programs) + 1) + "|"]
     worse = []
     for name, words in FORMS.items():
@@ -88,7 +92,7 @@ def forms(brdf, scratch):
     def run(*words):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 
-    programs = programs_of(brdf)
+    programs = programs_of(brdf, scratch)
     models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, text=True, capture_output=True).stdout)
     lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(programs) + " |", "|---" * (len(programs) + 3) + "|"]
     for form in (m["form"] for m in models["forms"]):

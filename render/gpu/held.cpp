@@ -40,15 +40,13 @@ class Held final : public ReflectanceModel, public io::StandsFor {
     const Filled<double> all(*this, p);
     inner_->eval(all.view(), d, out);
   }
-  // The catalogue's forms have the bits of their shaders in float; code outside it is evaluated in double.
+  // In float, the catalogue's forms and shaders have the bits of the device.
   void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
-    if (catalogue_index(inner_) < 0) return ReflectanceModel::eval(p, d, out);
     const Filled<float> all(*this, p);
     inner_->eval(all.view(), d, out);
   }
   using ReflectanceModel::eval_cos;
   void eval_cos(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
-    if (catalogue_index(inner_) < 0) return ReflectanceModel::eval_cos(p, d, out);
     const Filled<float> all(*this, p);
     inner_->eval_cos(all.view(), d, out);
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "shader/front/definitions.h"
 #include "texel/planes.h"

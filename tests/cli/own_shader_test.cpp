@@ -195,6 +195,28 @@ TEST(OwnShader, CostStandsBesideTheForms) {
     EXPECT_LE(costs[k - 1]["operations"], costs[k]["operations"]);
 }
 
+// The device takes three weights and four shapes as arguments; the others are constants of its formula.
+TEST(OwnShader, ParametersThatTheDeviceHoldsChangeNoBit) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "many.glsl")
+      << "//: param a 0 1 0.3\n//: param b 0 1 0.7\n//: param c 0 1 0.1\n//: param d 0 1 0.9\n"
+         "//: param e 0 1 0.6\n//: param s 0 1 0.2\n//: param t 0 1 0.4\n//: param u 0 1 0.8\n"
+         "//: param v 0 1 0.5\n//: param x 0 1 0.35\n"
+         "float brdf(vec3 L, vec3 V, vec3 N, float a, float b, float c, float d, float e, float s, float t, "
+         "float u, float v, float x) {\n"
+         "  precise float shapes = (1.0 + s * s * t) * (1.0 + u * u * v) * (1.0 + x * x * L.z * V.z);\n"
+         "  precise float f = (a + b * L.z * V.z + c * (L.z + V.z) + d * L.x * V.x + e * L.y * V.y) * "
+         "shapes;\n"
+         "  return f;\n}\n";
+  const Outcome o = run_brdf("validate --shader many.glsl --gpu --json", folder.path());
+  if (o.exit_code == 3) GTEST_SKIP() << o.err;
+  ASSERT_EQ(o.exit_code, 0) << o.err;
+  const auto row = nlohmann::json::parse(o.out)["rows"][0];
+  EXPECT_EQ(row["differing"], 0) << row;
+  EXPECT_EQ(row["passes"], true);
+  EXPECT_GT(row["count"], 1'000'000);
+}
+
 TEST(OwnShader, IsComparedWithAForm) {
   io::TemporaryFolder folder;
   const Outcome o =
