@@ -24,7 +24,8 @@ struct Violation {
 };
 using NoViolations = std::array<Violation, 0>;
 
-// Largest relative errors over the grid of `brdf validate --numerics`, compared with 50-digit arithmetic.
+// Largest relative errors that the grid and the search of `brdf validate --numerics` found, compared with
+// 50-digit arithmetic.
 struct Accuracy {
   struct Errors {
     double body, faint, tail;  // for f >= 1e-6, >= 1e-12, >= 1e-30 of the lobe's peak

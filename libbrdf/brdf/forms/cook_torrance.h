@@ -165,7 +165,7 @@ struct cook_torrance_1982 : Takes<SchlickWeights, Roughness> {
   static constexpr std::string_view name = "cook_torrance_1982";
   static constexpr std::string_view family = "cook_torrance";
   static constexpr Accuracy accuracy{.in_float = {3.8e-6, 6.5e-6, 1.5e-5},
-                                     .in_double = {7.9e-15, 1.1e-14, 1.7e-14}};
+                                     .in_double = {7.9e-15, 1.1e-14, 2.6e-14}};
   static constexpr Kink kink = Kink::v_cavity;
   using Facets = brdf::Facets<BeckmannSlopes, VCavities>;
   using Sampler = GaussianSlopes;
