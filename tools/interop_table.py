@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 # ctest: interop.losses label=interop timeout=900 needs=plain @brdf@ @source@/docs/interop.md
+# ctest: style.exported_forms label=style needs=plain --names @brdf@ @source@/docs/interop.md
 """Checks or writes the tables of docs/interop.md: losses of each program for twenty materials, and the export of every form at its
 defaults.
 
-    tools/interop_table.py [--update] BRDF docs/interop.md
+    tools/interop_table.py [--update | --names] BRDF docs/interop.md
 
 Without --update the script fails if a table of the document differs (numbers by more than 5 %), or if a refit is worse than the
-copied parameters.
+copied parameters. --names: only the names of the programs and forms are compared, which takes seconds.
 """
 import json
 import pathlib
@@ -72,6 +73,22 @@ def programs_of(brdf, scratch):
     return [word for word in next(o["words"] for o in options if o["names"] == ["--to"]) if kind(word) not in ("formula", "table")]
 
 
+def names_of_forms(brdf):
+    models = subprocess.run([brdf, "models", "--json"], check=True, text=True, capture_output=True).stdout
+    return [m["form"] for m in json.loads(models)["forms"]]
+
+
+def check_names(brdf, text, scratch):
+    """Fails if the document's tables lack a program or a form, or have other ones."""
+    programs = programs_of(brdf, scratch)
+    for table, names in (("losses", list(FORMS)), ("forms", names_of_forms(brdf))):
+        rows = [line.split("|")[1:-1] for line in text.split(f"<!-- {table}: {WRITTEN} -->")[1].split("<!--")[0].strip().splitlines()]
+        columns, first = [word.strip() for word in rows[0]], [row[0].strip() for row in rows[2:]]
+        if columns[-len(programs):] != programs or first != names:
+            sys.exit(f"the table {table} of docs/interop.md has other programs or forms than the program (--update writes it): "
+                     f"{sorted({*columns[-len(programs):], *first} ^ {*programs, *names})}")
+
+
 def losses(brdf, scratch):
     programs = programs_of(brdf, scratch)
     lines = ["| material | " + " | ".join(programs) + " |", "|---" * (len(programs) + 1) + "|"]
@@ -93,9 +110,8 @@ def forms(brdf, scratch):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 
     programs = programs_of(brdf, scratch)
-    models = json.loads(subprocess.run([brdf, "models", "--json"], check=True, text=True, capture_output=True).stdout)
     lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(programs) + " |", "|---" * (len(programs) + 3) + "|"]
-    for form in (m["form"] for m in models["forms"]):
+    for form in names_of_forms(brdf):
         words = ("export", "--form", form)
         assert run(*words, "--to", "explorer").returncode == 0, form
         table = "table" if run(*words, "--to", "rgl", "--size", "200K").returncode == 0 else "-"
@@ -119,10 +135,12 @@ def same(a, b):
 
 def main():
     update = "--update" in sys.argv
-    brdf, document = [a for a in sys.argv[1:] if a != "--update"]
+    brdf, document = [a for a in sys.argv[1:] if not a.startswith("--")]
     path = pathlib.Path(document)
     text, other = path.read_text(), []
     with tempfile.TemporaryDirectory() as folder:
+        if "--names" in sys.argv:
+            return check_names(brdf, text, folder + "/x")
         table, worse = losses(brdf, folder + "/x")
         for name, new in (("losses", table), ("forms", forms(brdf, folder + "/x"))):
             before, rest = text.split(f"<!-- {name}: {WRITTEN} -->")
