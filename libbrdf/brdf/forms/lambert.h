@@ -12,7 +12,7 @@ namespace brdf {
 struct lambert : Takes<DiffuseWeights, NoShape> {
   static constexpr std::string_view name = "lambert";
   static constexpr std::string_view family = "lambert";
-  static constexpr Accuracy accuracy{.in_float = {1.2e-7, 0, 0}, .in_double = {1.4e-16, 0, 0}};
+  static constexpr Accuracy accuracy{.in_float = {1.4e-7, 0, 0}, .in_double = {1.5e-16, 0, 0}};
   static constexpr Kink kink = Kink::none;
   static constexpr std::array albedos{ClosedAlbedo{0, 90, whole_albedo, "its definition"}};
   static constexpr NoViolations violations{};
