@@ -20,14 +20,13 @@
 namespace brdf::validate {
 namespace {
 
-// A short search must find at least a third of the bound. In the bands that contain few values it must find
-// a tenth, if it finds any error. A basis states one bound for all bands, and among up to 20 weights a short
-// search finds at least a quarter.
+// A short search must find at least a quarter of the bound. In the bands that contain few values it must find
+// a tenth, if it finds any error. A basis states one bound for all bands.
 void expect_close_below(double error, double bound, bool body, const ReflectanceInfo& form,
                         const NumericsRow& row) {
   EXPECT_LE(error, bound) << row.form << ' ' << row.scalar << ", the body worst at " << row.where.parameters;
   if (!body && (error == 0 || form.basis)) return;
-  const double most = form.basis ? 4 : body ? 3 : 10;
+  const double most = body ? 4 : 10;
   EXPECT_GE(error, bound / most) << row.form << ' ' << row.scalar << " is better than stated";
 }
 
