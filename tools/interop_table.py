@@ -78,19 +78,17 @@ def names_of_forms(brdf):
     return [m["form"] for m in json.loads(models)["forms"]]
 
 
-def check_names(brdf, text, scratch):
+def check_names(brdf, text, programs):
     """Fails if the document's tables lack a program or a form, or have other ones."""
-    programs = programs_of(brdf, scratch)
     for table, names in (("losses", list(FORMS)), ("forms", names_of_forms(brdf))):
         rows = [line.split("|")[1:-1] for line in text.split(f"<!-- {table}: {WRITTEN} -->")[1].split("<!--")[0].strip().splitlines()]
         columns, first = [word.strip() for word in rows[0]], [row[0].strip() for row in rows[2:]]
         if columns[-len(programs):] != programs or first != names:
             sys.exit(f"the table {table} of docs/interop.md has other programs or forms than the program (--update writes it): "
-                     f"{sorted({*columns[-len(programs):], *first} ^ {*programs, *names})}")
+                     f"{sorted({*columns[-len(programs):], *first} ^ {*programs, *names}) or 'another order'}")
 
 
-def losses(brdf, scratch):
-    programs = programs_of(brdf, scratch)
+def losses(brdf, programs, scratch):
     lines = ["| material | " + " | ".join(programs) + " |", "|---" * (len(programs) + 1) + "|"]
     worse = []
     for name, words in FORMS.items():
@@ -104,12 +102,11 @@ def losses(brdf, scratch):
     return "\n".join(lines), worse
 
 
-def forms(brdf, scratch):
+def forms(brdf, programs, scratch):
     """Returns for every form at its defaults: exact, the rms of the loss, table (only as an RGL file) or - (no export)."""
     def run(*words):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 
-    programs = programs_of(brdf, scratch)
     lines = ["| form | a shader, `explorer` | rgl | " + " | ".join(programs) + " |", "|---" * (len(programs) + 3) + "|"]
     for form in names_of_forms(brdf):
         words = ("export", "--form", form)
@@ -139,10 +136,11 @@ def main():
     path = pathlib.Path(document)
     text, other = path.read_text(), []
     with tempfile.TemporaryDirectory() as folder:
+        programs = programs_of(brdf, folder + "/x")
         if "--names" in sys.argv:
-            return check_names(brdf, text, folder + "/x")
-        table, worse = losses(brdf, folder + "/x")
-        for name, new in (("losses", table), ("forms", forms(brdf, folder + "/x"))):
+            return check_names(brdf, text, programs)
+        table, worse = losses(brdf, programs, folder + "/x")
+        for name, new in (("losses", table), ("forms", forms(brdf, programs, folder + "/x"))):
             before, rest = text.split(f"<!-- {name}: {WRITTEN} -->")
             old, after = rest.split(f"<!-- end of {name} -->")
             text = f"{before}<!-- {name}: {WRITTEN} -->\n{new}\n<!-- end of {name} -->{after}"

@@ -40,7 +40,7 @@ class Held final : public ReflectanceModel, public io::StandsFor {
     const Filled<double> all(*this, p);
     inner_->eval(all.view(), d, out);
   }
-  // In float, the catalogue's forms and shaders have the bits of the device.
+  // Values in float are those of the form itself, which computes in float as a device does.
   void eval(const ParameterValues<float>& p, const Directions<float>& d, float* out) const override {
     const Filled<float> all(*this, p);
     inner_->eval(all.view(), d, out);

@@ -115,23 +115,23 @@ struct BoxProblem {
   std::vector<double> gradient, low, high;
 };
 
-// Returns the quadratic of `channels` channels with three unknowns each and one unknown that all share, in
+// Returns the quadratic of `channels` channels with `own` unknowns each and one unknown that all share, in
 // which each row of residuals concerns the unknowns of a single channel, and bounds that hold most of
 // the unknowns.
-BoxProblem channels_that_share_one(std::size_t channels, std::uint64_t seed) {
+BoxProblem channels_that_share_one(std::size_t channels, std::size_t own, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  const std::size_t n = 3 * channels + 1;
+  const std::size_t n = own * channels + 1;
   BoxProblem out{Matrix(n, n), std::vector<double>(n, 0), std::vector<double>(n), std::vector<double>(n)};
   for (std::size_t c = 0; c < channels; ++c)
-    for (int row = 0; row < 5; ++row) {
-      const std::size_t unknowns[] = {0, 3 * c + 1, 3 * c + 2, 3 * c + 3};
-      double slopes[4];
+    for (std::size_t row = 0; row < own + 2; ++row) {
+      const auto unknown = [&](std::size_t i) { return i == 0 ? 0 : own * c + i; };
+      std::vector<double> slopes(own + 1);
       for (double& slope : slopes) slope = normal(random);
       const double residual = normal(random);
-      for (int i = 0; i < 4; ++i) {
-        out.gradient[unknowns[i]] += slopes[i] * residual;
-        for (int j = 0; j < 4; ++j) out.hessian(unknowns[i], unknowns[j]) += slopes[i] * slopes[j];
+      for (std::size_t i = 0; i <= own; ++i) {
+        out.gradient[unknown(i)] += slopes[i] * residual;
+        for (std::size_t j = 0; j <= own; ++j) out.hessian(unknown(i), unknown(j)) += slopes[i] * slopes[j];
       }
     }
   for (std::size_t k = 0; k < n; ++k) {
@@ -153,12 +153,12 @@ double slope_left(const BoxProblem& q, std::span<const double> x) {
   return left;
 }
 
-// 31 channels are factored as a sparse matrix, 2 channels as a dense one.
+// 31 channels are factored as a sparse matrix; 2 channels as a dense one, and so is a channel of 40 unknowns.
 TEST(BoxQuadratic, LeavesNoSlopeWithinTheBoundsForFewChannelsAndForMany) {
-  for (const std::size_t channels : {2u, 31u}) {
+  for (const auto& [channels, own] : {std::pair{2u, 3u}, {31u, 3u}, {1u, 40u}}) {
     double bound = 0, all = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      const BoxProblem q = channels_that_share_one(channels, seed);
+      const BoxProblem q = channels_that_share_one(channels, own, seed);
       const std::vector<double> x = box_quadratic(q.hessian, q.gradient, q.low, q.high);
       for (std::size_t k = 0; k < x.size(); ++k) {
         ASSERT_GE(x[k], q.low[k]);
@@ -169,13 +169,13 @@ TEST(BoxQuadratic, LeavesNoSlopeWithinTheBoundsForFewChannelsAndForMany) {
       EXPECT_LT(slope_left(q, x), 1e-13) << channels << " channels, seed " << seed;
       EXPECT_GT(slope_left(q, std::vector<double>(x.size(), 0.0)), 1);  // the start is not the minimum
     }
-    EXPECT_NEAR(bound / all, 0.7, 0.1) << channels << " channels";
+    EXPECT_NEAR(bound / all, 0.6, 0.2) << channels << " channels";
   }
 }
 
 // Two unknowns of each channel have the same effect, so that only their sum is determined.
 TEST(BoxQuadratic, LeavesNoSlopeIfUnknownsOfManyChannelsDependOnEachOther) {
-  BoxProblem q = channels_that_share_one(31, 1);
+  BoxProblem q = channels_that_share_one(31, 3, 1);
   const std::size_t n = q.gradient.size();
   for (std::size_t k = 2; k < n; k += 3) {
     for (std::size_t j = 0; j < n; ++j) q.hessian(k, j) = q.hessian(k - 1, j);
