@@ -1,6 +1,7 @@
 // Compares this library's rule for the directional albedo with product Gauss-Legendre, adaptive cubature and
 // Monte Carlo with visible normals, on the isotropic cases of `brdf validate --integrators`.
 // Usage: bench_integrals [CASES] [SEED]
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>

@@ -2,6 +2,7 @@
 
 #include <utf8.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "io/files/content.h"

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 
 namespace brdf::shader {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <tuple>
 
 #include "cli/options/terminal.h"
 #include "cli/verb.h"

@@ -17,6 +17,7 @@
 #include "io/columns/foreign_json.h"
 #include "io/files/content.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/provenance.h"
 
 namespace brdf::cli {

@@ -2,6 +2,7 @@
 // of the user.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/model/model.h"
 #include "io/files/error.h"

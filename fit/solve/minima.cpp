@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fit/solve/equivalence.h"
 #include "fit/solve/few_channels.h"

@@ -1,5 +1,6 @@
 #include "io/columns/aspecular_names.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "io/columns/angle_names.h"

@@ -1,6 +1,7 @@
 #include "io/columns/polarisation_names.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <vector>
 

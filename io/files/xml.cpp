@@ -3,6 +3,7 @@
 #include <expat.h>
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <optional>
 

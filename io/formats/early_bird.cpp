@@ -1,5 +1,6 @@
 // BRDF files of the BiRD project before version 1.0: JSON with lists of directions and one row of values for
 // each wavelength.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

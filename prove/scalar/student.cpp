@@ -1,3 +1,5 @@
+#include <array>
+
 #include "prove/scalar/lemmas.h"
 
 namespace brdf::prove {

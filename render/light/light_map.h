@@ -5,6 +5,7 @@
 // exact.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <span>

@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <exception>
 #include <glm/gtc/type_ptr.hpp>
+#include <memory>
 #include <sstream>
 
 #include "io/files/content.h"

@@ -1,5 +1,6 @@
 #include "render/picture/dither.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "render/scene/scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 

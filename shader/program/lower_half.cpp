@@ -1,4 +1,5 @@
 // Half precision: which results are rounded, and constants of 16 bits.
+#include <algorithm>
 #include <cmath>
 #include <glslang/SPIRV/spirv.hpp>
 

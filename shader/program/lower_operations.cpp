@@ -1,6 +1,7 @@
 // Arithmetic, comparisons and conversions, component by component.
 #include <glslang/SPIRV/spirv.hpp>
 
+#include <algorithm>
 #include <map>
 
 #include "shader/program/lowering.h"

@@ -1,4 +1,5 @@
 // Reads of textures, as operations on the texels of a file.
+#include <algorithm>
 #include <glslang/SPIRV/spirv.hpp>
 #include <utility>
 

@@ -1,4 +1,6 @@
 // Tests that every option of a verb has a group in the table of options.
+#include <stdexcept>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -5,6 +5,7 @@
 #ifdef BRDF_HAS_SHADER
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>

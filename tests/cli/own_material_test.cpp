@@ -1,6 +1,8 @@
 // Tests materials with a user's shader as their form. A fit writes them, and every verb reads them without
 // --shader.
 #ifdef BRDF_HAS_SHADER
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // Tests the verbs that compare tables of one surface: exit codes, budgets, messages.
+#include <fstream>
+
 #include "io/files/json.h"
 #include "run_brdf.h"
 

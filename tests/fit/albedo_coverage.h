@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <random>
 
 #include "brdf/integrals.h"
 #include "fit/assess/assess.h"

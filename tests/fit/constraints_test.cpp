@@ -1,5 +1,8 @@
 // Tests parameters that are fixed, bounded or started by the user: which constraints are refused, and that
 // the others are obeyed.
+#include <memory>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // Tests the derivatives that the solver uses, and a fit that takes the aperture into account.
+#include <random>
+
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 

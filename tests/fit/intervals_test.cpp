@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "fit/assess/derived.h"
 #include "fit/assess/hidden_lobe.h"

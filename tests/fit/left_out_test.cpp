@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <random>
 
 #include "fit/assess/left_out.h"
 #include "fit/assess/paired.h"

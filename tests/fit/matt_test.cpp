@@ -1,4 +1,6 @@
 // Fits of matt surfaces by a basis with weights of either sign, and of retroreflectors.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

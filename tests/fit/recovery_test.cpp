@@ -1,4 +1,8 @@
 // Tests that fits recover the truth of synthetic samples, for every form, metric and kind of model.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "samples.h"

@@ -1,6 +1,7 @@
 // A goniometer with a wrong scale, wrong zeros of its angles and noise, and its budget.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>

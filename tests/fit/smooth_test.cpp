@@ -1,4 +1,6 @@
 // Tests shapes that follow a polynomial in 1/wavelength.
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,10 @@
 // Tests which quantities the samples determine and which they cannot separate: weights that share a
 // prediction, widths without sample rotation, and energy.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,7 @@
 // Tests parameters with one value for all channels, and weights that conserve energy.
+#include <cmath>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 // compiler accepts, so that the checker, the flattening and the interpreter would receive few inputs.
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "io/files/error.h"
 #include "shader/entry.h"

@@ -1,4 +1,6 @@
 // Tests that names and wavelengths decide which channel is red, not the order of the columns.
+#include <algorithm>
+
 #include "io/colour/channel_colours.h"
 
 #include <gtest/gtest.h>

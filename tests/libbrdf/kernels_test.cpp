@@ -2,6 +2,7 @@
 // and hold on both sides.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -2,8 +2,10 @@
 // misprints and slips of the source documents.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include "brdf/forms.h"
 #include "brdf/integrals.h"

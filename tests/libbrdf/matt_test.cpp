@@ -1,6 +1,7 @@
 // The matt basis and the retroreflective lobe against their definitions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -7,6 +7,7 @@
 
 #include <boost/math/special_functions/gamma.hpp>
 #include <functional>
+#include <iostream>
 #include <numeric>
 #include <random>
 

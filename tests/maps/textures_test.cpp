@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "interop/loss.h"
 #include "interop/pairs.h"

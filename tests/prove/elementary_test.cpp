@@ -2,6 +2,7 @@
 // narrow.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/multiprecision/mpfr.hpp>
 #include <random>
 

@@ -1,4 +1,6 @@
 // No value that the library computes lies outside the enclosure of a box that contains the inputs.
+#include <sstream>
+
 #include <gtest/gtest.h>
 
 #include "prove/scalar/lemmas.h"

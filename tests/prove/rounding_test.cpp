@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "prove/proof.h"
 #include "prove/scalar/on_rounding.h"

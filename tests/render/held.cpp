@@ -2,6 +2,8 @@
 // ignored.
 #include "render/gpu/held.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "io/material/material_json.h"

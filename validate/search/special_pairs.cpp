@@ -1,5 +1,6 @@
 #include "validate/search/special_pairs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "validate/search/degrees.h"

@@ -1,4 +1,6 @@
 // Tests the coverage of the interval of a derived value, the albedo of a fitted material.
+#include <iostream>
+
 #include "../albedo_coverage.h"
 
 namespace brdf::fit {

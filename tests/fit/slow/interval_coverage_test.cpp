@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <random>
 #include <set>
 
 #include "../samples.h"

@@ -1,9 +1,12 @@
 // Tests the intervals of a wrong model: one lobe is fitted to a surface with two.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <iostream>
+#include <random>
+#include <vector>
 
 #include "../samples.h"
 

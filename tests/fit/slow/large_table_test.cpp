@@ -1,7 +1,9 @@
 // Tests that the ranking of a large table equals the ranking by all rows.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
+#include <random>
 
 #include "../samples.h"
 #include "fit/report/report.h"

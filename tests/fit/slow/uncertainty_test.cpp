@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <map>
+#include <random>
 
 #include "../samples.h"
 #include "fit/assess/assess.h"

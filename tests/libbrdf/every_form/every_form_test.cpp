@@ -2,6 +2,7 @@
 // catalogue.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>

@@ -2,6 +2,7 @@
 // grid of validate/search/extremes.h and by a search, asserted on both sides.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <random>

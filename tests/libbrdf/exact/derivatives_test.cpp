@@ -3,7 +3,9 @@
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "brdf/dual.h"
 #include "tests/typed.h"

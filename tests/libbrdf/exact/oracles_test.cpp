@@ -2,6 +2,7 @@
 // and published tables.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "brdf/forms.h"

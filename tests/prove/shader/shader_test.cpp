@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <sstream>
 
 #include "io/files/content.h"
 #include "io/files/temporary.h"

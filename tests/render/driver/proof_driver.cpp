@@ -1,4 +1,6 @@
 // The shaders and the library agree bit for bit on the software driver, and the negative controls do not.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "brdf/forms.h"

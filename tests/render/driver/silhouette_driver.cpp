@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <iostream>
 
 #include "brdf/reflectance.h"
 #include "io/material/material_file.h"

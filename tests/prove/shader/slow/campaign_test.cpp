@@ -1,5 +1,7 @@
 // In two thousand random shaders with planted violations the prover proves no property that is violated.
 // It proves most of five hundred sound shaders within a second each.
+#include <iostream>
+
 #include <gtest/gtest.h>
 
 #include "prove/shader/self_test.h"

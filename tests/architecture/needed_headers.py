@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# ctest: architecture.needed_headers label=architecture @source@
+"""needed_headers.py ROOT: checks that a source that uses a name of the standard library, or a name of another room, includes the name's
+header, itself or through headers of the project. Batches of sources and precompiled headers hide missing headers; another compiler, or
+another version of the standard library, does not find the name then. Names of the standard library that are not in NAMES are not
+looked at."""
+import collections
+import pathlib
+import re
+import subprocess
+import sys
+
+import rooms
+
+NAMES = {
+    "algorithm": "clamp copy_if copy_n count_if fill_n find_if lower_bound max max_element min min_element minmax nth_element remove_if"
+                 " replace reverse rotate shuffle sort stable_sort transform unique upper_bound",
+    "array": "array",
+    "atomic": "atomic",
+    "bit": "bit_cast bit_width countl_zero countr_zero popcount",
+    "bitset": "bitset",
+    "charconv": "from_chars to_chars",
+    "chrono": "chrono",
+    "cmath": "abs atan2 cbrt ceil copysign cos erf erfc exp floor fma frexp hypot isfinite isnan ldexp log lround nextafter pow sin sqrt"
+             " tan",
+    "compare": "partial_ordering strong_ordering",
+    "complex": "complex",
+    "concepts": "floating_point integral same_as",
+    "condition_variable": "condition_variable",
+    "cstdint": "int16_t int32_t int64_t uint16_t uint32_t uint64_t uint8_t",
+    "cstring": "memcmp memcpy memset strerror strlen",
+    "deque": "deque",
+    "exception": "current_exception exception_ptr rethrow_exception",
+    "filesystem": "filesystem",
+    "fstream": "ifstream ofstream",
+    "functional": "bind_front function greater hash less multiplies plus",
+    "future": "async future promise",
+    "iomanip": "setfill setprecision setw",
+    "iostream": "cerr cout",
+    "limits": "numeric_limits",
+    "map": "map multimap",
+    "memory": "make_shared make_unique shared_ptr unique_ptr weak_ptr",
+    "mutex": "call_once lock_guard mutex once_flag scoped_lock unique_lock",
+    "numbers": "numbers",
+    "numeric": "accumulate gcd inner_product iota lcm midpoint partial_sum reduce transform_reduce",
+    "optional": "make_optional nullopt optional",
+    "random": "mt19937 mt19937_64 normal_distribution uniform_int_distribution uniform_real_distribution",
+    "ranges": "views",
+    "regex": "regex smatch",
+    "set": "multiset set",
+    "source_location": "source_location",
+    "span": "span",
+    "sstream": "istringstream ostringstream stringstream",
+    "stdexcept": "invalid_argument logic_error out_of_range runtime_error",
+    "string_view": "string_view",
+    "thread": "jthread this_thread thread",
+    "tuple": "make_tuple tie tuple",
+    "type_traits": "conditional_t decay_t is_floating_point_v is_same_v remove_cvref_t",
+    "unordered_map": "unordered_map",
+    "unordered_set": "unordered_set",
+    "utility": "as_const exchange",
+    "variant": "get_if holds_alternative monostate variant visit",
+    "vector": "vector",
+}
+HEADER_OF = {name: header for header, names in NAMES.items() for name in names.split()}
+# Other names of std::ranges are algorithms.
+OF_RANGES = set("begin data empty end input_range range_value_t size subrange".split())
+# Headers that define the names of another header by the standard's own words.
+ALSO = {"cmath": {"complex", "cstdlib"}, "string_view": {"string"}}
+
+root = pathlib.Path(sys.argv[1])
+listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.h", "*.cpp"], cwd=root, text=True, capture_output=True)
+names = listed.stdout.split() or [str(p.relative_to(root)) for end in ("h", "cpp") for p in root.glob(f"*/**/*.{end}")]
+texts = {name: (root / name).read_text() for name in names if (root / name).exists() and not name.startswith("build/")}
+
+
+def included(name, seen):
+    """Adds the source and all headers of the project that it includes to `seen`; returns the other headers that they include."""
+    seen.add(name)
+    found = set(re.findall(r"^#include <([a-z_]+)>", texts[name], re.M))
+    for other in re.findall(r'^#include "([^"]+)"', texts[name], re.M):
+        path = next((path for path in (other, "libbrdf/" + other) if path in texts), None)
+        if path is None:
+            found.add(other)  # written by the build
+        elif path not in seen:
+            found |= included(path, seen)
+    return found
+
+
+def code_of(text):
+    return re.sub(r'R"(\w*)\(.*?\)\1"|//[^\n]*|"(\\.|[^"\\\n])*"', '""', text, flags=re.S)
+
+
+def used(code):
+    """Returns {header: names} for the names of the standard library that a source uses."""
+    found = collections.defaultdict(set)
+    for ranges, name in re.findall(r"\bstd::(ranges::)?(\w+)", code):
+        header = HEADER_OF.get(name)
+        if ranges and (name in OF_RANGES or not header):
+            header = "ranges" if name in OF_RANGES else "algorithm"
+        if header:
+            found[header].add(name)
+    return found
+
+
+# A name of a room, qualified by the room's namespace.
+QUALIFIED = re.compile(rf"(?<![:\w])({'|'.join(room.name for room in rooms.read(root) if room.name != 'libbrdf')})::(\w+)")
+codes = {name: code_of(text) for name, text in texts.items()}
+words_of = {name: set(re.findall(r"\w+", code)) for name, code in codes.items()}
+
+faults = []
+for name, code in sorted(codes.items()):
+    seen = set()
+    here = included(name, seen)
+    for header, words in sorted(used(code).items()):
+        if header not in here and not ALSO.get(header, set()) & here:
+            faults.append(f"{name}: #include <{header}> is missing for std::{', std::'.join(sorted(words))}")
+    if any(header.endswith((".h", ".inc")) for header in here):
+        continue  # a header that the build writes may declare names of a room
+    declared_here = set(re.findall(r"\w+", QUALIFIED.sub("", code)))
+    known = declared_here.union(*(words_of[header] for header in seen if header != name))
+    for room, word in sorted(set(QUALIFIED.findall(code))):
+        if word not in known:
+            faults.append(f"{name}: no included header has {room}::{word}")
+assert len(texts) > 1000, len(texts)
+if faults:
+    sys.exit("\n".join(faults))
