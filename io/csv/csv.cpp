@@ -11,6 +11,7 @@
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/samples/aperture.h"
+#include "io/samples/degrees.h"
 #include "io/samples/fill_values.h"
 #include "io/samples/mirror_side.h"
 #include "io/samples/phase_angle.h"
@@ -421,7 +422,7 @@ class CsvReader {
   static void unfold(double& theta, double& phi) {
     if (theta >= 0.0) return;
     theta = -theta;
-    phi += 180.0;
+    phi = within_turn(phi + 180.0);
   }
 
   LineReader reader_;

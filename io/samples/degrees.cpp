@@ -54,8 +54,8 @@ double cos_degrees(double degrees) {
 }
 
 double within_turn(double phi) {
-  const double rest = std::fmod(phi, 360.0);
-  return rest < 0 ? rest + 360 : rest + 0.0;  // + 0 turns -0 into 0
+  const double rest = std::fmod(phi, 360.0), turned = rest < 0 ? rest + 360 : rest;
+  return turned < 360 ? turned + 0.0 : 0.0;  // a tiny negative angle rounds to 360; + 0 turns -0 into 0
 }
 
 Vec3<double> unit_vector(double theta, double phi) {
@@ -66,7 +66,7 @@ Vec3<double> unit_vector(double theta, double phi) {
 Polar polar_degrees(const Vec3<double>& w) {
   const double theta = radians(std::atan2(std::sqrt(w.x * w.x + w.y * w.y), w.z)).degrees();
   const double phi = radians(std::atan2(w.y, w.x)).degrees();
-  return {theta, phi < 0 ? phi + 360.0 : phi};
+  return {theta, within_turn(phi)};
 }
 
 }  // namespace brdf::io

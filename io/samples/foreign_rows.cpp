@@ -6,6 +6,7 @@
 #include "io/files/error.h"
 #include "io/files/limits.h"
 #include "io/files/numbers.h"
+#include "io/samples/degrees.h"
 
 namespace brdf::io {
 namespace {
@@ -27,8 +28,8 @@ bool ForeignRows::add(double theta_i, double phi_i, double theta_o, double phi_o
   }
   if (table_.rows() == kMostRows)
     throw InputError(table_.name() + ": has more than " + std::to_string(kMostRows) + " rows");
-  table_.add_directions(std::abs(theta_i), phi_i + (theta_i < 0 ? 180 : 0), std::min(std::abs(theta_o), 90.0),
-                        phi_o + (theta_o < 0 ? 180 : 0));
+  table_.add_directions(std::abs(theta_i), theta_i < 0 ? within_turn(phi_i + 180) : phi_i,
+                        std::min(std::abs(theta_o), 90.0), theta_o < 0 ? within_turn(phi_o + 180) : phi_o);
   return true;
 }
 

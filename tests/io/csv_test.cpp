@@ -74,9 +74,10 @@ TEST_F(Csv, AcceptsCommentsBlankLinesCarriageReturnsSpacesAndAnyColumnOrder) {
 }
 
 TEST_F(Csv, NegativePolarAnglesAreTheOppositeAzimuth) {
-  const SampleTable t = read_samples(file(std::string(kOneChannel) + "10,180,-20,0,1\n"));
-  EXPECT_EQ(t.theta_o[0], 20);
-  EXPECT_EQ(t.phi_o[0], 180);
+  const SampleTable t =
+      read_samples(file(std::string(kOneChannel) + "10,180,-20,0,1\n10,180,-20,180,1\n10,180,-20,250,1\n"));
+  EXPECT_THAT(t.theta_o, testing::Each(20));
+  EXPECT_THAT(t.phi_o, testing::ElementsAre(180, 0, 70));
 }
 
 TEST_F(Csv, DividesTheStatedCosineOut) {
@@ -140,6 +141,15 @@ TEST_F(Csv, AnUnreadableFileIsBadInput) {
 
 TEST_F(Csv, DirectionsNeedNoValues) {
   EXPECT_EQ(read_directions(file("theta_i,phi_i,theta_o,phi_o\n1,2,3,4\n")).rows(), 1u);
+}
+
+TEST(Degrees, AnAzimuthIsBelowAWholeTurn) {
+  EXPECT_EQ(within_turn(-90), 270);
+  EXPECT_EQ(within_turn(725), 5);
+  // The sums of these angles and 360 round to 360.
+  EXPECT_EQ(within_turn(-1e-15), 0);
+  EXPECT_EQ(polar_degrees({1, -1e-18, 1}).phi, 0);
+  EXPECT_FALSE(std::signbit(within_turn(-0.0)));
 }
 
 TEST(Degrees, AreExactAtQuartersAndAccurateBetween) {
