@@ -44,8 +44,12 @@ def executions(out):
 
     >>> executions("csv   1200   60   0   98  clean\\nply   10   1   0   99  SUMMARY: heap-use-after-free")
     {'targets': 2, 'executions': 1210, 'targets with a finding': 1}
+    >>> executions("csv   1200   60   98  clean")
+    {}
     """
     rows = re.findall(r"^\w+ +(\d+) +[\d.]+ +[\d.]+ +[\d.]+ +(.+)$", out, re.M)
+    if not rows:
+        return {}
     return {"targets": len(rows), "executions": sum(int(count) for count, _ in rows),
             "targets with a finding": sum(result != "clean" for _, result in rows)}
 
