@@ -5,6 +5,7 @@ header, itself or through headers of the project. Batches of sources and precomp
 another version of the standard library, does not find the name then. Names of the standard library that are not in NAMES are not
 looked at."""
 import collections
+import os
 import pathlib
 import re
 import subprocess
@@ -75,14 +76,13 @@ texts = {name: (root / name).read_text() for name in names if (root / name).exis
 
 
 def included(name, seen):
-    """Adds the source and all headers of the project that it includes to `seen`; returns the other headers that they include."""
+    """Adds the source and all headers of the project that it includes to `seen`; returns the standard headers that they include."""
     seen.add(name)
     found = set(re.findall(r"^#include <([a-z_]+)>", texts[name], re.M))
     for other in re.findall(r'^#include "([^"]+)"', texts[name], re.M):
-        path = next((path for path in (other, "libbrdf/" + other) if path in texts), None)
-        if path is None:
-            found.add(other)  # written by the build
-        elif path not in seen:
+        beside = os.path.normpath(os.path.join(os.path.dirname(name), other))
+        path = next((path for path in (other, "libbrdf/" + other, beside) if path in texts), None)
+        if path is not None and path not in seen:  # the build writes the other headers
             found |= included(path, seen)
     return found
 
@@ -115,8 +115,6 @@ for name, code in sorted(codes.items()):
     for header, words in sorted(used(code).items()):
         if header not in here and not ALSO.get(header, set()) & here:
             faults.append(f"{name}: #include <{header}> is missing for std::{', std::'.join(sorted(words))}")
-    if any(header.endswith((".h", ".inc")) for header in here):
-        continue  # a header that the build writes may declare names of a room
     declared_here = set(re.findall(r"\w+", QUALIFIED.sub("", code)))
     known = declared_here.union(*(words_of[header] for header in seen if header != name))
     for room, word in sorted(set(QUALIFIED.findall(code))):
