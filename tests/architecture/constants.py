@@ -10,8 +10,9 @@ the header, without a warning of the compiler.
 import collections
 import pathlib
 import re
-import subprocess
 import sys
+
+import rooms
 
 CONSTANT = re.compile(r"^(?:inline |static )*constexpr [\w:<>,&* ]*?(k[A-Z]\w*)\b *(?:=|\{|\[|\()", re.M)
 NEXT = re.compile(r"[,}] (k[A-Z]\w*)(?: =|\{)")  # of a list in one line
@@ -25,9 +26,7 @@ def constants(text):
 
 
 def main(root):
-    listed = subprocess.run(["git", "ls-files", "*.cpp", "*.h"], cwd=root, capture_output=True, text=True)
-    files = listed.stdout.split() or [str(p.relative_to(root)) for p in root.rglob("*.[ch]*")
-                                      if p.suffix in (".cpp", ".h") and "build" not in p.parts]
+    files = rooms.files(root, "*.cpp", "*.h")
     of_headers = collections.defaultdict(list)
     for name in (f for f in files if f.endswith(".h")):
         text = (root / name).read_text()

@@ -10,8 +10,9 @@ successor. --update writes the index.
 """
 import pathlib
 import re
-import subprocess
 import sys
+
+import rooms
 
 ROOT, MODE = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 FOLDER, INDEX = ROOT / "docs/decisions", ROOT / "docs/decisions.md"
@@ -19,15 +20,12 @@ HEAD = re.compile(r"# (\d{4})\. (.+)\n\nDate: (\d{4}-\d\d-\d\d)\. Status: (accep
 
 
 def words_of_tree():
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, text=True, capture_output=True).stdout.split()
-    if not listed:  # a copy without its history
-        listed = [str(p.relative_to(ROOT)) for p in ROOT.rglob("*") if p.is_file() and "build" not in p.parts]
     words, paths = set(), set()
-    for name in listed:
+    for name in rooms.files(ROOT):
         path = ROOT / name
         parts = pathlib.PurePath(name)
         paths |= {name, str(parts.with_suffix("")), *map(str, parts.parents)}
-        if name.startswith("docs/decisions") or not path.is_file() or path.suffix in (".png", ".exr", ".svg", ".webp"):
+        if name.startswith("docs/decisions") or path.suffix in (".png", ".exr", ".svg", ".webp"):
             continue
         words |= set(re.findall(r"\w+", path.read_text(errors="ignore")))
     return words, paths

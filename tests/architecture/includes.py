@@ -15,22 +15,14 @@ import argparse
 import collections
 import os
 import re
-import subprocess
 import sys
 import textwrap
 
 import rooms as listed_rooms
 
 def sources(root, rooms):
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.h", "*.cpp"], cwd=root, text=True,
-                            capture_output=True)
-    if listed.returncode == 0:
-        found = listed.stdout.split()
-    else:  # a copy without its history
-        found = [os.path.relpath(os.path.join(folder, name), root) for folder, _, names in os.walk(root)
-                 for name in names if name.endswith((".h", ".cpp"))]
     names = {room.name for room in rooms}
-    return sorted(f for f in found if f.split("/")[0] in names and os.path.exists(os.path.join(root, f)))
+    return [f for f in listed_rooms.files(root, "*.h", "*.cpp") if f.split("/")[0] in names]
 
 
 def box_of(source, boxes):

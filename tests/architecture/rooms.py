@@ -9,13 +9,25 @@ of CONTRIBUTING.md and docs/architecture.md differ from the list. --update write
 """
 import argparse
 import collections
+import fnmatch
 import pathlib
 import re
+import subprocess
 import sys
 
 Shelf = collections.namedtuple("Shelf", "name about")
 Room = collections.namedtuple("Room", "line name beside kind about shelves")
 BESIDE_SOURCES = ("examples", "tests", "build", "packaging", "tools")  # folders of the root that are no rooms
+
+
+def files(root, *patterns):
+    """Returns the paths, relative to the root, of the tree's files whose names match one of the patterns; also of a copy without its
+    history."""
+    root = pathlib.Path(root)
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=root, text=True, capture_output=True)
+    names = listed.stdout.split("\0")[:-1] or [
+        p.relative_to(root).as_posix() for p in root.rglob("*") if "build" not in p.relative_to(root).parts]
+    return sorted(n for n in names if any(fnmatch.fnmatch(n, p) for p in patterns or "*") and (root / n).is_file())
 
 
 def read(root):

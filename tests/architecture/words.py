@@ -15,8 +15,9 @@ import json
 import math
 import pathlib
 import re
-import subprocess
 import sys
+
+import rooms
 
 # A word, its target (twice the frequency in the public headers of Ceres Solver, at least 0.2), and the reason why it is counted.
 WORDS = {
@@ -55,10 +56,7 @@ def pieces(name, text):
 
 
 def all_pieces(root):
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=root, text=True, capture_output=True)
-    names = listed.stdout.split("\n") if listed.returncode == 0 and listed.stdout else [
-        str(p.relative_to(root)) for p in root.rglob("*") if "build" not in p.relative_to(root).parts]
-    for name in sorted(n for n in names if (root / n).is_file()):
+    for name in rooms.files(root):
         if name.endswith((".h", ".cpp", ".md", ".py")) or is_script(root / name):
             yield from ((group, f"{name}:{line}", prose) for group, line, prose in pieces(name, (root / name).read_text()))
 
