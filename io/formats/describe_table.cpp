@@ -1,8 +1,6 @@
 #include "io/formats/describe_table.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <set>
 
 #include "brdf/angle.h"
@@ -10,48 +8,16 @@
 #include "io/columns/plain_names.h"
 #include "io/columns/value_names.h"
 #include "io/columns/wavelengths.h"
-#include "io/csv/csv_header.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/formats/read.h"
+#include "io/formats/table_scan.h"
 #include "io/samples/fill_values.h"
 #include "io/samples/highlight.h"
 
 namespace brdf::io {
 namespace {
-
-using Fields = std::vector<std::string_view>;
-
-constexpr std::size_t kMostWords = 8;        // words of a column that are listed
-constexpr std::size_t kMostDistinct = 1000;  // distinct numbers of a column that are counted
-
-// The numbers and words of one column.
-struct ColumnFacts {
-  std::size_t numbers = 0, words = 0;
-  double least = 0, largest = 0;
-  std::map<double, std::size_t> times;  // of each number
-  std::set<std::string> word_list;
-
-  void add(double number) {
-    least = numbers ? std::min(least, number) : number;
-    largest = numbers ? std::max(largest, number) : number;
-    ++numbers;
-    if (times.size() < kMostDistinct || times.contains(number) || is_fill_value(number)) ++times[number];
-  }
-  void add(std::string_view word) {
-    ++words;
-    if (word_list.size() < kMostWords) word_list.emplace(word);
-  }
-  double largest_size() const { return std::max(std::abs(least), std::abs(largest)); }
-  std::string in_words() const {
-    if (numbers == 0) return words > 0 ? "holds no numbers" : "is empty";
-    if (least == largest) return "holds the number " + short_number(least, 6) + " only";
-    const std::string many = times.size() == kMostDistinct ? "at least " : "";
-    return "holds " + many + std::to_string(times.size()) + " different numbers from " +
-           short_number(least, 6) + " to " + short_number(largest, 6);
-  }
-};
 
 // Returns a word for the unit that is read back to the same unit.
 std::string word_of(const Unit& unit, const std::string& column) {
@@ -76,8 +42,7 @@ std::string separator_word(char separator) {
 
 class Proposer {
  public:
-  explicit Proposer(const Content& text)
-      : text_(text), reader_(text), header_(reader_, dialect_, table_, true, Supplied{}) {}
+  explicit Proposer(const Content& text) : text_(text), scan_(text) {}
 
   TableProposal result() {
     try {
@@ -85,99 +50,13 @@ class Proposer {
     } catch (const InputError& error) {
       out_.refusal = error.what();
     }
-    if (!out_.alone) find_comment_sign();
-    read_table();
+    if (!out_.alone) scan_.find_comment_sign();
+    scan_.read();
     write();
     return std::move(out_);
   }
 
-  // Returns the numbers of the value columns in these lines that occur at least three times.
-  std::vector<double> numbers_in(const std::vector<std::uint32_t>& lines) {
-    lines_of_fill_.insert(lines.begin(), lines.end());
-    read_table();
-    std::vector<double> found;
-    constexpr std::size_t kFewest = 3;
-    for (const auto& [number, times] : fill_)
-      if (times >= kFewest) found.push_back(number);
-    return found;
-  }
-
  private:
-  // A file may have another sign than '#' in front of its comments.
-  void find_comment_sign() {
-    LineReader ahead = reader_;
-    std::string_view line;
-    if (!ahead.next(line)) return;
-    for (const char* sign : {"%", "//", "!", "*", ";"})
-      if (trimmed(line).starts_with(sign)) comment_ = sign;
-    if (!comment_.empty()) header_.set_comment_sign(comment_);
-  }
-
-  void read_table() {
-    std::string_view whole;
-    while (reader_.next(whole)) {
-      const std::string_view line = trimmed(whole);
-      if (line.empty()) continue;
-      if (line.starts_with(header_.comment_sign())) {
-        if (!has_header_) header_.read_comment(line);
-      } else if (has_header_) {
-        read_row(line);
-      } else if (!dialect_.is_separator_line(line)) {
-        read_header(line);
-      }
-    }
-    if (!has_header_ || facts_.empty() ||
-        std::ranges::none_of(facts_, [](const ColumnFacts& f) { return f.numbers > 0; }))
-      throw InputError(text_.name + ": is not a table of columns of numbers");
-  }
-
-  void read_header(std::string_view line) {
-    has_header_ = true;
-    const bool is_row = header_.read_for_proposal(line, doubts_);
-    if (header_.matrix())
-      throw InputError(text_.name +
-                       ": is a matrix of two angles, which is read without a layout; a layout describes "
-                       "tables with a row for each pair of directions");
-    if (header_.columns().is_road)
-      throw InputError(text_.name +
-                       ": is an r-table of road lighting, which is read without a layout; a layout has no "
-                       "entry for the tangent of an angle");
-    Fields fields;
-    without_header_ = columns().empty();
-    if (without_header_) dialect_.split_header(line, fields);
-    const std::size_t width = std::max(columns().size(), fields.size());
-    if (width > kMostLayoutEntries)
-      throw InputError(text_.name + ": " + std::to_string(width) + " columns exceed the limit of " +
-                       std::to_string(kMostLayoutEntries) + " entries of a layout");
-    facts_.resize(without_header_ ? fields.size() : columns().size());
-    if (is_row) read_row(line);
-  }
-
-  void read_row(std::string_view line) {
-    Fields fields;
-    if (!dialect_.split_row(line, fields) || fields.size() != facts_.size()) return;
-    const bool is_fill = lines_of_fill_.contains(std::uint32_t(reader_.line()));
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      double number;
-      if (!dialect_.parse(fields[k], number)) {
-        facts_[k].add(fields[k]);
-        continue;
-      }
-      facts_[k].add(number);
-      if (is_fill && columns()[k].kind == Column::Kind::value) ++fill_[number];
-    }
-  }
-
-  const std::vector<Column>& columns() const { return header_.columns().columns; }
-
-  bool has_angles() const { return header_.columns().has_angle(0) && header_.columns().has_angle(2); }
-
-  const ColumnDoubt* doubt(std::size_t column, ColumnDoubt::Of of) const {
-    const auto found =
-        std::ranges::find_if(doubts_, [&](const ColumnDoubt& d) { return d.column == column && d.of == of; });
-    return found == doubts_.end() ? nullptr : &*found;
-  }
-
   void be_unsure(const std::string& path, const std::string& reason) {
     unsure_.push_back({{"path", path}, {"reason", reason}});
   }
@@ -192,19 +71,19 @@ class Proposer {
     Json& j = out_.layout;
     j["format"] = "brdf-layout";
     j["version"] = 1;
-    j["separator"] = separator_word(dialect_.separator());
-    if (dialect_.mark() != 0) j["decimal"] = std::string(1, dialect_.mark());
-    if (!comment_.empty()) j["comment"] = comment_;
-    if (without_header_) j["header"] = 0;
+    j["separator"] = separator_word(scan_.dialect().separator());
+    if (scan_.dialect().mark() != 0) j["decimal"] = std::string(1, scan_.dialect().mark());
+    if (!scan_.comment_sign().empty()) j["comment"] = scan_.comment_sign();
+    if (scan_.is_without_header()) j["header"] = 0;
     write_quantity(j);
     write_sides(j);
     write_fill(j);
     j["columns"] = Json::array();
-    for (std::size_t k = 0; k < facts_.size(); ++k) j["columns"].push_back(entry(k));
-    if (const auto& only = header_.columns().only_azimuth) add_other_azimuth(j["columns"], *only);
+    for (std::size_t k = 0; k < scan_.facts().size(); ++k) j["columns"].push_back(entry(k));
+    if (const auto& only = scan_.found().only_azimuth) add_other_azimuth(j["columns"], *only);
     add_stated_angles(j["columns"]);
     note_missing_angles();
-    for (const std::string& sentence : header_.columns().assumptions)
+    for (const std::string& sentence : scan_.found().assumptions)
       if (sentence.find("Mueller") != sentence.npos) be_unsure("$.columns", sentence);
     if (!out_.alone && out_.open == 0)
       be_unsure("$", "the table is refused without a layout: " + out_.refusal);
@@ -215,15 +94,15 @@ class Proposer {
   void write_quantity(Json& j) {
     std::set<std::string> all;
     bool is_open = false;
-    for (std::size_t k = 0; k < columns().size(); ++k)
-      if (columns()[k].kind == Column::Kind::value) {
-        is_open = is_open || doubt(k, ColumnDoubt::Of::quantity) || !is_value(k);
-        all.insert(words_for_quantity(header_.columns().quantities[columns()[k].index]));
+    for (std::size_t k = 0; k < scan_.columns().size(); ++k)
+      if (scan_.columns()[k].kind == Column::Kind::value) {
+        is_open = is_open || scan_.doubt(k, ColumnDoubt::Of::quantity) || !is_value(k);
+        all.insert(words_for_quantity(scan_.found().quantities[scan_.columns()[k].index]));
       }
     if (is_open || all.size() != 1 || all.begin()->empty()) return;
     j["quantity"] = *all.begin();
     has_one_quantity_ = true;
-    for (const Column& column : columns())
+    for (const Column& column : scan_.columns())
       if (column.kind == Column::Kind::value)
         if (const std::string reason = doubt_of_quantity(column); !reason.empty())
           return be_unsure("$.quantity", reason);
@@ -231,7 +110,7 @@ class Proposer {
 
   // Returns the reason for doubt about a quantity that the reader accepts, or an empty string.
   std::string doubt_of_quantity(const Column& column) const {
-    if (header_.stated()) return "";
+    if (scan_.header().stated()) return "";
     if (!mueller_place(column.name).empty()) return "";
     const NamedQuantity named = quantity_of_column(column.name);
     if (named.is_default)
@@ -245,10 +124,12 @@ class Proposer {
 
   // Two signed angles: states the side of the mirror direction.
   void write_sides(Json& j) {
-    if (!header_.columns().in_plane) check_azimuths(j);
-    if (!header_.columns().in_plane || !has_angles()) return;
-    for (std::size_t k = 0; k < columns().size(); ++k)
-      if (columns()[k].kind == Column::Kind::angle && columns()[k].index == 0 && facts_[k].least < 0) return;
+    if (!scan_.found().in_plane) check_azimuths(j);
+    if (!scan_.found().in_plane || !scan_.has_angles()) return;
+    for (std::size_t k = 0; k < scan_.columns().size(); ++k)
+      if (scan_.columns()[k].kind == Column::Kind::angle && scan_.columns()[k].index == 0 &&
+          scan_.facts()[k].least < 0)
+        return;
     if (!out_.alone) {
       j["mirror_side"] = open("$.mirror_side",
                               "the sign of the viewing angle on the mirror side is not known, and the table "
@@ -263,7 +144,7 @@ class Proposer {
 
   // Tests the convention of the azimuths on the values.
   void check_azimuths(Json& j) {
-    if (!out_.alone || header_.columns().has(Column::Kind::phase)) return;
+    if (!out_.alone || scan_.found().has(Column::Kind::phase)) return;
     SampleTable judged = *out_.alone;
     judged.assumptions.clear();
     check_highlight(judged);
@@ -277,11 +158,12 @@ class Proposer {
   void write_fill(Json& j) {
     if (out_.alone) return;
     Json fill = Json::array();
-    for (std::size_t k = 0; k < columns().size(); ++k) {
-      const bool has_values = columns()[k].kind == Column::Kind::value && is_value(k);
-      if (!(has_values || columns()[k].kind == Column::Kind::sigma) || facts_[k].numbers == 0) continue;
-      for (const std::string& word : facts_[k].word_list) add_new(fill, word);
-      const ColumnFacts& facts = facts_[k];
+    for (std::size_t k = 0; k < scan_.columns().size(); ++k) {
+      const bool has_values = scan_.columns()[k].kind == Column::Kind::value && is_value(k);
+      if (!(has_values || scan_.columns()[k].kind == Column::Kind::sigma) || scan_.facts()[k].numbers == 0)
+        continue;
+      for (const std::string& word : scan_.facts()[k].word_list) add_new(fill, word);
+      const ColumnFacts& facts = scan_.facts()[k];
       for (const auto& [number, times] : facts.times) {
         const bool is_an_end = number == facts.least || number == facts.largest;
         if (is_fill_value(number) || (is_an_end && times > 1 && may_be_fill_value(number)))
@@ -300,18 +182,19 @@ class Proposer {
   // Returns whether a column of the kind `value` holds values: in a table without one of the two polar
   // angles, an unknown word may be the word for an angle.
   bool is_value(std::size_t k) const {
-    return has_angles() || quantity_of_column(columns()[k].name).says == NamedQuantity::Says::quantity;
+    return scan_.has_angles() ||
+           quantity_of_column(scan_.columns()[k].name).says == NamedQuantity::Says::quantity;
   }
 
   Json entry(std::size_t k) {
     const std::string path = "$.columns[" + std::to_string(k) + "]";
     Json e;
-    if (without_header_) {
+    if (scan_.is_without_header()) {
       e["position"] = k + 1;
-      e["is"] = open(path + ".is", "column " + std::to_string(k + 1) + " " + facts_[k].in_words());
+      e["is"] = open(path + ".is", "column " + std::to_string(k + 1) + " " + scan_.facts()[k].in_words());
       return e;
     }
-    const std::vector<std::string>& names = header_.written_names();
+    const std::vector<std::string>& names = scan_.header().written_names();
     if (names[k].empty() || std::ranges::count(names, names[k]) > 1)
       e["position"] = k + 1;
     else
@@ -321,9 +204,9 @@ class Proposer {
   }
 
   void write_meaning(Json& e, std::size_t k, const std::string& path) {
-    const Column& column = columns()[k];
-    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::meaning)) {
-      e["is"] = open(path + ".is", d->reason + "; it " + facts_[k].in_words());
+    const Column& column = scan_.columns()[k];
+    if (const ColumnDoubt* d = scan_.doubt(k, ColumnDoubt::Of::meaning)) {
+      e["is"] = open(path + ".is", d->reason + "; it " + scan_.facts()[k].in_words());
       return;
     }
     switch (column.kind) {
@@ -345,7 +228,7 @@ class Proposer {
         break;
       case Column::Kind::sigma:
         e["is"] = name_of(Meaning::sigma);
-        if (header_.columns().channels.size() > 1) e["of"] = header_.columns().channels[column.index];
+        if (scan_.found().channels.size() > 1) e["of"] = scan_.found().channels[column.index];
         break;
       case Column::Kind::value:
         write_value(e, k, path);
@@ -357,20 +240,20 @@ class Proposer {
   }
 
   void write_angle(Json& e, std::size_t k, const std::string& path) {
-    const Column& column = columns()[k];
+    const Column& column = scan_.columns()[k];
     e["unit"] = column.unit ? word_of(*column.unit, column.name) : "deg";
     if (column.is_elevation) e["from"] = "surface";
     const bool is_polar = column.kind == Column::Kind::angle && column.index % 2 == 0;
     constexpr double kMostRadians = kPi / 2 * 1.001;
-    const double largest = facts_[k].largest_size();
+    const double largest = scan_.facts()[k].largest_size();
     if (!column.unit && is_polar && largest > 0 && largest <= kMostRadians)
       be_unsure(path + ".unit", "the header gives no unit, and the angles reach only " +
                                     short_number(largest, 6) + ": they may be radians");
   }
 
   void write_band(Json& e, std::size_t k, const std::string& path) {
-    const Column& column = columns()[k];
-    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::unit)) {
+    const Column& column = scan_.columns()[k];
+    if (const ColumnDoubt* d = scan_.doubt(k, ColumnDoubt::Of::unit)) {
       e["unit"] = open(path + ".unit", d->reason);
       return;
     }
@@ -378,26 +261,25 @@ class Proposer {
       e["unit"] = word_of(*column.unit, column.name);
       return;
     }
-    const bool is_um = are_micrometres(facts_[k].largest);
+    const bool is_um = are_micrometres(scan_.facts()[k].largest);
     e["unit"] = is_um ? "um" : "nm";
     be_unsure(path + ".unit", "the header gives no unit of the wavelengths, which reach " +
-                                  short_number(facts_[k].largest, 6) + ": read as " +
+                                  short_number(scan_.facts()[k].largest, 6) + ": read as " +
                                   std::string(is_um ? "micrometres" : "nm"));
   }
 
   void write_value(Json& e, std::size_t k, const std::string& path) {
-    const Column& column = columns()[k];
+    const Column& column = scan_.columns()[k];
     if (!is_value(k)) {
       e["is"] = open(path + ".is", "the name " + shown(column.name) + " is not understood; the column " +
-                                       facts_[k].in_words());
+                                       scan_.facts()[k].in_words());
       return;
     }
     e["is"] = "value";
-    if (!header_.columns().has(Column::Kind::wavelength))
-      e["channel"] = header_.columns().channels[column.index];
+    if (!scan_.found().has(Column::Kind::wavelength)) e["channel"] = scan_.found().channels[column.index];
     if (has_one_quantity_) return;
-    const std::string words = words_for_quantity(header_.columns().quantities[column.index]);
-    if (const ColumnDoubt* d = doubt(k, ColumnDoubt::Of::quantity))
+    const std::string words = words_for_quantity(scan_.found().quantities[column.index]);
+    if (const ColumnDoubt* d = scan_.doubt(k, ColumnDoubt::Of::quantity))
       e["quantity"] = open(path + ".quantity", d->reason);
     else if (words.empty())
       e["quantity"] = open(path + ".quantity", "the quantity has no name that options take");
@@ -406,15 +288,15 @@ class Proposer {
   }
 
   void write_aside(Json& e, std::size_t k, const std::string& path) {
-    if (!has_angles()) {
-      e["is"] = open(path + ".is", "the name " + shown(columns()[k].name) +
-                                       " may be one of metadata; the column " + facts_[k].in_words());
+    if (!scan_.has_angles()) {
+      e["is"] = open(path + ".is", "the name " + shown(scan_.columns()[k].name) +
+                                       " may be one of metadata; the column " + scan_.facts()[k].in_words());
       return;
     }
     e["is"] = "ignored";
-    if (!mueller_place(columns()[k].name).empty()) return;
-    be_unsure(path + ".is",
-              "column " + shown(columns()[k].name) + " is taken for metadata; it " + facts_[k].in_words());
+    if (!mueller_place(scan_.columns()[k].name).empty()) return;
+    be_unsure(path + ".is", "column " + shown(scan_.columns()[k].name) + " is taken for metadata; it " +
+                                scan_.facts()[k].in_words());
   }
 
   void add_other_azimuth(Json& entries, std::size_t stated) {
@@ -428,7 +310,7 @@ class Proposer {
 
   // Angles that lines above the header row state. The constants of road tables have no name.
   void add_stated_angles(Json& entries) {
-    for (const auto& [column, number] : header_.columns().constants) {
+    for (const auto& [column, number] : scan_.found().constants) {
       if (column.name.empty()) continue;
       be_unsure("$.columns[" + std::to_string(entries.size()) + "].constant",
                 "the line " + shown(column.name) + " above the header row is taken for all rows");
@@ -439,7 +321,7 @@ class Proposer {
   void note_missing_angles() {
     std::string missing;
     for (const std::size_t angle : {0, 2})
-      if (!header_.columns().has_angle(angle))
+      if (!scan_.found().has_angle(angle))
         missing += (missing.empty() ? "" : " and ") + std::string(kAngleNames[angle]);
     if (missing.empty()) return;
     const bool can_be_null = out_.open > 0;
@@ -448,16 +330,8 @@ class Proposer {
   }
 
   const Content& text_;
-  LineReader reader_;
-  SampleTable table_;
-  Dialect dialect_;
-  std::vector<ColumnDoubt> doubts_;
-  CsvHeader header_;
-  std::string comment_;  // the sign of comments, if other than '#'
-  bool has_header_ = false, without_header_ = false, has_one_quantity_ = false;
-  std::vector<ColumnFacts> facts_;
-  std::set<std::uint32_t> lines_of_fill_;
-  std::map<double, std::size_t> fill_;  // times of each number in these lines
+  TableScan scan_;
+  bool has_one_quantity_ = false;
   Json unsure_ = Json::array();
   TableProposal out_;
 };
@@ -476,7 +350,7 @@ TableProposal propose_layout(Content content) {
 
 void add_fill(TableProposal& proposal, Content content, const std::vector<std::uint32_t>& lines) {
   make_utf8(content);
-  const std::vector<double> numbers = Proposer(content).numbers_in(lines);
+  const std::vector<double> numbers = TableScan(content).read_numbers_in(lines);
   if (numbers.empty()) return;
   Json& j = proposal.layout;
   // The order of keys is that of the schema.

@@ -296,6 +296,16 @@ TEST(Proposal, ColumnsOfATableWithoutAHeaderRowGetPositions) {
   EXPECT_EQ(proposal.open, 4u);
 }
 
+// A thousand distinct numbers of a column are counted, and fill values behind them.
+TEST(Proposal, MoreNumbersThanAreCountedAreAtLeastSoMany) {
+  std::string text;
+  for (int k = 0; k < 1200; ++k) text += "30 " + std::to_string(0.01 * k) + " 180\n";
+  EXPECT_THAT(to_line(propose_layout(Content{"t", text}).layout["unsure"]),
+              HasSubstr("column 2 holds at least 1000 different numbers from 0 to 11.99"));
+  EXPECT_THAT(to_line(propose_layout(Content{"t", text + "30 -9999 180\n"}).layout["unsure"]),
+              HasSubstr("column 2 holds at least 1001 different numbers from -9999 to 11.99"));
+}
+
 // Quotation marks are removed from fields, which then have memory of their own.
 TEST(Proposal, ARowOfUnitsInQuotesIsNoHeaderRow) {
   const TableProposal proposal = propose_layout(
