@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "fit/fit.h"
 #include "fit/report/report.h"
 #include "io/samples/noise.h"
@@ -37,6 +40,31 @@ double factor_of(const MetricChoice& choice, Metric metric) {
   for (const Unevenness& u : choice.unevenness)
     if (u.metric == metric) return u.factor;
   return kUnknown;
+}
+
+// In an even grid, a row stands for a patch of the size sin(theta_i) sin(theta_o).
+TEST(Weights, OfSolidAngleWeighARowByBothSines) {
+  io::SampleTable table;
+  table.channels = {"f"};
+  table.values.resize(1);
+  double products = 0, squares = 0;
+  for (const auto& [theta_i, theta_o, f] :
+       {std::array{20.0, 70.0, 0.11}, {50.0, 35.0, 0.19}, {75.0, 10.0, 0.14}}) {
+    table.add_directions(theta_i, 180, theta_o, 30);
+    table.values[0].push_back(f);
+    const double in = degrees(theta_i).radians(),
+                 weight = std::sin(in) * std::sin(degrees(theta_o).radians());
+    products += weight * square(std::cos(in)) * f;
+    squares += weight * square(std::cos(in));
+  }
+  FitOptions options = without_cross_validation();
+  options.metric = Metric::cosine_l2;
+  options.weighting = Weighting::solid_angle;
+  const FormFit weighted = fit(table, {{*find_form("lambert")}}, options).ranking[0];
+  EXPECT_NEAR(find_estimate(weighted, "rho")->value, kPi * products / squares, 1e-9);
+  options.weighting = Weighting::uniform;
+  const FormFit uniform = fit(table, {{*find_form("lambert")}}, options).ranking[0];
+  EXPECT_GT(std::abs(find_estimate(uniform, "rho")->value - kPi * products / squares), 0.01);
 }
 
 TEST(MetricChoice, NoiseThatIsAShareOfTheValueAsksForALogarithm) {

@@ -17,7 +17,9 @@ namespace brdf::fit {
 namespace {
 
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // The directions of an instrument: five lights, a hemisphere of viewers.
 io::SampleTable reach() {
@@ -185,10 +187,10 @@ io::SampleTable hemisphere(Random& random) {
 }
 
 // The ratios of the error after chosen rows to the mean error after as many rows at random, on 50 surfaces.
-std::vector<double> compared_with_random(std::size_t count, double error) {
+std::vector<double> compared_with_random(std::size_t count, double error, int draws = 6) {
   const io::SampleTable all = reach();
   std::vector<double> ratios;
-  constexpr int kSeeds = 50, kDraws = 6;
+  constexpr int kSeeds = 50;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     Random random{std::uint64_t(seed)};
     const Material truth = paint(random.uniform(0.15, 0.4), random.uniform(0.2, 0.6));
@@ -204,13 +206,13 @@ std::vector<double> compared_with_random(std::size_t count, double error) {
     const NextDirections next = next_for(start, {.rows = count});
     const double chosen = error_over_hemisphere(refitted(with_rows(about_normal(), next.rows), noise), judge);
     double at_random = 0;
-    for (int draw = 0; draw < kDraws; ++draw) {
+    for (int draw = 0; draw < draws; ++draw) {
       std::vector<NextRow> rows(count);
       for (NextRow& r : rows) {
         const auto k = std::size_t(random.uniform() * double(all.rows()));
         r.theta_i = all.theta_i[k], r.phi_i = 180, r.theta_o = all.theta_o[k], r.phi_o = all.phi_o[k];
       }
-      at_random += error_over_hemisphere(refitted(with_rows(about_normal(), rows), noise), judge) / kDraws;
+      at_random += error_over_hemisphere(refitted(with_rows(about_normal(), rows), noise), judge) / draws;
     }
     ratios.push_back(chosen / at_random);
   }
@@ -222,7 +224,9 @@ double mean(const std::vector<double>& values) {
 }
 
 TEST(NextDirections, TheChoiceIsNeverATenthWorseThanRandomRowsWithAnErrorOfTheForm) {
-  const std::vector<double> sixteen = compared_with_random(16, 0.03), four = compared_with_random(4, 0.03);
+  // The mean of 6 draws is too uncertain: the largest ratio is 1.098 with it, and 1.076 with 48 draws.
+  const std::vector<double> sixteen = compared_with_random(16, 0.03, 24),
+                            four = compared_with_random(4, 0.03);
   EXPECT_LT(std::ranges::max(sixteen), 1.1);
   EXPECT_GT(std::ranges::max(sixteen), 1);
   EXPECT_NEAR(mean(sixteen), 0.93, 0.04);
@@ -349,6 +353,43 @@ std::string error_of(const io::SampleTable& start, const NextOptions& next,
     return error.what();
   }
   return "";
+}
+
+TEST(NextDirections, SaysIfTheFormDoesNotFit) {
+  Random random(12);
+  io::SampleTable start;
+  for (const double light : {0, 20, 40, 60})
+    for (double viewer = -70; viewer < 71; viewer += 5)
+      start.add_directions(light, 180, std::abs(viewer), viewer < 0 ? 180 : 0);
+  measure(paint(), 0, 0.01, random, start);
+  EXPECT_THAT(next_for(start, {.rows = 2}, "lambert", {}).findings,
+              Contains(HasSubstr("the form does not fit the samples")));
+  EXPECT_THAT(next_for(start, {.rows = 2}).findings, Each(Not(HasSubstr("does not fit"))));
+}
+
+// More than 400 measured rows are thinned, and of more than three channels three are used.
+TEST(NextDirections, SaysWhichPartOfTheSamplesTheChoiceUses) {
+  Random random(13);
+  io::SampleTable start = hemisphere(random);
+  for (std::size_t k = 0; k < 200; ++k) start.add_directions(30, 180, 0.3 * double(k), 90);
+  measure(paint(), 0, 0.01, random, start);
+  EXPECT_THAT(next_for(start, {.rows = 2, .noise = 0.01}).findings,
+              Contains(HasSubstr("of the 600 measured rows, spread over all")));
+  io::SampleTable spectrum = about_normal();
+  measure(paint(), 0, 0.01, random, spectrum);
+  spectrum.channels = {"b1", "b2", "b3", "b4"};
+  spectrum.values.resize(4, spectrum.values[0]);
+  FitOptions options = dielectric();
+  options.fix = {};
+  EXPECT_THAT(next_for(spectrum, {.rows = 2, .noise = 0.01}, "lambert", options).findings,
+              Contains(HasSubstr("the choice uses 3 channels of 4: the first, the middle and the last one")));
+}
+
+TEST(NextDirections, IsRefusedIfNoDirectionIsLeft) {
+  Random random(14);
+  io::SampleTable start = reach();
+  measure(paint(), 0, 0.01, random, start);
+  EXPECT_THAT(error_of(start, {.noise = 0.01}), HasSubstr("no direction can be chosen: each is beyond"));
 }
 
 TEST(NextDirections, WhatCannotBeDecidedIsRefused) {

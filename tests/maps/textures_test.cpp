@@ -193,6 +193,36 @@ TEST(Textures, ProgramsThatReadImagesHaveAnImageForEachInputThatVaries) {
   EXPECT_EQ(*held.find("R"), (std::vector<float>{1, 1, 1, 0}));
 }
 
+// Blender 3.4 has two targets: one that all light enters, and one of dielectrics and metals.
+TEST(Textures, AnOlderBlenderHasTheNodesOfItsNearestTargetAndNormals) {
+  texel::Planes planes = small_maps();
+  for (std::vector<float>& values : planes.values) values[3] = values[2];
+  plane(planes, "normal.x")[0] = 0.3F;
+  plane(planes, "normal.z")[0] = std::sqrt(1 - 0.09F);
+  for (const char* name : {"ks.r", "ks.g", "ks.b"}) plane(planes, name) = {1, 1, 1, 1};
+  const InFolder dielectric = written_for("blender-3.4", Written(planes), "paint.py");
+  EXPECT_THAT(dielectric.text, HasSubstr("principled = tree.nodes.new(\"ShaderNodeBsdfPrincipled\")"));
+  EXPECT_THAT(dielectric.text, HasSubstr("principled.inputs[\"Clearcoat\"].default_value = 0"));
+  EXPECT_THAT(dielectric.text, HasSubstr("normal = tree.nodes.new(\"ShaderNodeNormalMap\")"));
+  EXPECT_THAT(dielectric.text, ::testing::Not(HasSubstr("ShaderNodeBsdfTransparent")));  // no texel is a hole
+  for (const char* name : {"f0.r", "f0.g", "f0.b"}) plane(planes, name) = {1, 1, 1, 1};
+  const InFolder mirror = written_for("blender-3.4", Written(planes), "mirror.py");
+  EXPECT_THAT(mirror.text, HasSubstr("glossy = tree.nodes.new(\"ShaderNodeBsdfGlossy\")"));
+  EXPECT_THAT(mirror.text, HasSubstr("diffuse = tree.nodes.new(\"ShaderNodeBsdfDiffuse\")"));
+}
+
+TEST(Textures, AWeightThatVariesIsATextureOfGltf) {
+  texel::Planes planes = small_maps();
+  const auto glb = [&] {
+    const Written file(planes);
+    const maps::TexelMaterials maps = file.read();
+    return maps::glb_of(carried_to(maps), maps, {"weights", {}});
+  };
+  EXPECT_EQ(glb().find("specularTexture"), std::string::npos);
+  for (const char* name : {"ks.r", "ks.g", "ks.b"}) plane(planes, name) = {0.2F, 0.4F, 0.8F, kNaN};
+  EXPECT_THAT(glb(), HasSubstr("\"specularTexture\""));
+}
+
 TEST(Textures, TheRoundingOfNormalsIsPartOfTheLoss) {
   texel::Planes planes = small_maps();
   plane(planes, "normal.x")[0] = 0.3F;
@@ -205,6 +235,20 @@ TEST(Textures, TheRoundingOfNormalsIsPartOfTheLoss) {
   EXPECT_NEAR(double(carried.losses.turned[1]), std::atan(std::sqrt(2.0) / 255) * 180 / kPi, 1e-5);
   EXPECT_GT(carried.losses.rms[1], flat.losses.rms[1]);
   EXPECT_EQ(carried.losses.of_formula[1], flat.losses.of_formula[1]);
+}
+
+TEST(Textures, NormalsThatVaryAreAnImageInMaterialX) {
+  texel::Planes planes = small_maps();
+  plane(planes, "normal.y")[2] = 0.6F;
+  plane(planes, "normal.z")[2] = 0.8F;
+  const Written file(planes);
+  const InFolder mtlx = written_for("materialx", file, "bent.mtlx");
+  EXPECT_THAT(mtlx.text, HasSubstr("value=\"bent_normal.exr\""));
+  EXPECT_THAT(mtlx.text, HasSubstr("<normalmap name=\"holes_normal\" type=\"vector3\">"));
+  const texel::Planes normals = texel::read_planes(file.folder.path() / "bent_normal.exr");
+  EXPECT_FLOAT_EQ((*normals.find("R"))[2], 0.5F);
+  EXPECT_FLOAT_EQ((*normals.find("G"))[2], 0.8F);
+  EXPECT_FLOAT_EQ((*normals.find("B"))[2], 0.9F);
 }
 
 TEST(Textures, AFileThatIsNoMapIsRefusedWithTheReason) {
