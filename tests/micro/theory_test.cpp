@@ -180,5 +180,22 @@ TEST(Samples, RefuseWhatIsOutOfRange) {
   refused(s);
 }
 
+// A part of the comparisons; tests/micro/slow runs all.
+TEST(Theory, ExactRowsHoldAndEveryApproximationHasItsCause) {
+  std::vector<TheoryRow> rows = compare_slopes({});
+  for (TheoryRow& row : compare_masking({})) rows.push_back(std::move(row));
+  for (TheoryRow& row : compare_mirror_grooves({}, 30_deg)) rows.push_back(std::move(row));
+  int exact = 0, approximations = 0;
+  for (const TheoryRow& row : rows) {
+    const bool is_approximation = !row.exact && !std::isnan(row.model);
+    EXPECT_TRUE(holds(row)) << row.surface << ' ' << row.quantity << ' ' << row.z;
+    EXPECT_EQ(!row.cause.empty(), is_approximation) << row.quantity;
+    exact += row.exact;
+    approximations += is_approximation;
+  }
+  EXPECT_GT(exact, 20);
+  EXPECT_GT(approximations, 20);
+}
+
 }  // namespace
 }  // namespace brdf::micro
