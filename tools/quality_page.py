@@ -139,8 +139,9 @@ def cells(figures):
 
 
 def page(records):
+    missing = ", ".join(sorted(ROWS.keys() - records.keys()))
     parts = ["# Quality\n\nEach figure was printed by the command above it on the stated day. `tools/quality_page.py --measure NAME` measures a\n"
-             f"part again and writes this page. Not measured yet: {', '.join(sorted(ROWS.keys() - records.keys())) or 'no part'}.\n"]
+             "part again and writes this page." + (f" Not measured yet: {missing}." if missing else "") + "\n"]
     for name, (command, _, heading, explanation) in ROWS.items():
         if name in records:
             r = records[name]
