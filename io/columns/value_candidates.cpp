@@ -27,7 +27,8 @@ class Ranking {
     // Points, runs, places and texts are not values if other columns hold values.
     for (ValueCandidate& c : candidates_)
       if (c.is_perhaps) c.rank = Rank::aside;
-    const bool has_others = any(Rank::values) || any(Rank::neutral) || any(Rank::asked) || any(Rank::refused);
+    const bool has_others = any(candidates_, Rank::values) || any(candidates_, Rank::neutral) ||
+                            any(candidates_, Rank::asked) || any(candidates_, Rank::refused);
     for (ValueCandidate& c : candidates_)
       if (c.is_perhaps && !has_others) c.rank = Rank::neutral;
     // "(s)" means seconds, unless another column has the other polarisation.
@@ -46,10 +47,6 @@ class Ranking {
   }
 
  private:
-  bool any(Rank rank) const {
-    return std::ranges::any_of(candidates_, [&](const ValueCandidate& c) { return c.rank == rank; });
-  }
-
   ValueCandidate* named(std::string_view name) {
     const auto at =
         std::ranges::find_if(candidates_, [&](const ValueCandidate& c) { return c.column->name == name; });
@@ -156,6 +153,10 @@ class Ranking {
 };
 
 }  // namespace
+
+bool any(const std::vector<ValueCandidate>& candidates, Rank rank) {
+  return std::ranges::any_of(candidates, [&](const ValueCandidate& c) { return c.rank == rank; });
+}
 
 ValueCandidate candidate_of(Columns& header, std::size_t k, const HeaderFacts& facts) {
   Column& column = header.columns[k];

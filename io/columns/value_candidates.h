@@ -25,6 +25,9 @@ struct ValueCandidate {
   bool is_perhaps = false;  // values only if no other column holds any
 };
 
+// Returns whether a candidate has the rank.
+bool any(const std::vector<ValueCandidate>& candidates, ValueCandidate::Rank rank);
+
 // Returns the candidate for column k of the header. The candidate refers to the column.
 ValueCandidate candidate_of(Columns& header, std::size_t k, const HeaderFacts& facts);
 

@@ -55,10 +55,6 @@ class Values {
     facts_.doubts->push_back({of, std::size_t(c.column - header_.columns.data()), what});
   }
 
-  bool any(Rank rank) const {
-    return std::ranges::any_of(candidates_, [&](const ValueCandidate& c) { return c.rank == rank; });
-  }
-
   // Moves the columns of standard deviations out of the candidates.
   void part_deviations() {
     std::vector<bool> is_deviation;
@@ -105,7 +101,7 @@ class Values {
 
   // Makes each candidate a channel, sets it aside, or refuses the table.
   void settle() {
-    const bool has_values = any(Rank::values), has_neutral = any(Rank::neutral);
+    const bool has_values = any(candidates_, Rank::values), has_neutral = any(candidates_, Rank::neutral);
     for (ValueCandidate& c : candidates_) {
       if (facts_.keeps_names)
         keep(c);

@@ -14,9 +14,6 @@ namespace {
 
 using Fields = std::vector<std::string_view>;
 
-constexpr std::size_t kMostWords = 8;        // words of a column that are listed
-constexpr std::size_t kMostDistinct = 1000;  // distinct numbers of a column that are counted
-
 }  // namespace
 
 void ColumnFacts::add(double number) {

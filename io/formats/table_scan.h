@@ -22,8 +22,10 @@ namespace brdf::io {
 struct ColumnFacts {
   std::size_t numbers = 0, words = 0;
   double least = 0, largest = 0;
-  std::map<double, std::size_t> times;  // of each number; of the first thousand and of fill values
-  std::set<std::string> word_list;      // the first eight words
+  std::map<double, std::size_t> times;  // of each of the first kMostDistinct numbers and of fill values
+  std::set<std::string> word_list;      // the first kMostWords
+
+  static constexpr std::size_t kMostWords = 8, kMostDistinct = 1000;
 
   void add(double number);
   void add(std::string_view word);
@@ -50,6 +52,7 @@ class TableScan {
   std::vector<double> read_numbers_in(const std::vector<std::uint32_t>& lines);
 
   const CsvHeader& header() const { return header_; }
+  // Returns the meanings of the columns, as far as the header row is understood.
   const Columns& found() const { return header_.columns(); }
   const std::vector<Column>& columns() const { return found().columns; }
   const std::vector<ColumnFacts>& facts() const { return facts_; }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # ctest: architecture.rooms_are_listed label=architecture @source@ --check
-"""Reads the list of rooms, cmake/rooms.txt, and checks the tables of the list in documents.
+"""Reads the list of rooms, cmake/rooms.txt, and checks the tables of the list in documents; lists the tree's files for other checks.
 
     rooms.py ROOT --check | --update
 
@@ -27,7 +27,7 @@ def files(root, *patterns):
     listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=root, text=True, capture_output=True)
     names = listed.stdout.split("\0")[:-1] or [
         p.relative_to(root).as_posix() for p in root.rglob("*") if "build" not in p.relative_to(root).parts]
-    return sorted(n for n in names if any(fnmatch.fnmatch(n, p) for p in patterns or "*") and (root / n).is_file())
+    return sorted(n for n in names if any(fnmatch.fnmatch(n, p) for p in patterns or ["*"]) and (root / n).is_file())
 
 
 def read(root):

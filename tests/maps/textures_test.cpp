@@ -193,7 +193,7 @@ TEST(Textures, ProgramsThatReadImagesHaveAnImageForEachInputThatVaries) {
   EXPECT_EQ(*held.find("R"), (std::vector<float>{1, 1, 1, 0}));
 }
 
-// Blender 3.4 has two targets: one that all light enters, and one of dielectrics and metals.
+// Blender 3.4 has two targets: the principled node, and a glossy node with a diffuse one.
 TEST(Textures, AnOlderBlenderHasTheNodesOfItsNearestTargetAndNormals) {
   texel::Planes planes = small_maps();
   for (std::vector<float>& values : planes.values) values[3] = values[2];
