@@ -114,7 +114,7 @@ std::string summary_json(const texel::Stack& stack, const Making& making, const 
               {"from_grid", summary.from_grid},
               {"verdicts", verdicts},
               {"approximate", true},
-              {"median_error", summary.median_error},
+              {"median_error", summary.median_error ? io::Json(*summary.median_error) : io::Json()},
               {"parameters", planes},
               {"worst", worst}};
   for (const auto& [key, value] : fields_of(making)) out[key] = value;
@@ -129,10 +129,13 @@ void print(std::ostream& out, const texel::Stack& stack, const Making& making, c
       << ", metric " << name_of(settings.options.metric) << '\n';
   if (!making.shared.empty())
     out << "shared: " << io::joined(making.shared, ", ") << in_words_of_regions(making) << '\n';
-  out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
-      << " from the grid of starts\n"
-      << "median residual: " << io::short_number(summary.median_error)
-      << "; standard errors are approximate: they follow from the curvature at each minimum\n";
+  if (summary.median_error)
+    out << summary.fitted << " fitted: " << counted(summary) << "; " << summary.from_grid
+        << " from the grid of starts\n"
+        << "median residual: " << io::short_number(*summary.median_error)
+        << "; standard errors are approximate: they follow from the curvature at each minimum\n";
+  else
+    out << "no texel was fitted: the mask, the dark level and the saturation leave too few images of each\n";
   if (seconds)
     out << io::short_number(*seconds) << " s, "
         << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))

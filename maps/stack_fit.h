@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "io/files/parallel.h"
@@ -73,8 +74,8 @@ fit::Metric choose_metric(const texel::Stack& stack, const Settings& settings, c
 // Quality of the maps.
 struct Summary {
   std::size_t texels = 0, fitted = 0, from_grid = 0;
-  std::vector<std::size_t> verdicts;  // by fit::Verdict
-  double median_error = 0;
+  std::vector<std::size_t> verdicts;   // by fit::Verdict
+  std::optional<double> median_error;  // std::nullopt: no texel was fitted
 
   std::size_t usable() const;
 };

@@ -61,6 +61,12 @@ const std::vector<float>* Planes::find(std::string_view name) const {
   return found == names.end() ? nullptr : &values[std::size_t(found - names.begin())];
 }
 
+const std::vector<float>* Planes::find_parameter(const std::string& parameter,
+                                                 const std::string& channel) const {
+  const std::vector<float>* own = find(plane_name(parameter, channel));
+  return own ? own : find(parameter);
+}
+
 std::string plane_name(const std::string& parameter, const std::string& channel) {
   return channel.empty() ? parameter : parameter + "." + channel;
 }

@@ -30,6 +30,9 @@ struct Planes {
 
   // Returns the plane of this name, or null.
   const std::vector<float>* find(std::string_view name) const;
+  // Returns the plane of a channel's parameter, or the plane that all channels share (tied channels), or
+  // null.
+  const std::vector<float>* find_parameter(const std::string& parameter, const std::string& channel) const;
 };
 
 // Returns the name of a parameter's plane: the parameter, followed by the channel as a layer if there is

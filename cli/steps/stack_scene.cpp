@@ -118,7 +118,7 @@ class SceneWriter {
   }
 
   const Plane& plane(const ParameterInfo& p, const std::string& channel) const {
-    return *maps_.find(texel::plane_name(std::string(p.name), channel));
+    return *maps_.find_parameter(std::string(p.name), channel);
   }
   const Json& textures() const { return textures_; }
   std::string said() const { return "8 bits of " + io::joined(carried_) + " and the normal" + lost_; }

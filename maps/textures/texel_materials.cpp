@@ -37,8 +37,10 @@ TexelMaterials::TexelMaterials(const std::filesystem::path& path)
     throw InputError(name_ + ": no texel has a fit: the parameters of every texel are NaN");
 }
 
-const std::vector<float>& TexelMaterials::plane(const std::string& name) const {
-  if (const std::vector<float>* found = planes_.find(name)) return *found;
+const std::vector<float>& TexelMaterials::plane(const std::string& parameter,
+                                                const std::string& channel) const {
+  if (const std::vector<float>* found = planes_.find_parameter(parameter, channel)) return *found;
+  const std::string name = texel::plane_name(parameter, channel);
   const auto of_channel =
       std::ranges::find_if(planes_.names, [&](const std::string& n) { return n.starts_with(name + "."); });
   if (of_channel != planes_.names.end())
@@ -55,16 +57,18 @@ void TexelMaterials::find_planes() {
   if (form.weights.empty())
     throw InputError(name_ + ": the form " + std::string(form.name) +
                      " has no weights, so that the file does not tell the channels");
-  const std::string first(form.weights[0].name);
-  for (const std::string& name : planes_.names)
-    if (name.starts_with(first + ".")) channels_.push_back(name.substr(first.size() + 1));
+  for (const ParameterInfo& p : form.weights) {
+    const std::string layers = std::string(p.name) + ".";
+    for (const std::string& name : planes_.names)
+      if (name.starts_with(layers)) channels_.push_back(name.substr(layers.size()));
+    if (!channels_.empty()) break;  // the channels of an earlier weight are tied
+  }
   // OpenEXR sorts channels by name.
   if (const auto colours = io::channel_colours(channels_); channels_.size() == 3 && colours)
     channels_ = {channels_[colours->of[0]], channels_[colours->of[1]], channels_[colours->of[2]]};
   if (channels_.empty()) channels_ = {""};
   for (const std::string& channel : channels_)
-    for (const ParameterInfo& p : form.weights)
-      weights_.push_back(&plane(texel::plane_name(std::string(p.name), channel)));
+    for (const ParameterInfo& p : form.weights) weights_.push_back(&plane(std::string(p.name), channel));
   for (const char* axis : {"normal.x", "normal.y", "normal.z"}) normal_.push_back(&plane(axis));
   if (channels_ == std::vector<std::string>{""}) channels_ = {"value"};
 }

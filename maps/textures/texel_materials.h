@@ -40,7 +40,7 @@ class TexelMaterials {
   std::string place(std::size_t texel) const;
 
  private:
-  const std::vector<float>& plane(const std::string& name) const;
+  const std::vector<float>& plane(const std::string& parameter, const std::string& channel = "") const;
   void find_planes();
   void check_texel(std::size_t texel);
 

@@ -132,6 +132,15 @@ TEST(Maps, LeaveOutWhatIsMasked) {
   EXPECT_EQ(maps::summary_of(maps).fitted, 63u);
 }
 
+TEST(Maps, WithoutAFittedTexelHaveNoMedian) {
+  Case c(small_stack(4, 40), false);
+  texel::write_planes(c.folder.path() / "mask.exr", {4, 4, {"Y"}, {std::vector<float>(16, 0.f)}});
+  c.stack = texel::open_stack(c.folder.path());
+  const maps::Summary summary = maps::summary_of(c.fit());
+  EXPECT_EQ(summary.fitted, 0u);
+  EXPECT_FALSE(summary.median_error);
+}
+
 TEST(Maps, TakeAMetricByTheNoiseOfSomeTexels) {
   synth::TexelOptions o = small_stack(9, 400);
   o.noise = 0.05;

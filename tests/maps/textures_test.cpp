@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -221,6 +222,27 @@ TEST(Textures, AWeightThatVariesIsATextureOfGltf) {
   EXPECT_EQ(glb().find("specularTexture"), std::string::npos);
   for (const char* name : {"ks.r", "ks.g", "ks.b"}) plane(planes, name) = {0.2F, 0.4F, 0.8F, kNaN};
   EXPECT_THAT(glb(), HasSubstr("\"specularTexture\""));
+}
+
+// `--tie kd` gives kd one plane for all channels; the other weights name the channels.
+TEST(Textures, TiedChannelsShareAPlane) {
+  texel::Planes planes = small_maps();
+  const auto remove = [&](const std::string& name) {
+    const auto at = std::ranges::find(planes.names, name) - planes.names.begin();
+    planes.names.erase(planes.names.begin() + at);
+    planes.values.erase(planes.values.begin() + at);
+  };
+  remove("kd.g");
+  remove("kd.b");
+  *std::ranges::find(planes.names, "kd.r") = "kd";
+  const Written file(planes);
+  const maps::TexelMaterials maps = file.read();
+  EXPECT_EQ(maps.channels(), (std::vector<std::string>{"r", "g", "b"}));
+  const Material second = maps.at(1);
+  for (const std::vector<double>& weights : second.terms[0].weights)
+    EXPECT_EQ(weights, (std::vector<double>{double(0.3F), double(0.8F), double(0.05F)}));
+  remove("f0.g");
+  EXPECT_THAT(message_of(planes), HasSubstr("has no channel f0.g"));
 }
 
 TEST(Textures, TheRoundingOfNormalsIsPartOfTheLoss) {

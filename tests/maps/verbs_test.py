@@ -85,6 +85,15 @@ with tempfile.TemporaryDirectory() as name:
         assert abs(red * math.pi - (0.1 + 0.5 * share)) < 0.01 * (0.1 + 0.5 * share) + 0.002, (column, row, red * math.pi, share)
     assert "no scene: a sum of forms" in run("fit matt --form lambert+phong -o sum --jobs 2", None).stdout
 
+    # Tied channels have one plane, which the scene and the textures of each channel read.
+    run("synth --form cook_torrance --set kd=0.3 --set ks=0.5,0.4,0.3 --texels 3x2 --lights 30 --seed 4 -o small")
+    for tie in ("kd", "f0", "kd ks f0"):
+        assert "scene.json: 8 bits of kd" in run("fit small --form cook_torrance -o tied" + "".join(f" --tie {name}" for name in tie.split())).stdout, tie
+        tied = json.loads((folder / "tied/scene.json").read_text())["objects"][0]["material"]
+        for name in tie.split():
+            assert len(set(tied["weights"][name])) == 1, (tie, tied)
+        assert "6 carried" in run("export --maps tied/maps.exr --to materialx -o tied.mtlx").stderr, tie
+
     # Textures: the same texels in the file's header, in the JSON and in the map of losses; one message for what is no map.
     run(fit + "-o bounded --fix ks=0.5")
     export = "export --maps bounded/maps.exr --to gltf -o one.glb"
@@ -130,6 +139,8 @@ with tempfile.TemporaryDirectory() as name:
     refused("fit stack --form ward", "a stack needs -o FOLDER")
     refused("fit stack --form ward --robust huber -o maps", "a stack needs the loss's scale")
     refused("fit one --form ward -o maps", "one: is not a stack")
+    refused("fit stack small --form ward -o maps", "stack: is a stack of photographs, not a folder of tables; fit it alone: brdf fit stack")
+    refused("study stack -o page", "stack: is a stack of photographs")
     refused("fit stack/lights.csv --normals fit", "--normals: has no effect on one table of samples")
     refused("fit stack --form ward --normals stack/image_00000.exr -o maps", "image_00000.exr: has no channel normal.x")
     refused("synth --form ward --lights 3 -o x.csv", "--texels")
