@@ -117,21 +117,17 @@ Values without_shared_errors(const SampleStream& stream, std::span<const double>
   return out;
 }
 
-// Returns the factors, one for each of the solver's parameters, by which the standard errors from the scatter
-// shrink if the errors that rows share are taken out of the residuals. Without this step they would count
-// twice: as sources, and as the scatter that they cause.
-Eigen::VectorXd factors_of_scatter(const SampleStream& stream, std::span<const double> p,
-                                   const RowBudget& rows, const RowMatrix& inverse) {
-  Eigen::VectorXd factors = Eigen::VectorXd::Ones(inverse.rows());
-  if (stream.data().rows() > kManyRows) return factors;
-  const auto variances = [&](const Values& residuals) -> Eigen::VectorXd {
-    return (inverse * view_of(stream.meat_of(p, residuals, Clusters::rows)) * inverse).diagonal();
+// Returns the covariance from the scatter without the errors that rows share. With them these errors would
+// count twice: as sources, and as the scatter that they cause. An error that all channels share leaves the
+// differences between channels as uncertain as they were.
+RowMatrix own_scatter(const SampleStream& stream, std::span<const double> p, const RowBudget& rows,
+                      const RowMatrix& inverse, const RowMatrix& scatter) {
+  if (stream.data().rows() > kManyRows) return scatter;
+  const auto covariance = [&](const Values& residuals) -> RowMatrix {
+    return inverse * view_of(stream.meat_of(p, residuals, Clusters::rows)) * inverse;
   };
-  const Eigen::VectorXd before = variances(stream.residuals_of(rows.values)),
-                        after = variances(without_shared_errors(stream, p, rows, inverse));
-  for (Eigen::Index k = 0; k < factors.size(); ++k)
-    if (before(k) > 0) factors(k) = std::sqrt(std::clamp(after(k) / before(k), 0.0, 1.0));
-  return factors;
+  return shrunk(scatter, covariance(stream.residuals_of(rows.values)),
+                covariance(without_shared_errors(stream, p, rows, inverse)));
 }
 
 // Returns the ratio up to which a variance of the scatter is not larger than the variance of the budget
@@ -185,9 +181,8 @@ InstrumentCovariance instrument_covariance(const SampleStream& stream, std::span
   out.sources = covariances(stream, p, out.rows, inverse);
   RowMatrix own = RowMatrix::Zero(inverse.rows(), inverse.cols()), shared = own;
   for (const SourceCovariance& s : out.sources) (s.is_shared ? shared : own) += s.covariance;
-  const Eigen::VectorXd factors = factors_of_scatter(stream, p, out.rows, inverse);
   out.scatter = scatter;
-  out.left = factors.asDiagonal() * scatter * factors.asDiagonal();
+  out.left = own_scatter(stream, p, out.rows, inverse, scatter);
   out.freedom = freedom;
   out.rowwise = own.isZero(0) ? out.left : larger_of(own, out.left, 1, chance_ratio(freedom));
   out.total = out.rowwise + shared;

@@ -12,17 +12,57 @@ Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n) {
   return g;
 }
 
+namespace {
+
+// A covariance C as coordinates in which it is the identity: whiten C whiten^T = 1, and whiten back = 1. The
+// coordinates leave out the directions without variance.
+struct Whitened {
+  RowMatrix whiten, back;
+};
+
+// The correlations are decomposed, because the variances of parameters may differ by many orders.
+Whitened whitened(const RowMatrix& covariance) {
+  constexpr double kRounding = 1e-12;
+  const Eigen::VectorXd error = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  const Eigen::VectorXd over = error.unaryExpr([](double x) { return x > 0 ? 1 / x : 0; });
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> eigen(
+      RowMatrix(over.asDiagonal() * covariance * over.asDiagonal()));
+  const Eigen::VectorXd& variances = eigen.eigenvalues();  // the largest is the last
+  const double most = variances.size() > 0 ? std::max(variances(variances.size() - 1), 0.0) : 0;
+  const Eigen::Index count = (variances.array() > kRounding * most).count();
+  const Eigen::VectorXd root = variances.tail(count).cwiseSqrt();
+  const RowMatrix directions = eigen.eigenvectors().rightCols(count);
+  return {root.cwiseInverse().asDiagonal() * directions.transpose() * over.asDiagonal(),
+          error.asDiagonal() * directions * root.asDiagonal()};
+}
+
+}  // namespace
+
 RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust, double limit) {
-  const Eigen::SelfAdjointEigenSolver<RowMatrix> own(covariance);
-  const Eigen::VectorXd root = own.eigenvalues().cwiseMax(0).cwiseSqrt();
-  const double least = 1e-9 * root.maxCoeff();
-  const Eigen::VectorXd inverse = root.unaryExpr([&](double x) { return x > least ? 1 / x : 0; });
-  const RowMatrix whiten = inverse.asDiagonal() * own.eigenvectors().transpose();
-  const Eigen::SelfAdjointEigenSolver<RowMatrix> ratio(whiten * other * whiten.transpose());
-  const Eigen::VectorXd excess =
-      ratio.eigenvalues().unaryExpr([&](double x) { return x > limit ? trust * (x - 1) : 0; });
-  const RowMatrix back = own.eigenvectors() * root.asDiagonal() * ratio.eigenvectors();
+  // In the coordinates of the sum, both have the same directions, and variances with the sum 1. Either may
+  // have a variance of 0 in a direction.
+  const Whitened sum = whitened(covariance + other);
+  if (sum.whiten.rows() == 0) return covariance;  // no variance, or no numbers
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> own(
+      RowMatrix(sum.whiten * covariance * sum.whiten.transpose()));
+  const Eigen::VectorXd excess = own.eigenvalues().unaryExpr([&](double variance) {
+    const double a = std::clamp(variance, 0.0, 1.0), of_other = 1 - a;
+    return of_other > limit * a ? trust * (of_other - a) : 0;
+  });
+  const RowMatrix back = sum.back * own.eigenvectors();
   return covariance + back * excess.asDiagonal() * back.transpose();
+}
+
+RowMatrix shrunk(const RowMatrix& covariance, const RowMatrix& before, const RowMatrix& after) {
+  const Whitened w = whitened(before);
+  if (w.whiten.rows() == 0) return covariance;
+  const Eigen::SelfAdjointEigenSolver<RowMatrix> share(RowMatrix(w.whiten * after * w.whiten.transpose()));
+  const Eigen::VectorXd change =
+      share.eigenvalues().unaryExpr([](double x) { return std::sqrt(std::clamp(x, 0.0, 1.0)) - 1; });
+  const RowMatrix directions = share.eigenvectors();
+  const RowMatrix factor = RowMatrix::Identity(covariance.rows(), covariance.cols()) +
+                           w.back * directions * change.asDiagonal() * directions.transpose() * w.whiten;
+  return factor * covariance * factor.transpose();
 }
 
 namespace {

@@ -32,6 +32,10 @@ struct SourceCovariance {
 // as large, by the share `trust` of the excess.
 RowMatrix larger_of(const RowMatrix& covariance, const RowMatrix& other, double trust, double limit = 1);
 
+// Returns a covariance, multiplied in each direction by the share of the covariance `before` that is left in
+// the covariance `after`, which is at most 1. In these directions both are uncorrelated.
+RowMatrix shrunk(const RowMatrix& covariance, const RowMatrix& before, const RowMatrix& after);
+
 // Returns the gradient of a reported parameter by all of the solver's parameters.
 Eigen::VectorXd gradient_vector(const Reported& r, Eigen::Index n);
 

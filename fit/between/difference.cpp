@@ -9,6 +9,7 @@
 #include "fit/assess/reported.h"
 #include "fit/assess/student.h"
 #include "io/files/evenly.h"
+#include "io/files/numbers.h"
 
 namespace brdf::fit {
 namespace {
@@ -145,7 +146,7 @@ Remainder remainder_without(const std::vector<double>& difference, const Matrix&
 
 std::vector<std::string> Difference::differing() const {
   std::vector<std::string> names;
-  if (sameness != Sameness::different) return names;
+  if (sameness != Sameness::different || !(probability < kSignificance)) return names;
   for (const ParameterDifference& p : parameters)
     if (p.beyond) names.push_back(p.name);
   if (!names.empty()) return names;
@@ -206,6 +207,25 @@ void compare_parameters(const ComparedParameters& a, const ComparedParameters& b
   judge_parameters(out);
 }
 
+// Returns why the form could hide a difference; empty if it describes both tables.
+std::string misfit_of(const FittedTables& fits) {
+  for (const FittedTable& t : fits.tables)
+    if (const double ratio = t.fit.lack_of_fit.residual_over_scatter.value_or(0); ratio > kGrossMisfit)
+      return fits.form + " describes " + t.name + " only roughly: its residuals are " +
+             io::short_number(ratio, 2) +
+             " times the noise, and a difference that the form cannot describe is not seen; measure the same "
+             "directions with both instruments, or choose another form";
+  return {};
+}
+
+void judge(const std::vector<TableToFit>& tables, Difference& out) {
+  out.common = common_values(out.fits.tables, tables);
+  out.sameness = Sameness::different;
+  if (out.probability < kSignificance || (out.common && out.common->differ())) return;
+  if (!out.common) out.doubt = misfit_of(out.fits);
+  out.sameness = out.doubt.empty() ? Sameness::no_difference : Sameness::undecided;
+}
+
 }  // namespace
 
 Difference difference_of(FittedTables fits, const std::vector<TableToFit>& tables) {
@@ -217,8 +237,7 @@ Difference difference_of(FittedTables fits, const std::vector<TableToFit>& table
   compare_parameters(p[0], reordered(p[1], p[0].names), out);
   if (!out.obstacle.empty()) return out;
   compare_directions(tables, out);
-  if (out.fits.have_budgets())
-    out.sameness = out.probability < kSignificance ? Sameness::different : Sameness::no_difference;
+  if (out.fits.have_budgets()) judge(tables, out);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/between/common_values.h"
 #include "fit/between/quantities.h"
 #include "fit/between/tables.h"
 
@@ -48,15 +49,24 @@ struct Difference {
   double freedom = 0;                           // degrees of freedom of C along d
   double probability = 1;                       // of a statistic at least as large for equal surfaces
   std::vector<DirectionDifference> directions;  // in the plane of incidence
-  double band = 0;  // half width of the band of the directions, in standard uncertainties
+  double band = 0;                     // half width of the band of the directions, in standard uncertainties
+  std::optional<CommonValues> common;  // std::nullopt: not compared
+  // The reason why the equal parameters do not show equal surfaces; empty if they do.
+  std::string doubt;
 
   // Returns the names of the parameters that differ. If the statistic is significant but no single parameter
-  // is, returns the parameter whose change alone leaves the least.
+  // is, returns the parameter whose change alone leaves the least. Empty if the values alone differ.
   std::vector<std::string> differing() const;
 };
 
-// Compares the fits of two tables. Their errors are taken as independent. Equal surfaces are called different
-// in at most about 5 % of pairs if the budgets are complete and the form describes both tables alike.
+// The residuals over the noise, above which the parameters of a form do not stand for a surface.
+inline constexpr double kGrossMisfit = 10;
+
+// Compares the fits of two tables, and the values that both tables hold. Their errors are taken as
+// independent. Equal surfaces are called different in at most about 5 % of pairs if the budgets are
+// complete and the form describes both tables alike. A form sees the differences that its parameters
+// describe: if its residuals are more than kGrossMisfit times the noise of a table, equal parameters show
+// equal surfaces only together with values at the same directions.
 Difference difference_of(FittedTables fits, const std::vector<TableToFit>& tables);
 
 // A vector of changes of the parameters, and its size that leaves the least of the difference.

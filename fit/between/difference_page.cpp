@@ -174,8 +174,9 @@ std::string html_page(const Comparison& c, const std::vector<TableToFit>& tables
   text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
   page.verdict(mark_of_answer(d), text + ".");
   if (d.obstacle.empty()) {
-    if (const std::string where = directions_in_words(d); !where.empty())
-      page.paragraph(char(std::toupper(static_cast<unsigned char>(where[0]))) + where.substr(1) + ".");
+    for (const std::string& text_of : {directions_in_words(d), values_in_words(d)})
+      if (!text_of.empty())
+        page.paragraph(char(std::toupper(static_cast<unsigned char>(text_of[0]))) + text_of.substr(1) + ".");
     add_explanations(page, c);
     page.heading("Difference in the plane of incidence");
     for (std::size_t k = 0; k < std::min(d.fits.channels.size(), kPlotChannels); ++k)

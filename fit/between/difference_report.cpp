@@ -103,20 +103,53 @@ io::Json explanation_json(const Explanation& e) {
 }
 
 const char* name_of_answer(const Difference& d) {
-  if (!d.obstacle.empty()) return "undecided";
+  if (!d.obstacle.empty() || !d.doubt.empty()) return "undecided";
   if (!d.fits.have_budgets()) return "cannot_be_told";
   return d.sameness == Sameness::different ? "different" : "no_difference";
+}
+
+// Returns the limits of a comparison of parameters, as a clause after the answer; empty without limits.
+std::string limits_of(const Difference& d) {
+  if (d.common) return "";
+  std::vector<std::string> rough;
+  for (const FittedTable& t : d.fits.tables)
+    if (t.fit.lack_of_fit.beyond_scatter) rough.push_back(name_in_text(t));
+  return rough.empty() ? ""
+                       : "; " + d.fits.form + " describes " + listed(rough) +
+                             " only roughly, and a difference that it cannot describe is not seen";
+}
+
+std::string common_words(const Difference& d) {
+  const CommonValues& c = *d.common;
+  return std::to_string(c.beyond) + " of " + io::plural(c.count, "value") + " at the same directions";
 }
 
 }  // namespace
 
 std::string answer(const Difference& d) {
   if (!d.obstacle.empty()) return "undecided: " + d.obstacle;
+  if (!d.doubt.empty()) return "undecided: " + d.doubt;
   if (!d.fits.have_budgets())
     return "cannot be told: a common scale or angle error of either instrument is unknown (--budget)";
   if (d.sameness == Sameness::no_difference)
-    return "no difference beyond the budgets (" + statistic_text(d) + ")";
-  return "different beyond the budgets: " + differences_of(d, d.differing()) + " (" + statistic_text(d) + ")";
+    return "no difference beyond the budgets (" + statistic_text(d) + ")" + limits_of(d);
+  const std::vector<std::string> names = d.differing();
+  return "different beyond the budgets: " + (names.empty() ? common_words(d) : differences_of(d, names)) +
+         " (" + statistic_text(d) + ")";
+}
+
+std::string values_in_words(const Difference& d) {
+  if (!d.common) return {};
+  const CommonValues& c = *d.common;
+  const std::string text = "the measured values differ beyond the budgets at " + common_words(d);
+  if (c.beyond == 0) return text;
+  std::vector<std::string> angles;
+  for (const double angle : {c.theta_i, c.phi_i, c.theta_o, c.phi_o})
+    angles.push_back(io::short_number(angle));
+  return text + "; most clearly at theta_i, phi_i, theta_o, phi_o " + io::joined(angles) +
+         (d.fits.channels.size() > 1 ? " (" + d.fits.channels[c.channel] + ")" : "") + ", " +
+         signed_amount_text(as_share(c.difference, true), true) + " in " + name_in_text(d.fits.tables[1]) +
+         ", standard uncertainty " + amount_text(c.uncertainty, true);
 }
 
 std::string directions_in_words(const Difference& d) {
@@ -148,6 +181,8 @@ void print(std::ostream& out, const Comparison& comparison) {
   const Difference& d = comparison.difference;
   for (const FittedTable& t : d.fits.tables) {
     out << io::printable(t.name) << ": " << io::plural(t.rows, "row") << ", " << name_of(t.fit.verdict);
+    if (const auto ratio = t.fit.lack_of_fit.residual_over_scatter)
+      out << ", residuals " << io::short_number(*ratio, 2) << " times the noise";
     if (t.fit.verdict != Verdict::converged && !t.fit.findings.empty())
       out << ": " << io::printable(t.fit.findings.front());
     out << '\n';
@@ -160,7 +195,8 @@ void print(std::ostream& out, const Comparison& comparison) {
         << signed_amount_text(as_share(-p.difference, p.logarithmic), p.logarithmic)
         << ", standard uncertainty " << amount_text(p.uncertainty, p.logarithmic)
         << (d.fits.have_budgets() ? "" : " (scatter alone)") << '\n';
-  if (const std::string text = directions_in_words(d); !text.empty()) out << "  " << text << '\n';
+  for (const std::string& text : {directions_in_words(d), values_in_words(d)})
+    if (!text.empty()) out << "  " << text << '\n';
   for (const Explanation& e : comparison.explanations) out << "  " << in_words(e) << '\n';
 }
 
@@ -169,7 +205,7 @@ io::Json to_json(const Comparison& comparison) {
   io::Json json = fits_json(d.fits);
   json["answer"] = name_of_answer(d);
   json["sentence"] = answer(d);
-  if (!d.obstacle.empty()) json["reason"] = d.obstacle;
+  if (!d.obstacle.empty() || !d.doubt.empty()) json["reason"] = d.obstacle + d.doubt;
   json["parameters"] = io::Json::array();
   json["directions"] = io::Json::array();
   json["explanations"] = io::Json::array();
@@ -178,6 +214,8 @@ io::Json to_json(const Comparison& comparison) {
     json["statistic"] = io::finite_or_null(d.statistic);
     json["p"] = io::finite_or_null(d.probability);
     json["differing"] = d.differing();
+    json["common_values"] =
+        d.common ? io::Json{{"count", d.common->count}, {"beyond", d.common->beyond}} : io::Json(nullptr);
   }
   if (d.obstacle.empty())
     for (const ParameterDifference& p : d.parameters) json["parameters"].push_back(parameter_json(p));

@@ -16,6 +16,9 @@ std::string answer(const Difference& difference);
 // Returns whether f differs beyond the budgets in the plane of incidence, and at which directions. Empty
 // without budgets, and if there is an obstacle.
 std::string directions_in_words(const Difference& difference);
+// Returns the number of measured values at the same directions that differ beyond the budgets. Empty if such
+// values were not compared.
+std::string values_in_words(const Difference& difference);
 // Returns "explained by a scale error of +0.9 % in b.csv", or "not explained by ... alone" with the size that
 // leaves the least.
 std::string in_words(const Explanation& explanation);

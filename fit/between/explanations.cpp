@@ -12,7 +12,7 @@ namespace brdf::fit {
 namespace {
 
 constexpr double kAlmostGrazing = 89.9;  // degrees
-constexpr int kSteps = 6;
+constexpr int kSteps = 12;
 constexpr double kSameSize = 1e-3;  // relative change of a size that ends the search
 
 // The sizes with which the search begins, and their limits. An aperture acts by its square.
@@ -121,28 +121,33 @@ class ErrorSearch {
   Explanation run() {
     Explanation out{cause_, difference_.fits.tables[which_].name, 0, difference_.statistic, 0};
     if (!start_) return out;
+    bool is_better = false, is_settled = false;
     double size = search_.first;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kSteps && !is_settled; ++step) {
       const auto change = change_at(size);
-      if (!change) return out;
+      if (!change) break;
       if (const auto rest = rest_of(*change); rest && *rest < out.statistic) {
         out.statistic = *rest;
         out.size = size;
-        out.found = true;
+        is_better = true;
       }
-      const double factor =
-          remainder_without(whole_, difference_.covariance, *change, difference_.freedom).size;
-      const double next = search_.by_square ? size * std::sqrt(std::max(factor, 0.0)) : size * factor;
-      if (!(std::abs(next) > 0) || std::abs(next) > search_.largest) break;
-      const bool is_same = std::abs(next - size) < kSameSize * std::abs(size);
+      const double next = size_after(size, *change);
+      if (!(std::abs(next) > 0)) break;
+      is_settled = std::abs(next - size) < kSameSize * std::abs(size);
       size = next;
-      if (is_same) break;
     }
-    judge(out);
+    judge(out, is_better, is_settled && std::abs(size) < search_.largest);
     return out;
   }
 
  private:
+  // Returns the size, within the limits, for which the least of the difference is left to first order.
+  double size_after(double size, const std::vector<double>& change) const {
+    const double factor = remainder_without(whole_, difference_.covariance, change, difference_.freedom).size;
+    const double next = search_.by_square ? size * std::sqrt(std::max(factor, 0.0)) : size * factor;
+    return std::clamp(next, -search_.largest, search_.largest);
+  }
+
   // Returns the parameters of a fit to the table that is corrected for an error of this size.
   std::optional<std::vector<double>> parameters_at(double size) const {
     TableToFit changed = table_;
@@ -177,10 +182,12 @@ class ErrorSearch {
     return quadratic_form(rest, difference_.covariance);
   }
 
-  void judge(Explanation& out) const {
+  // `is_least`: the size is the one that leaves the least of the difference, and not a step on the way to it.
+  void judge(Explanation& out, bool is_better, bool is_least) const {
     const double dimension = double(whole_.size()) - 1;
     out.probability = dimension > 0 ? quadratic_tail(out.statistic, dimension, difference_.freedom) : 1;
-    out.explains = out.found && out.probability >= kSignificance;
+    out.explains = is_better && out.probability >= kSignificance;
+    out.found = out.explains || (is_better && is_least);
   }
 
   const Difference& difference_;
@@ -218,8 +225,7 @@ Comparison compare_tables(std::vector<TableToFit> tables, std::vector<std::vecto
   if (tables.size() != 2) throw std::logic_error("compare_tables: two tables");
   FittedTables fits = fit_tables(tables, std::move(models), progress);
   Comparison out{difference_of(std::move(fits), tables), {}};
-  const bool is_sought =
-      out.difference.obstacle.empty() && out.difference.sameness != Sameness::no_difference;
+  const bool is_sought = out.difference.obstacle.empty() && out.difference.probability < kSignificance;
   if (is_sought) out.explanations = explanations_of(out.difference, tables);
   return out;
 }

@@ -36,7 +36,7 @@ struct Explanation {
   // The standard uncertainty of this error according to the budgets of both tables, in the unit of the size.
   // 0 without budgets, for an aperture, and if the budgets do not have the error.
   double stated = 0;
-  bool found = false;     // a size within the limits exists that reduces the statistic
+  bool found = false;     // the size is within the limits, and it leaves the least or explains the difference
   bool explains = false;  // the error alone is enough: the rest is not significant at 5 %
 };
 
@@ -50,7 +50,7 @@ inline constexpr double kLargestScale = 0.5, kLargestZeroError = 5, kLargestAper
 std::vector<Explanation> explanations_of(const Difference& difference, const std::vector<TableToFit>& tables);
 
 // A difference with the errors that would explain it; no explanations if there is an obstacle or no
-// difference beyond the budgets.
+// difference beyond the uncertainties.
 struct Comparison {
   Difference difference;
   std::vector<Explanation> explanations;

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <sstream>
 
 #include "fit/assess/derived.h"
+#include "fit/assess/propagation.h"
 #include "fit/report/budget.h"
 #include "fit/report/report.h"
 #include "samples.h"
@@ -30,6 +32,41 @@ FormFit fitted(const io::SampleTable& table, const Instrument& instrument, const
 double part(const Combined& c, const std::string& source) {
   const auto found = std::ranges::find(c.parts, source, &Combined::Part::source);
   return found == c.parts.end() ? 0 : found->standard_uncertainty;
+}
+
+RowMatrix diagonal(std::initializer_list<double> variances) {
+  RowMatrix out = RowMatrix::Zero(Eigen::Index(variances.size()), Eigen::Index(variances.size()));
+  Eigen::Index k = 0;
+  for (const double v : variances) out(k, k) = v, ++k;
+  return out;
+}
+
+// Turned, so that no direction is that of a parameter; the parameters differ by many orders.
+RowMatrix turned(const RowMatrix& m) {
+  RowMatrix turn(3, 3), scale = diagonal({1e-6, 1, 1e5});
+  turn << 0.6, -0.8, 0, 0.64, 0.48, -0.6, 0.48, 0.36, 0.8;
+  return scale * turn * m * turn.transpose() * scale;
+}
+
+void expect_near(const RowMatrix& a, const RowMatrix& b) {
+  for (Eigen::Index i = 0; i < a.rows(); ++i)
+    for (Eigen::Index j = 0; j < a.cols(); ++j)
+      EXPECT_NEAR(a(i, j), b(i, j), 1e-9 * std::sqrt(b(i, i) * b(j, j))) << i << ' ' << j;
+}
+
+// Also in a direction in which one of the two, or both, have no variance.
+TEST(Propagation, TheLargerOfTwoCovariancesIsTakenInEveryDirection) {
+  const RowMatrix own = turned(diagonal({4, 0, 1})), other = turned(diagonal({1, 2, 3}));
+  expect_near(larger_of(own, other, 1), turned(diagonal({4, 2, 3})));
+  expect_near(larger_of(own, other, 0.5), turned(diagonal({4, 1, 2})));
+  expect_near(larger_of(own, other, 1, 3.5), turned(diagonal({4, 2, 1})));  // 3 is not more than 3.5 times 1
+  expect_near(larger_of(own, turned(diagonal({1, 0, 3})), 1), turned(diagonal({4, 0, 3})));
+}
+
+TEST(Propagation, ACovarianceShrinksInTheDirectionsThatShrinkAndGrowsInNone) {
+  const RowMatrix before = turned(diagonal({4, 2, 1})), after = turned(diagonal({1, 2, 5}));
+  expect_near(shrunk(before, before, after), turned(diagonal({1, 2, 1})));
+  expect_near(shrunk(turned(diagonal({8, 3, 7})), before, after), turned(diagonal({2, 3, 7})));
 }
 
 // The value of a matt surface does not depend on the angles, so that only the division by the nominal cosine

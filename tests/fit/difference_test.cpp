@@ -147,6 +147,113 @@ TEST(Difference, OfAWidthIsExplainedByNoScale) {
             std::string::npos);
 }
 
+// The size beyond the limit is no stop of the search, and a step on the way to it is not reported.
+TEST(Difference, IsExplainedByASizeUpToTheLimitAndByNoStepOnTheWay) {
+  const auto scale_of = [](double factor) {
+    return compare_tables(with_budgets(pair_of(gloss(), gloss(), {.scale = std::log(factor)})),
+                          laboratory_model());
+  };
+  for (const double factor : {0.55, 0.6, 1.45}) {
+    const Comparison c = scale_of(factor);
+    EXPECT_TRUE(explanation(c, Cause::scale).explains) << factor;
+    EXPECT_NEAR(explanation(c, Cause::scale).size, factor - 1, 0.03);
+  }
+  for (const double factor : {0.3, 2.0, 10.0}) {
+    const Comparison c = scale_of(factor);
+    EXPECT_EQ(in_words(explanation(c, Cause::scale)), "not explained by a scale error up to 50 %") << factor;
+    EXPECT_TRUE(to_json(c)["explanations"][0]["size"].is_null());
+  }
+}
+
+TEST(Difference, WithinTheScatterNeedsNoExplanation) {
+  const Comparison c = compare_tables(pair_of(gloss(), gloss(), {}), laboratory_model());
+  EXPECT_GT(c.difference.probability, 0.05);
+  EXPECT_TRUE(c.explanations.empty());
+}
+
+// Errors that all channels share leave the differences between channels to the
+// scatter alone, with a source of rows and without one.
+TEST(Difference, OfEqualSpectraIsRarelyAnAlarm) {
+  constexpr int kPairs = 12;
+  for (const std::size_t channels : {3, 8})
+    for (const double stated : {0.005, 0.0}) {
+      int alarms = 0;
+      for (int k = 0; k < kPairs; ++k) {
+        std::mt19937_64 random(std::uint64_t(100 + k));
+        std::vector<TableToFit> tables;
+        for (const double first_view : {0.0, 2.5})
+          tables.push_back(
+              {{laboratory(spectral(channels), first_view, drawn_errors(0.01, 0.15, 0.005, random), random),
+                {},
+                budget_of(0.01, 0.15, stated)},
+               laboratory_options()});
+        const Difference d = difference_of(fit_tables(tables, laboratory_model()), tables);
+        EXPECT_EQ(d.obstacle, "");
+        alarms += d.sameness == Sameness::different;
+      }
+      EXPECT_LE(alarms, 3) << channels << " channels, repeatability " << stated;  // 12 and 9 of 12 before
+    }
+}
+
+Material brushed(double along, double across) {
+  Material m = make_material(*find_form("ward"), {"f_r"});
+  const ReflectanceInfo& about = m.terms[0].form.info();
+  for (std::size_t k = 0; k < about.shape.size(); ++k)
+    m.terms[0].shape[0][k] = about.shape[k].name == "alpha_x" ? along : across;
+  return m;
+}
+
+// A table with lights at three azimuths, at which a brushed surface looks different.
+io::SampleTable at_three_azimuths(const Material& surface, double first_view, std::mt19937_64& random) {
+  io::SampleTable table;
+  table.set_channels(surface.channels);
+  std::normal_distribution<double> normal;
+  std::vector<double> f(1);
+  for (const double turn : {0, 45, 90})
+    for (const double light : {10, 30, 50})
+      for (const double phi : {0, 180})
+        for (double view = first_view; view < 75; view += 5) {
+          eval(surface, direction(degrees(light), degrees(180 + turn)),
+               direction(degrees(view), degrees(phi + turn)), f);
+          table.add_directions(light, 180 + turn, view, phi + turn);
+          table.values[0].push_back(f[0] * std::exp(0.005 * normal(random)));
+        }
+  return table;
+}
+
+// An isotropic form has the same parameters for a brushed surface and for the same surface turned.
+TEST(Difference, ThatTheFormCannotDescribeIsSeenInTheValuesOrNotDenied) {
+  const std::vector<std::vector<Reflectance>> ward{{*find_form("ward")}};
+  const auto compared = [&](double along, double across, double first_view) {
+    std::mt19937_64 random(5);
+    std::vector<TableToFit> tables;
+    for (const Material& m : {brushed(0.1, 0.25), brushed(along, across)})
+      tables.push_back(
+          {{at_three_azimuths(m, tables.empty() ? 0 : first_view, random), {}, budget_of(0.005, 0.02, 0.005)},
+           laboratory_options()});
+    for (TableToFit& t : tables) t.options.fix.clear();
+    tables[0].samples.table.source = "a.csv";
+    return compare_tables(tables, ward);
+  };
+  const Comparison turned = compared(0.25, 0.1, 0), same = compared(0.1, 0.25, 0),
+                   elsewhere = compared(0.25, 0.1, 2.5);
+  ASSERT_TRUE(turned.difference.obstacle.empty()) << turned.difference.obstacle;
+  EXPECT_GT(turned.difference.probability, 0.05);
+  EXPECT_EQ(turned.difference.sameness, Sameness::different);
+  EXPECT_NE(answer(turned.difference).find(" values at the same directions (W "), std::string::npos)
+      << answer(turned.difference);
+  EXPECT_NE(values_in_words(turned.difference).find("; most clearly at theta_i, phi_i"), std::string::npos);
+  EXPECT_GT(to_json(turned)["common_values"]["beyond"].get<int>(), 20);
+  EXPECT_EQ(same.difference.sameness, Sameness::no_difference);
+  EXPECT_EQ(same.difference.common->beyond, 0u);
+  EXPECT_EQ(elsewhere.difference.sameness, Sameness::undecided);
+  EXPECT_NE(
+      answer(elsewhere.difference).find("undecided: ward describes a.csv only roughly: its residuals are "),
+      std::string::npos)
+      << answer(elsewhere.difference);
+  EXPECT_EQ(to_json(elsewhere)["answer"], "undecided");
+}
+
 TEST(Difference, IsUndecidedForAParameterAtItsBound) {
   std::vector<TableToFit> tables = pair_of(gloss(), gloss(), {});
   tables[1].options.bounds = {{"alpha", 0.26, 0.5}};

@@ -63,6 +63,22 @@ inline Material gloss(double alpha = 0.25, double kd = 0.4, double ks = 1, doubl
   return m;
 }
 
+// Returns the same surface with channels of unequal kd.
+inline Material spectral(std::size_t channels) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < channels; ++c) names.push_back(std::to_string(400 + 40 * c) + "nm");
+  Material m = make_material(*find_form("cook_torrance"), names);
+  const Material one = gloss();
+  m.terms[0].shape = one.terms[0].shape;
+  for (std::size_t c = 0; c < channels; ++c) {
+    m.terms[0].weights[c] = one.terms[0].weights[0];
+    for (std::size_t k = 0; k < m.terms[0].weights[c].size(); ++k)
+      if (m.terms[0].form.info().weights[k].name == "kd")
+        m.terms[0].weights[c][k] = 0.05 + 0.35 * double(c) / double(channels - 1);
+  }
+  return m;
+}
+
 // Returns 225 rows: five lights, fifteen views from `first_view` on in steps of five degrees, three azimuths.
 // The instrument divides by the cosine of the stated theta_o.
 inline io::SampleTable laboratory(const Material& surface, double first_view, const LaboratoryErrors& e,

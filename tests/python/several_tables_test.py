@@ -45,6 +45,14 @@ class SeveralTables(unittest.TestCase):
         self.assertEqual(same["answer"], "no_difference")
         self.assertEqual(brdf.compare(*self.tables[:2], **FIT)["answer"], "cannot_be_told")
 
+    def test_tables_keep_the_budget_that_their_comment_names(self):
+        for file, budget in zip(self.files, self.budgets):
+            file.write_text(f"# budget: {budget.name}\n" + file.read_text())
+        read = [brdf.read(file) for file in self.files]
+        same, files = brdf.compare(*read[1:], **FIT), brdf.compare(*self.files[1:], **FIT)
+        self.assertEqual([same[key] for key in ("answer", "statistic", "p")], [files[key] for key in ("answer", "statistic", "p")])
+        self.assertEqual(brdf.consensus(*read, **FIT)["budget"], True)
+
     def test_consensus(self):
         words = [word for budget in self.budgets for word in ("--budget", budget)]
         code, said = self.said("consensus", *self.files, *words, "--at", "0:45", "--at", "30:10")
