@@ -30,10 +30,11 @@ struct NextCall {
 Exit run_next(const NextCall& o) {
   const fit::FitOptions options = fit_options(o.choice, 1);
   const TextStream stream = text_stream({{"-o", o.output}}, o.json);  // throws before any file is read
-  io::check_targets({{"-o", o.output}}, {o.samples, o.reach});
+  io::check_targets({{"-o", o.output}});
   const fit::NextModels models = fit::next_models(o.choice.form, o.next);
   const io::Supplied supplied = io::supplied_for(options.supplied, options.arrangement);
   const fit::Samples samples = fit::arranged(io::read_samples(o.samples, supplied), options);
+  keep_budget({{"-o", o.output}}, samples);
   for (const std::string& warning : samples.table.warnings)
     Warning() << "brdf next: " << io::input_name(o.samples) << ": " << warning;
   const io::SampleTable reach = io::read_directions(o.reach);
@@ -69,7 +70,9 @@ void add_next(CLI::App& app) {
                    "Table of the directions that the instrument can take: theta_i, phi_i, theta_o, phi_o in "
                    "degrees; values in it are not used")
       ->required();
-  verb->add_option("--rows", o.next.rows, "Number of rows to choose")->capture_default_str();
+  verb->add_option("--rows", o.next.rows, "Number of rows to choose")
+      ->capture_default_str()
+      ->check(CLI::Range(std::size_t{1}, fit::NextOptions::kMostRows));
   add_named_option(
       *verb, "--aim", o.next.aim,
       "Purpose of the rows: the least expected error of the best form over the hemisphere, or to "

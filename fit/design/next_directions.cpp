@@ -37,9 +37,8 @@ std::span<const std::size_t> first_of(const std::vector<std::size_t>& order, std
 }
 
 // Returns the number of rows after which no number of further rows lowers the error by kLeastGain for each
-// row. `errors`: after each number of rows. Returns std::nullopt if more rows than these would have to be
-// examined.
-std::optional<std::size_t> worthwhile_rows(const std::vector<double>& errors, std::size_t candidates) {
+// row. `errors`: after each number of rows. Returns std::nullopt if there is no such number.
+std::optional<std::size_t> worthwhile_rows(const std::vector<double>& errors) {
   for (std::size_t n = 0; n + 1 < errors.size(); ++n) {
     bool pays = false;
     double least = errors[n];
@@ -47,7 +46,7 @@ std::optional<std::size_t> worthwhile_rows(const std::vector<double>& errors, st
       pays = errors[j] <= (least *= 1 - NextDirections::kLeastGain);
     if (!pays) return n;
   }
-  return errors.size() > candidates ? std::optional(errors.size() - 1) : std::nullopt;
+  return std::nullopt;
 }
 
 void add_forecast(const Solved& solved, const Rows& rows, const Rows& few, double repeats,
@@ -70,7 +69,7 @@ void add_forecast(const Solved& solved, const Rows& rows, const Rows& few, doubl
     errors.push_back(part.prediction_error(first_of(chosen.order, n)));
   out.error_now = errors[0];
   for (std::size_t k = 0; k < count; ++k) out.rows[k].error = errors[k + 1];
-  if (out.aim == Aim::prediction) out.worthwhile = worthwhile_rows(errors, rows.candidates.rows());
+  if (out.aim == Aim::prediction) out.worthwhile = worthwhile_rows(errors);
   for (const std::size_t n : sizes_for(count, chosen.order.size())) {
     NextForecast f{n, errors[n], 0};
     for (const auto& draw : draws)
@@ -215,7 +214,11 @@ NextModels next_models(const std::string& forms, NextOptions next) {
     if (models.empty() && forms != form)
       throw InputError("--form " + forms + ": " + form +
                        " builds a model by itself: leave the other forms out");
-    std::move(models.begin(), models.end(), std::back_inserter(out.models));
+    for (std::vector<Reflectance>& model : models) {
+      if (std::ranges::find(out.models, model) != out.models.end())
+        throw InputError("--form " + forms + ": " + form + " is named twice: name each form once");
+      out.models.push_back(std::move(model));
+    }
     first = comma + 1;
   }
   if (named > 1 && out.next.aim == Aim::automatic) out.next.aim = Aim::forms;
@@ -273,6 +276,9 @@ NextDirections next_directions(const Samples& samples, const io::SampleTable& re
   }
   if (out.aim == Aim::prediction) chosen = choose_for_prediction(few, repeats, out.known, free, examined);
   note_rows(chosen, within, reach, count, out);
+  if (out.rows.size() < next.rows)
+    out.findings.push_back(io::plural(next.rows, "row") + " were asked for, but " + reach.name() +
+                           " has only " + io::plural(out.rows.size(), "direction") + " that can be chosen");
   Random random(options.seed);
   std::vector<std::vector<std::size_t>> draws;
   for (std::size_t k = 0; k < kDraws; ++k) draws.push_back(drawn(free, chosen.order.size(), random));

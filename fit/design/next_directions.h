@@ -84,12 +84,16 @@ struct NextDirections {
   std::size_t draws = 0;
   std::uint64_t seed = 1;
   // For prediction: number of rows after which no number of further rows lowers the expected error of the
-  // refitted form by kLeastGain for each of them; std::nullopt if this number exceeds `examined`.
+  // refitted form by kLeastGain for each of them; std::nullopt if the rows that were examined show no such
+  // number.
   std::optional<std::size_t> worthwhile;
   // For forms: number of rows that are expected to make the likelihood ratio kDecisive; std::nullopt if this
   // number exceeds `examined`.
   std::optional<std::size_t> decisive;
   std::size_t examined = 0;
+
+  // Returns whether every direction that can be chosen was examined.
+  bool is_exhausted() const { return examined + already_measured + beyond_max_theta + dark >= reach; }
   std::vector<std::string> findings;  // about limits of the choice, one sentence each
 
   static constexpr double kLeastGain = 0.01, kDecisive = 1000;

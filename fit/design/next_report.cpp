@@ -130,6 +130,9 @@ std::string end_words(const NextDirections& n) {
     return n.decisive ? ratio + " is expected after " + io::plural(*n.decisive, "row")
                       : ratio + " is not expected within " + io::plural(n.examined, "row");
   }
+  if (!n.worthwhile && n.is_exhausted())
+    return "no direction is left: all " + io::plural(n.examined, "row") +
+           " lower the expected error by 1 % or more for each row";
   if (!n.worthwhile)
     return "the " + io::plural(n.examined, "row") +
            " that were examined still lower the expected error by 1 % for each row";

@@ -385,6 +385,29 @@ TEST(NextDirections, SaysWhichPartOfTheSamplesTheChoiceUses) {
               Contains(HasSubstr("the choice uses 3 channels of 4: the first, the middle and the last one")));
 }
 
+TEST(NextDirections, SaysIfFewerDirectionsCanBeChosenThanWereAskedFor) {
+  Random random(13);
+  io::SampleTable start = about_normal(), few;
+  measure(paint(), 0, 0.01, random, start);
+  few.source = "few.csv";
+  for (const double viewer : {20, 40, 60}) few.add_directions(30, 180, viewer, 0);
+  const Samples samples = arranged(start, dielectric());
+  const NextModels models = next_models("cook_torrance", {.rows = 5, .noise = 0.01});
+  const NextDirections next = next_directions(samples, few, models.models, dielectric(), models.next);
+  EXPECT_EQ(next.rows.size(), 3u);
+  EXPECT_TRUE(next.is_exhausted());
+  EXPECT_THAT(next.findings,
+              Contains("5 rows were asked for, but few.csv has only 3 directions that can be chosen"));
+  EXPECT_FALSE(next.worthwhile &&
+               *next.worthwhile >= next.examined);  // no row was examined after the last one
+  EXPECT_FALSE(next_for(start, {.rows = 2, .noise = 0.01}).is_exhausted());
+}
+
+TEST(NextDirections, ComparesDifferentForms) {
+  EXPECT_THROW(next_models("ward,lambert,ward", {.rows = 2}), InputError);
+  EXPECT_EQ(next_models("ward,lambert", {.rows = 2}).models.size(), 2u);
+}
+
 TEST(NextDirections, IsRefusedIfNoDirectionIsLeft) {
   Random random(14);
   io::SampleTable start = reach();

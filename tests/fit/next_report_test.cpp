@@ -63,6 +63,18 @@ TEST(NextReport, SaysWhenARowIsNotWorthwhileOnlyIfThatWasFound) {
   EXPECT_THAT(printed(n), Not(HasSubstr("still lower")));
 }
 
+TEST(NextReport, SaysNothingOfRowsThatDoNotExist) {
+  NextDirections n = two_rows();
+  n.reach = n.examined + 3;
+  n.already_measured = 1;
+  n.dark = 2;
+  EXPECT_THAT(printed(n),
+              HasSubstr("no direction is left: all 32 rows lower the expected error by 1 % or more "
+                        "for each row"));
+  n.reach += 1;
+  EXPECT_THAT(printed(n), Not(HasSubstr("no direction is left")));
+}
+
 TEST(NextReport, SaysWhenceTheNoiseIsKnown) {
   NextDirections n = two_rows();
   for (const auto& [from, words] :
