@@ -133,7 +133,11 @@ int run(int argc, char** argv) try {
 }  // namespace
 
 void on_run(CLI::App& verb, std::function<Exit()> run) {
-  verb.callback([run = std::move(run)] { exit_code = run(); });
+  verb.callback([&verb, run = std::move(run)] {
+    refuse_empty_values(verb);
+    keep_inputs(verb);
+    exit_code = run();
+  });
 }
 
 CLI::App* add_verb(CLI::App& app, Purpose purpose, const char* name, const char* description) {

@@ -139,7 +139,7 @@ class Batch {
       if (!fs::exists(batch_.folder / (row.name + ending))) return false;
     Json j;
     try {
-      j = io::read_json(report);
+      j = io::read_json(io::read_result(report));
     } catch (const InputError&) {  // not a report of ours: written again
     }
     if (!j.is_object() || !j.contains(kSeal)) return false;
@@ -279,8 +279,8 @@ void write_summary(const std::vector<BatchRow>& rows, const fs::path& folder) {
   for (const BatchRow& row : rows) {
     const fs::path picture = folder / (row.name + ".png");
     if (row.error.empty() && fs::exists(picture))
-      pictures.push_back({io::read_content(picture).bytes, row.name, "", io::Mark::none,
-                          io::address_of(row.name + ".html")});
+      pictures.push_back(
+          {io::read_result(picture).bytes, row.name, "", io::Mark::none, io::address_of(row.name + ".html")});
   }
   if (!pictures.empty()) html.pictures(pictures);
   html.explain("median (held out)",

@@ -86,7 +86,7 @@ Earlier::Earlier(const std::filesystem::path& against) {
     why = "it holds no study.json";
   } else {
     try {
-      Json json = io::read_json(io::read_content(file, kLargestOverview), kLargestOverview);
+      Json json = io::read_json(io::read_result(file, kLargestOverview), kLargestOverview);
       for (Json& row : json.at("results"))
         if (can_be_compared(row)) rows_.emplace(row.at("name"), std::move(row));
       if (rows_.empty()) why = "no sample in it can be compared";

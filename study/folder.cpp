@@ -61,7 +61,7 @@ bool has_results(const fs::path& folder) {
 std::optional<Json> results_in(const fs::path& folder) {
   if (!has_results(folder)) return std::nullopt;
   try {
-    Json json = io::read_json(folder / kResults);
+    Json json = io::read_json(io::read_result(folder / kResults));
     if (json.is_object() && json.contains("files") && json["files"].is_object()) return json;
   } catch (const InputError&) {  // not written by a study: it will be overwritten
   }
@@ -93,7 +93,7 @@ std::optional<Json> kept(const fs::path& folder, const std::string& key) {
     return std::nullopt;
   try {
     for (const auto& [name, fingerprint] : (*results)["files"].items())
-      if (!is_plain(name) || fingerprint != io::fingerprint({io::read_content(folder / name).bytes}))
+      if (!is_plain(name) || fingerprint != io::fingerprint({io::read_result(folder / name).bytes}))
         return std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;

@@ -85,7 +85,7 @@ Cell picture_cell(const Row& row, const char* file, const std::string& folder, c
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(row.folder / file, ignored)) return {.text = "-"};
   if (!embedded) return {.link = link, .alt = alt, .picture_file = folder + "/" + file};
-  return {.link = link, .png = io::read_content(row.folder / file).bytes, .alt = alt};
+  return {.link = link, .png = io::read_result(row.folder / file).bytes, .alt = alt};
 }
 
 // Remarks on a sample that its numbers do not show.

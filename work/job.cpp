@@ -143,7 +143,7 @@ std::optional<std::string> unit_bytes(const fs::path& job, std::size_t unit) {
   const fs::path file = unit_path(job, unit);
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  return io::read_content(file).bytes;
+  return io::read_result(file).bytes;
 }
 
 // Returns the content of a unit's file, or std::nullopt if the file is not valid for this unit.

@@ -5,6 +5,7 @@
 
 #include "io/files/error.h"
 #include "io/files/parallel.h"
+#include "texel/stack.h"
 
 namespace brdf::work {
 namespace {
@@ -12,9 +13,14 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<std::string> samples_in(const fs::path& folder) {
+  if (texel::is_stack(folder))
+    throw InputError(folder.string() + ": is a stack of photographs, not a folder of tables; fit it alone: " +
+                     "brdf fit " + folder.string() + " --form FORM -o MAPS");
   std::vector<std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (!entry.is_regular_file() || entry.path().filename().string().starts_with('.')) continue;
+    const bool is_broken = entry.is_symlink() && !fs::exists(entry.path());  // reported as a file that fails
+    if ((!entry.is_regular_file() && !is_broken) || entry.path().filename().string().starts_with('.'))
+      continue;
     if (entry.path().extension() == ".exr")
       throw InputError(folder.string() + ": is not a stack: the folder has images, but no lights.csv");
     files.push_back(entry.path().string());

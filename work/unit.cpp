@@ -19,7 +19,7 @@ std::vector<UnitFile> files_in(const fs::path& folder) {
   std::vector<UnitFile> out;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file())
-      out.push_back({entry.path().lexically_relative(folder).string(), io::read_content(entry.path()).bytes});
+      out.push_back({entry.path().lexically_relative(folder).string(), io::read_result(entry.path()).bytes});
   std::ranges::sort(out, [](const auto& a, const auto& b) { return a.name < b.name; });
   return out;
 }

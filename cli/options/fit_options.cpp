@@ -50,8 +50,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   add_repeated_option(verb, "--bounds", choice.bounds, "Restrict a parameter: name=low:high");
   add_repeated_option(verb, "--tie", choice.options.tie,
                       "Parameter with one value for all channels: the name of a weight, f0 or shape");
-  verb.add_flag("--physical", choice.physical,
-                "Limit the sum of the weights of each channel to 1, which conserves energy");
+  verb.add_flag(
+      "--physical", choice.physical,
+      "Keep the weights of each channel within the limits of energy conservation: their sum at most 1, or a "
+      "dielectric's f0 and kd; near grazing angles the albedo may still exceed 1");
   verb.add_option("--robust", choice.robust, "Robust loss: huber or cauchy, optionally with :SCALE");
   add_named_option(verb, "--weights", choice.options.weighting,
                    "Weights of the residuals (auto: from sigma columns if the table has any)");
@@ -88,6 +90,10 @@ void add_pictures_option(CLI::App& verb, bool& no_pictures) {
 
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs) {
   return work::fit_options(choice, jobs, &interrupted);
+}
+
+void keep_budget(const std::vector<io::Target>& outputs, const fit::Samples& samples) {
+  if (samples.budget) io::check_targets(outputs, {samples.budget->file});
 }
 
 void add_normals_option(CLI::App& verb, work::StackOptions& options) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "fit/choice.h"
+#include "fit/samples.h"
+#include "io/files/output.h"
 #include "work/files.h"
 
 namespace CLI {
@@ -25,6 +27,9 @@ void add_pictures_option(CLI::App& verb, bool& no_pictures);
 
 // Returns the options that the choice describes (work/options.h). The fit ends when the user interrupts it.
 fit::FitOptions fit_options(const fit::FitChoice& choice, unsigned jobs);
+
+// Throws InputError if one of the outputs is the budget that the table of the samples names.
+void keep_budget(const std::vector<io::Target>& outputs, const fit::Samples& samples);
 
 // Adds --normals, an option of stacks.
 void add_normals_option(CLI::App& verb, work::StackOptions& options);

@@ -1,6 +1,7 @@
 #include "cli/options/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -24,12 +25,23 @@ bool is_finite_number(std::string_view text) {
   return io::parse_number(text, value) && std::isfinite(value);
 }
 
+// Returns the range that CLI11's name of a type states: "1 to 256" of "UINT:UINT in [1 - 256]". Empty
+// without a range.
+std::string range_of(const std::string& type) {
+  constexpr std::string_view kBegin = "in [", kBetween = " - ";
+  const std::size_t begin = type.find(kBegin), end = type.find(']', begin),
+                    middle = type.find(kBetween, begin);
+  if (begin == std::string::npos || end == std::string::npos || middle > end) return {};
+  const std::size_t low = begin + kBegin.size(), high = middle + kBetween.size();
+  return type.substr(low, middle - low) + " to " + type.substr(high, end - high);
+}
+
 // Returns the fault of the text as a value of this type (CLI11's name of the type), or an empty string if
 // the text is valid.
 std::string number_fault(const std::string& type, const std::string& text) {
-  const std::string shown = "'" + text + "' ";
+  const std::string shown = "'" + text + "' ", range = range_of(type);
   if (type.starts_with("UINT") && !is_integer<std::uint64_t>(text))
-    return shown + "must be a whole number from 0 to 18446744073709551615";
+    return shown + "must be a whole number from " + (range.empty() ? "0 to 18446744073709551615" : range);
   if (type.starts_with("INT") && !is_integer<std::int64_t>(text)) return shown + "must be a whole number";
   if (type.starts_with("FLOAT") && !is_finite_number(text)) return shown + "must be a finite number";
   return {};
@@ -136,6 +148,14 @@ CLI::Option* add_material_argument(CLI::App& verb, std::string& file, const std:
         file = given;
       },
       description);
+}
+
+void refuse_empty_values(const CLI::App& verb) {
+  for (const CLI::Option* option : verb.get_options())
+    if (std::ranges::find(option->results(), "") != option->results().end())
+      throw InputError(
+          (option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front()) +
+          ": the value is empty: give a value, or leave the option out");
 }
 
 void add_quiet_option(CLI::App& app) {

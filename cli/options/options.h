@@ -19,6 +19,10 @@ class App;
 
 namespace brdf::cli {
 
+// Throws InputError if an option or an argument of the parsed verb has an empty value, as an unset
+// variable of a shell leaves it.
+void refuse_empty_values(const CLI::App& verb);
+
 // Adds an option that takes one word. `set` throws InputError for an invalid word.
 CLI::Option* add_word_option(CLI::App& verb, const std::string& name, std::string_view initial,
                              std::function<void(const std::string&)> set, const std::string& description);

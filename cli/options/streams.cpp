@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <string_view>
 
 #include "cli/surface/option_table.h"
 #include "io/files/error.h"
+#include "io/files/inputs.h"
 #include "io/files/standard_input.h"
 
 namespace brdf::cli {
@@ -72,6 +74,25 @@ void use_streams(CLI::App& app) {
   const auto taken = std::make_shared<std::string>();
   for (CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     use_streams_in(*verb, taken);
+}
+
+void keep_inputs(const CLI::App& verb) {
+  std::vector<io::Target> outputs;
+  std::vector<std::filesystem::path> inputs;
+  for (const CLI::Option* option : verb.get_options()) {
+    const std::string name = table_name(*option);
+    if (name == "--state" || !is_file(value_of(verb.get_name(), *option))) continue;
+    for (const std::string& file : option->results()) {
+      std::error_code unreadable;
+      if (!std::filesystem::is_regular_file(file, unreadable)) continue;  // nothing could be lost
+      if (writes(name))
+        outputs.push_back({name == "--output" ? "-o" : name, file});
+      else
+        inputs.emplace_back(file);
+    }
+  }
+  for (const io::Target& output : outputs) io::check_targets({output}, inputs);
+  if (verb.get_name() != "view") io::keep_inputs();  // a window saves over the files that it shows
 }
 
 bool is_stream(const std::string& file) {

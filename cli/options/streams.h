@@ -25,6 +25,11 @@ bool is_stream(const std::string& file);
 // are a folder".
 void require_file(const io::Target& output, const std::string& content);
 
+// Throws InputError if a file that an option of the parsed verb would write is a file that another option
+// reads, and keeps all files that the verb reads from then on. A state of the viewer may be saved over
+// itself.
+void keep_inputs(const CLI::App& verb);
+
 // Returns the stream for the text of a verb with these outputs: stderr if one of them is standard output.
 // Throws InputError if more than one of them, or one of them and --json, is standard output.
 TextStream text_stream(const std::vector<io::Target>& outputs, bool json = false);

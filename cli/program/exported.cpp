@@ -79,7 +79,7 @@ void check_measured(const ExportCall& o) {
 void check_output(const ExportCall& o) {
   if (o.output.empty()) throw InputError("--to " + o.to + ": needs -o FILE");
   require_file({"-o", o.output}, "--to " + o.to + " writes a binary table");
-  io::check_targets({{"-o", o.output}}, {o.measured, o.material.material, o.material.shader.file});
+  io::check_targets({{"-o", o.output}});
 }
 
 // Reads the samples and interpolates between them.
@@ -180,7 +180,7 @@ Made formula(const ExportCall& o, const Material& material) {
 }
 
 Made export_formula(const ExportCall& o) {
-  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  io::check_targets({{"-o", o.output}});
   const io::MaterialFile file = choose_material_file(o.material, "export");
   const bool with_material = !o.material.material.empty() || !o.material.set.empty();
   if (!with_material && !o.name.empty() && o.to != "cpp")
@@ -205,7 +205,7 @@ Made export_formula(const ExportCall& o) {
 }
 
 Made export_program(const ExportCall& o, const interop::Program& program) {
-  io::check_targets({{"-o", o.output}}, {o.material.material, o.material.shader.file});
+  io::check_targets({{"-o", o.output}});
   const io::MaterialFile file = choose_material_file(o.material, "export");
   o.step("converting to " + std::string(program.title));
   const interop::Exported made = interop::export_to(program, file.material, exported_name(o, file), o.naive);

@@ -31,11 +31,11 @@ Exit collect_refits(const work::Task& task, const CollectFiles& files) {
 Exit collect_stack(const work::Task& task, const CollectFiles& files) {
   require_file({"-o", files.output}, "the results of a stack are a folder");
   const work::StackTask stack = task.stack();
-  io::check_folder_target({"-o", files.output}, result_names());
+  const StackFiles outputs{task.plan().stack, files.output, files.report, 1, false};
+  check_targets(outputs, {});
   const texel::Planes maps = work::maps_of(task, stack);
   const maps::Making making{stack.settings, task.options().stack.normals, task.plan().command};
-  return write_results({task.plan().stack, files.output, files.report, 1, false}, stack.stack, making, maps,
-                       std::nullopt);
+  return write_results(outputs, stack.stack, making, maps, std::nullopt);
 }
 
 Exit collect_tables(const work::Task& task, const CollectFiles& files) {

@@ -19,7 +19,7 @@ void check_files(const interop::Program& program, const MapFiles& files) {
   std::vector<io::Target> targets{{"--loss-map", files.loss_map}};
   for (const std::filesystem::path& path : maps::possible_files(program, files.output))
     targets.push_back({"-o", path});
-  io::check_targets(targets, {files.maps});
+  io::check_targets(targets);
 }
 
 }  // namespace

@@ -58,6 +58,17 @@ Exit write_results(const StackFiles& files, const texel::Stack& stack, const map
   return summary.usable() > 0 ? Exit::good : Exit::failed;
 }
 
+void check_targets(const StackFiles& files, std::vector<std::filesystem::path> inputs) {
+  std::error_code unreadable;
+  if (std::filesystem::equivalent(files.output, files.stack, unreadable))
+    throw InputError(
+        "-o " + files.output +
+        ": is the folder of the stack, of which every OpenEXR file is an image: name another folder");
+  for (const auto& entry : std::filesystem::directory_iterator(files.stack)) inputs.push_back(entry.path());
+  io::check_folder_target({"-o", files.output}, result_names(), inputs);
+  io::check_targets({{"--report", files.report}}, inputs);
+}
+
 Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_options,
                  const fit::FitChoice& choice, const fit::FitOptions& options) {
   const auto started = std::chrono::steady_clock::now();
@@ -68,8 +79,7 @@ Exit fit_a_stack(const StackFiles& files, const work::StackOptions& stack_option
   const std::string given = work::normals_file(stack_options);
   if (!stack_options.regions.empty() && stack_options.share.empty())
     throw InputError("--regions: belongs to --share: name a shape parameter with --share");
-  io::check_folder_target({"-o", files.output}, result_names(), {given, stack_options.regions});
-  io::check_targets({{"--report", files.report}});
+  check_targets(files, {given, stack_options.regions});
   const texel::Stack stack = texel::open_stack(files.stack);
   std::optional<maps::Normals> normals;
   if (!given.empty()) normals = maps::read_normals(given, stack);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ void add_stack_memory_option(CLI::App& verb, std::uint64_t& bytes);
 
 // Returns the names of the files that write_results() writes into a folder, except for pictures.
 std::vector<std::string> result_names();
+
+// Throws InputError if an output would replace a file of the stack or one of `inputs`, or if the results
+// would be files of the stack.
+void check_targets(const StackFiles& files, std::vector<std::filesystem::path> inputs);
 
 // Writes the maps, the scene if it can be made, and the page if `files.report` is not empty. Prints the
 // summary.

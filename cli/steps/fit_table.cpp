@@ -38,6 +38,8 @@ Exit write_fit(const fit::FitResult& result, const io::SampleTable& table, const
   } else if (!output.empty() && best.solved()) {
     io::write_material_file(output, {best.material, fit::material_block(best, result, table, options)});
     is_written = true;
+    if (result.interrupted)
+      Warning() << "brdf fit: interrupted: " << output << " holds the best parameters so far";
   } else if (!output.empty()) {
     Warning() << "brdf fit: no form could be fitted: " << output << " is not written";
   }

@@ -47,8 +47,10 @@ void require_different(const std::vector<std::string>& samples) {
     for (std::size_t b = 0; b < a; ++b) {
       std::error_code unreadable;
       if (samples[a] == samples[b] || std::filesystem::equivalent(samples[a], samples[b], unreadable))
-        throw InputError("SAMPLES: " + samples[a] +
-                         " is named twice: one measurement would count as two; name different tables");
+        throw InputError(
+            "SAMPLES: " + samples[a] +
+            (samples[a] == samples[b] ? " is named twice" : " is the same file as " + samples[b]) +
+            ": one measurement would count as two; name different tables");
     }
 }
 
@@ -56,9 +58,7 @@ void require_different(const std::vector<std::string>& samples) {
 
 std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::string& verb) {
   text_stream({{"--report", o.page}}, o.json);  // throws before any file is read
-  std::vector<std::filesystem::path> inputs(o.samples.begin(), o.samples.end());
-  inputs.insert(inputs.end(), o.budgets.begin(), o.budgets.end());
-  io::check_targets({{"--report", o.page}}, inputs);
+  io::check_targets({{"--report", o.page}});
   require_different(o.samples);
   const std::vector<std::shared_ptr<const io::Budget>> budgets = budgets_of(o);
   fit::FitOptions options = fit_options(o.choice, 1);
@@ -68,6 +68,7 @@ std::vector<fit::TableToFit> tables_to_fit(const SeveralTables& o, const std::st
     options.budget = budgets[t];
     fit::Samples samples = fit::arranged(
         io::read_samples(file, io::supplied_for(options.supplied, options.arrangement)), options);
+    keep_budget({{"--report", o.page}}, samples);
     for (const std::string& warning : samples.table.warnings)
       Warning() << "brdf " << verb << ": " << file << ": " << warning;
     tables.push_back({std::move(samples), options});

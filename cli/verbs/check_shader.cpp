@@ -10,6 +10,7 @@
 #include "cli/options/terminal.h"
 #include "cli/steps/shader_subject.h"
 #include "cli/verb.h"
+#include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/json.h"
 #include "io/files/numbers.h"
@@ -126,7 +127,8 @@ validate::Baseline accepted_in(const CheckShaderCall& o) {
     throw InputError("--update-baseline: needs --baseline FILE, which it writes");
   std::error_code ignored;
   if (o.baseline.empty() || (o.update && !fs::exists(o.baseline, ignored))) return {};
-  return validate::Baseline(io::read_json(o.baseline), o.baseline);
+  return validate::Baseline(
+      io::read_json(o.update ? io::read_result(o.baseline) : io::read_content(o.baseline)), o.baseline);
 }
 
 Exit run_check_shader(const CheckShaderCall& o) {

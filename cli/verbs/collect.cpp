@@ -28,6 +28,10 @@ void print_json(const std::vector<work::UnitState>& states, const std::string& m
 Exit run_collect(const CollectCall& o) {
   if (o.output.empty() && !o.missing && !o.json)
     throw InputError("collect needs -o FOLDER, or --missing or --json to ask for the units");
+  if (o.json && (!o.output.empty() || !o.report.empty()))
+    throw InputError("--json: nothing is collected: leave out -o and --report, or leave out --json");
+  if (o.json && o.missing)
+    throw InputError("--missing: --json states the missing units too: leave one of them out");
   const CollectFiles files{work::absolute(o.output), work::absolute(o.report)};
   const work::Task task = planned(o.job);
   std::vector<work::UnitState> states(task.plan().units().size());

@@ -54,7 +54,7 @@ Material between_samples(const ConvertCall& o) {
 
 Exit to_rgl(const ConvertCall& o) {
   const std::string& out = o.out;
-  io::check_targets({{"OUT", out}}, {o.in});
+  io::check_targets({{"OUT", out}});
   const std::string bytes = interop::rgl_of(between_samples(o), std::filesystem::path(o.in).stem().string());
   io::write_file_atomically(out, bytes);
   Note() << "brdf convert: " << bytes.size() << " bytes to " << out;
@@ -68,7 +68,7 @@ Exit run_convert(const ConvertCall& o) {
   const std::string &in = o.in, &out = o.out;
   if (out.ends_with(".bsdf")) return to_rgl(o);
   if (!is_stream(out)) io::check_table_format(out);
-  io::check_targets({{"OUT", out}}, {in});
+  io::check_targets({{"OUT", out}});
   io::SampleTable table =
       synth::table_of_file(in, io::supplied_for(o.supplied, o.arrangement), synth::cells_for(out));
   arrange(o, table);

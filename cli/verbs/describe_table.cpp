@@ -83,7 +83,7 @@ void print_doubts(const io::TableProposal& proposal) {
 }
 
 Exit run_describe_table(const DescribeTableCall& o) {
-  io::check_targets({{"-o", o.output}}, {o.table});
+  io::check_targets({{"-o", o.output}});
   const io::Content content = io::read_content(o.table);
   const std::string name = io::input_name(o.table);
   io::TableProposal proposal = io::propose_layout(content);

@@ -152,8 +152,7 @@ void add_eval(CLI::App& app) {
       "--returns f directions.csv");
   on_run(*verb, [options] {
     settle_arguments(*options);
-    io::check_targets({{"-o", options->output}},
-                      {options->material.material, options->material.shader.file, options->directions});
+    io::check_targets({{"-o", options->output}});
     const io::MaterialFile file = choose_material_file(options->material, "eval");
     io::SampleTable table = io::read_directions(options->directions);
     const std::size_t measured = table.channels.size();

@@ -72,11 +72,13 @@ std::vector<std::vector<Reflectance>> models_of(const FitCall& o) {
 Exit run_one(const FitCall& o, const fit::FitOptions& options) {
   if (o.shader.embed && o.output.empty())
     throw InputError("--embed: needs -o: the material file holds the text");
-  text_stream({{"-o", o.output}, {"--report", o.report}}, o.json);  // throws before any file is read
-  io::check_targets({{"-o", o.output}, {"--report", o.report}}, {o.samples[0], o.shader.file});
+  const std::vector<io::Target> outputs{{"-o", o.output}, {"--report", o.report}};
+  text_stream(outputs, o.json);  // throws before any file is read
+  io::check_targets(outputs);
   std::optional<double> tolerance;
   if (!o.tolerance.empty()) tolerance = fit::tolerance_of(o.tolerance);
   const fit::Samples samples = work::samples_to_fit(o.samples[0], options, this_program());
+  keep_budget(outputs, samples);
   const auto models = models_of(o);
   watch_for_interrupt();
   const fit::FitResult result = fit::fit(samples, models, options, step_line("brdf fit"));

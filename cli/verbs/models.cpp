@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "cli/options/terminal.h"
 #include "cli/verb.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "io/material/info_json.h"
 #include "io/material/settings.h"
@@ -58,7 +60,31 @@ void print_list() {
   for (const Reflectance& target : targets()) print_line(out, info(target));
 }
 
-void print_form(const ReflectanceInfo& form) {
+std::string listed_numbers(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(io::to_text(value));
+  return io::joined(texts, ",");
+}
+
+// Returns the defaults of a parameter: one number, or one for each channel of a material in which they
+// differ.
+std::vector<double> defaults_of(const ParameterInfo& p, const Material* material) {
+  if (!material) return {p.initial};
+  const ReflectanceInfo& form = info(material->terms.front().form);
+  std::vector<double> values;
+  for (std::size_t c = 0; c < material->channels.size(); ++c) {
+    const auto own = material->terms.front().values(c);
+    for (std::size_t k = 0; k < form.weights.size(); ++k)
+      if (&form.weights[k] == &p) values.push_back(own.weights[k]);
+    for (std::size_t k = 0; k < form.shape.size(); ++k)
+      if (&form.shape[k] == &p) values.push_back(own.shape[k]);
+  }
+  if (std::ranges::adjacent_find(values, std::not_equal_to()) == values.end()) values.resize(1);
+  return values;
+}
+
+// `material`: of a shader with the defaults of its colours; null for a form.
+void print_form(const ReflectanceInfo& form, const Material* material) {
   PlainText out;
   out << form.name << " (family " << form.family << (form.fittable() ? ", fittable" : "") << ")\n";
   std::size_t longest = 9;
@@ -66,7 +92,8 @@ void print_form(const ReflectanceInfo& form) {
     for (const ParameterInfo& p : table) longest = std::max(longest, p.name.size());
   const auto print = [&](const ParameterInfo& p, const char* kind) {
     out << "  " << std::left << std::setw(int(longest) + 1) << p.name << std::setw(7) << kind << std::setw(25)
-        << range(p) << " default " << std::setw(8) << io::to_text(p.initial) << ' ' << p.doc << '\n';
+        << range(p) << " default " << std::setw(8) << listed_numbers(defaults_of(p, material)) << ' ' << p.doc
+        << '\n';
   };
   for (const ParameterInfo& p : form.weights) print(p, "weight");
   for (const ParameterInfo& p : form.shape) print(p, "shape");
@@ -79,6 +106,17 @@ io::Json list_json(std::span<const Reflectance> forms) {
   io::Json list = io::Json::array();
   for (const Reflectance& form : forms) list.push_back(io::to_json(info(form)));
   return list;
+}
+
+// Gives the colours of a shader's form their defaults, one for each channel.
+void set_defaults(const ReflectanceInfo& form, const Material& material, io::Json& json) {
+  std::size_t place = 0;
+  for (const auto table : {form.weights, form.shape})
+    for (const ParameterInfo& p : table) {
+      const std::vector<double> values = defaults_of(p, &material);
+      json["parameters"][place++]["default"] =
+          values.size() > 1 ? io::Json(values) : io::Json(values.front());
+    }
 }
 
 }  // namespace
@@ -110,12 +148,13 @@ void add_models(CLI::App& app) {
     if (options->json) {
       io::Json json;
       json["forms"] = list_json(forms);
+      if (shader) set_defaults(info(forms[0]), shader->material, json["forms"][0]);
       if (all) json["targets"] = list_json(targets());
       std::cout << io::to_text(json);
     } else if (all) {
       print_list();
     } else {
-      print_form(info(forms[0]));
+      print_form(info(forms[0]), shader ? &shader->material : nullptr);
     }
     return Exit::good;
   });

@@ -151,7 +151,7 @@ Exit run_prove(const ProveCall& o) {
 #endif
   }
   const TextStream stream = text_stream({{"-o", o.output}}, o.json);
-  io::check_targets({{"-o", o.output}}, {o.materials.begin(), o.materials.end()});
+  io::check_targets({{"-o", o.output}});
   prove::Options options;
   const auto required = prove::properties_named("--require", o.require);
   if (!o.properties.empty()) options.properties = prove::properties_named("--property", o.properties);

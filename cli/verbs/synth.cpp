@@ -162,10 +162,7 @@ Exit run_stack(const SynthCall& o) {
 Exit run_synth(const SynthCall& o) {
   if (!o.texels.empty()) return run_stack(o);
   const std::vector<std::string> parts = synth::grid_parts(o.grid);
-  std::vector<std::filesystem::path> inputs(parts.begin(), parts.end());
-  inputs.push_back(o.material.material);
-  inputs.push_back(o.material.shader.file);
-  io::check_targets({{"-o", o.output}}, inputs);
+  io::check_targets({{"-o", o.output}}, {parts.begin(), parts.end()});
   if (!o.microsurface.surface.empty()) return run_microsurface(o);
   const Material material = choose_material(o.material, "synth");
   synth::Instrument instrument = o.instrument;

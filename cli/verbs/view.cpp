@@ -138,9 +138,7 @@ void add_view(CLI::App& app) {
     std::vector<io::Target> targets;  // only the requested targets: the others may never be written
     if (verb->count("--save-as") > 0) targets.push_back({"--save-as", options->viewer.state_file});
     if (verb->count("--screenshot") > 0) targets.push_back({"--screenshot", options->viewer.screenshot});
-    std::vector<std::filesystem::path> inputs = job.materials;  // a state may be saved over itself
-    inputs.insert(inputs.end(), {job.scene, job.measured});
-    io::check_targets(targets, inputs);
+    io::check_targets(targets);
     options->viewer.state = initial_state(options->job, options->viewer.width, options->viewer.height);
     for (const std::string& note : render::colour_notes(options->viewer.state))
       Warning() << "brdf view: " << note;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdlib>
 
 #include "io/files/text.h"
 
@@ -40,7 +42,10 @@ bool has_fortran_exponent(std::string_view text) {
 std::string advice_on(std::string_view field) {
   if (std::ranges::find(kNothing, lower_case(field)) != kNothing.end())
     return "; omit the rows of directions that were not measured";
-  if (is_beyond_range(field)) return "; the value exceeds the largest number, 1.8e308";
+  if (is_beyond_range(field))
+    return std::abs(std::strtod(std::string(field).c_str(), nullptr)) < 1
+               ? "; the value is below the smallest number above 0, 4.9e-324: write 0"
+               : "; the value exceeds the largest number, 1.8e308";
   if (field.find("°") != field.npos || field.find("º") != field.npos)
     return "; write the unit in the column's name, as in 'theta_i (deg)'";
   if (field.back() == '%') return "; values are f_r in 1/sr, not percent";

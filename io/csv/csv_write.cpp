@@ -1,5 +1,6 @@
 #include "io/csv/csv.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -57,7 +58,15 @@ void write_samples(std::ostream& out, const SampleTable& table, std::string_view
 
 void write_samples(const std::filesystem::path& path, const SampleTable& table, std::string_view quantity,
                    Origin origin) {
-  write_file_atomically(path, [&](std::ostream& out) { write_samples(out, table, quantity, origin); });
+  const auto write = [&](const SampleTable& written) {
+    write_file_atomically(path, [&](std::ostream& out) { write_samples(out, written, quantity, origin); });
+  };
+  const std::filesystem::path folder = is_standard_output(path) ? "" : path.parent_path();
+  const std::optional<std::string> budget = budget_comment_in(folder, table);
+  if (!budget || budget == table.find_metadata(kBudgetKey)) return write(table);
+  SampleTable moved = table;  // to another folder
+  std::ranges::find(moved.metadata, kBudgetKey, &Comment::first)->second = *budget;
+  write(moved);
 }
 
 }  // namespace brdf::io

@@ -12,6 +12,7 @@
 #include <memory>
 
 #include "io/files/error.h"
+#include "io/files/inputs.h"
 #include "io/files/near_name.h"
 #include "io/files/standard_input.h"
 
@@ -50,6 +51,11 @@ std::string cannot_be_used(const std::filesystem::filesystem_error& error) {
 }
 
 Content read_content(const std::filesystem::path& path, std::size_t limit) {
+  note_input(path);
+  return read_result(path, limit);
+}
+
+Content read_result(const std::filesystem::path& path, std::size_t limit) {
   Content content{input_name(path.string()), {}};
   const auto refuse = [&](const std::string& what) { throw InputError(content.name + ": " + what); };
   const std::string too_large = "is larger than " + std::to_string(limit >> 20) + " MiB";

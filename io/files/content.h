@@ -29,6 +29,9 @@ std::string cannot_be_used(const std::filesystem::filesystem_error& error);
 // EnvironmentError if the machine fails.
 Content read_content(const std::filesystem::path& path, std::size_t limit = kLargestFile);
 
+// Reads a result of an earlier command that this command may write again: it is no input (io/files/inputs.h).
+Content read_result(const std::filesystem::path& path, std::size_t limit = kLargestFile);
+
 // Returns whether the first character after leading white space opens a JSON object.
 bool is_json(const Content& content);
 

@@ -76,7 +76,7 @@ std::string did_you_mean_file(std::string_view path) {
   std::vector<std::string> beside;
   for (fs::directory_iterator entry(file.has_parent_path() ? file.parent_path() : ".", error), end;
        !error && entry != end && beside.size() < kMostFiles; entry.increment(error))
-    beside.push_back(entry->path().filename().string());
+    if (entry->path().filename() != file.filename()) beside.push_back(entry->path().filename().string());
   // The same name then wins in whatever order the folder lists its entries.
   std::ranges::sort(beside);
   const std::string name = file.stem().string().size() < 3 ? "" : near_name(file.filename().string(), beside);

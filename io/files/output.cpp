@@ -13,10 +13,15 @@
 #include "io/files/content.h"
 #include "io/files/error.h"
 #include "io/files/file_buffer.h"
+#include "io/files/inputs.h"
 #include "io/files/standard_input.h"
 #include "io/files/temporary.h"
 
 namespace brdf::io {
+bool is_standard_output(const fs::path& path) {
+  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,10 +54,6 @@ std::optional<struct stat> status_of(const fs::path& path) {
   struct stat status;
   if (::stat(path.c_str(), &status) != 0) return std::nullopt;
   return status;
-}
-
-bool is_standard_output(const fs::path& path) {
-  return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
 // Throws if the file cannot be written. Returns the status of an existing file, or std::nullopt.
@@ -120,6 +121,8 @@ void write_file_atomically(const fs::path& path, const std::function<void(std::o
     const std::unique_ptr<const int, void (*)(const int*)> closed(&file, [](const int* f) { ::close(*f); });
     return write_stream(path, file, write);
   }
+  if (is_kept_input(path))
+    throw InputError(path.string() + ": is an input of this command, and is kept: name another output");
   const fs::path target = resolved(path);
   TemporaryFile temporary(target, old ? &*old : nullptr, path);
   write_stream(path, temporary.descriptor(), write);

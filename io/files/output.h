@@ -15,13 +15,17 @@
 namespace brdf::io {
 
 // Writes `path` completely or not at all. The content goes to a temporary file in the same folder
-// (io/files/temporary.h), which is then renamed, so that an old file survives every failure. Symbolic links
-// are followed and permissions are kept; hard links to the old file keep the old content. Paths that are
-// not regular files (a terminal, a pipe, /dev/stdout) are written directly. Throws the exceptions of
-// check_targets() and broke_off(); exceptions of the callback are passed on.
+// (io/files/temporary.h), which is then renamed, so that an old file survives every failure. Symbolic
+// links are followed and permissions are kept; hard links to the old file keep the old content. Paths that
+// are not regular files (a terminal, a pipe, /dev/stdout) are written directly. Throws InputError for an
+// input that is kept (io/files/inputs.h), and the exceptions of check_targets() and broke_off();
+// exceptions of the callback are passed on.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(std::ostream&)>& write);
+
+// Returns whether the path names standard output.
+bool is_standard_output(const std::filesystem::path& path);
 
 // The path of an output, and the option that named the path.
 struct Target {

@@ -32,6 +32,8 @@ constexpr std::array kKnownSources{
 };
 
 constexpr std::array<std::string_view, 4> kColumns{"source", "standard_uncertainty", "unit", "shared_by"};
+// The largest standard uncertainties: beyond them no value is known.
+constexpr double kMostDegrees = 90, kMostUncertainty = 1000;
 constexpr std::string_view kExample = "reference_standard,0.005,relative,table";
 
 class BudgetReader {
@@ -55,6 +57,10 @@ class BudgetReader {
     if (!has_header_) fail_file("holds no header row; it must be " + header_text());
     if (budget_.sources.empty())
       fail_file("holds no source of uncertainty; a line is, for example, " + std::string(kExample));
+    if (std::ranges::all_of(budget_.sources, [](const auto& s) { return s.standard_uncertainty == 0; }))
+      fail_file(
+          "states no uncertainty, because every standard_uncertainty is 0: give a source a number above "
+          "0, or leave the budget out");
     return std::move(budget_);
   }
 
@@ -89,6 +95,8 @@ class BudgetReader {
       if (found == names.end())
         fail("a budget needs the column " + std::string(kColumns[k]) + "; its header row must be " +
              header_text());
+      if (std::ranges::count(names, kColumns[k]) > 1)
+        fail("the column " + std::string(kColumns[k]) + " is there twice: remove one of them");
       column_[k] = std::size_t(found - names.begin());
     }
     width_ = names.size();
@@ -106,12 +114,13 @@ class BudgetReader {
     if (std::ranges::find(budget_.sources, source.name, &BudgetSource::name) != budget_.sources.end())
       fail("the source " + shown(source.name) +
            " is listed twice: give each source once, with one standard uncertainty");
-    const std::string_view number = fields[column_[1]];
-    if (!dialect_.parse(number, source.standard_uncertainty) || !std::isfinite(source.standard_uncertainty) ||
-        source.standard_uncertainty < 0)
-      fail("standard_uncertainty " + shown(number) + " of " + shown(source.name) +
-           " must be a number of at least 0");
     source.unit = member<BudgetUnit>(fields[column_[2]], "unit");
+    const std::string_view number = fields[column_[1]];
+    const double most = source.unit == BudgetUnit::degree ? kMostDegrees : kMostUncertainty;
+    if (!dialect_.parse(number, source.standard_uncertainty) ||
+        !(source.standard_uncertainty >= 0 && source.standard_uncertainty <= most))
+      fail("standard_uncertainty " + shown(number) + " of " + shown(source.name) +
+           " must be a number from 0 to " + to_text(most));
     source.shared_by = member<SharedBy>(fields[column_[3]], "shared_by");
     source.effect = effect_of(source);
     budget_.sources.push_back(std::move(source));
@@ -160,20 +169,16 @@ Budget read_budget(const std::filesystem::path& path) {
   return read_budget(read_content(path, kLargestBudget));
 }
 
-namespace {
-
-// Returns the path that a comment names, relative to the folder of the table.
-std::filesystem::path path_in(const std::string& table, const std::string& named) {
-  const std::filesystem::path path(named);
-  return path.is_absolute() ? path : std::filesystem::path(table).parent_path() / path;
-}
-
-}  // namespace
-
 std::optional<Budget> stated_budget(const SampleTable& table) {
   const std::optional<std::string> named = table.find_metadata(kBudgetKey);
   if (!named) return std::nullopt;
-  return read_budget(path_in(table.source, *named));
+  const std::string asks = table.name() + ": the comment # budget: ";
+  if (trimmed(*named).empty()) throw InputError(asks + "names no file: name one, or remove the comment");
+  try {
+    return read_budget(path_beside(table.source, *named));
+  } catch (const InputError& error) {
+    throw InputError(asks + *named + ": " + error.what());
+  }
 }
 
 std::string stated_budget_text(const Content& table) {
@@ -182,7 +187,7 @@ std::string stated_budget_text(const Content& table) {
     const Comment comment = parse_comment(line.substr(1));
     if (comment.first != kBudgetKey) continue;
     try {
-      return read_content(path_in(table.name, comment.second)).bytes;
+      return read_content(path_beside(table.name, comment.second)).bytes;
     } catch (const std::exception&) {
       return {};  // the table itself is then refused
     }

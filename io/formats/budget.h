@@ -55,21 +55,18 @@ struct Budget {
   bool divides_by_cos_i = false, divides_by_cos_o = true;
 };
 
-// The key of a comment of a table of samples that names the file of its budget.
-inline constexpr std::string_view kBudgetKey = "budget";
-
 // Reads a table with the columns source, standard_uncertainty, unit and shared_by. Sources with a meaning of
 // their own are reference_standard, repeatability (relative), zero_theta_i, zero_theta_o, reading_theta_i,
 // reading_theta_o (degree), linearity (relative_per_factor_e) and stray_light (1/sr). Any other source must
 // be relative, and is an error of the scale. A comment `# divided_by: cos_theta_i cos_theta_o` names the
 // cosines by which the instrument divides; without it, it is cos_theta_o. Throws InputError with the file and
-// the line if the table cannot be read, a source is listed twice, a number is negative, or a unit is unknown
-// or is not that of the source.
+// the line if the table cannot be read, a source or a column is listed twice, a number is negative or above
+// 1000 (degrees: 90), all numbers are 0, or a unit is unknown or is not that of the source.
 Budget read_budget(Content content);
 Budget read_budget(const std::filesystem::path& path);
 
 // Reads the budget that a comment of a table names, a path relative to the folder of the table. Returns
-// std::nullopt if no comment names one. Throws InputError as read_budget() does.
+// std::nullopt if no comment names one. Throws InputError as read_budget() does, with the name of the table.
 std::optional<Budget> stated_budget(const SampleTable& table);
 // Returns the content of that file for a table that is not yet parsed, for fingerprints. Empty if the
 // comments at the top name no budget, or if the file cannot be read.

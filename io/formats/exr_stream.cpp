@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "io/files/error.h"
+#include "io/files/inputs.h"
 
 namespace brdf::io {
 
@@ -127,6 +128,7 @@ ExrFile::ExrFile(const std::filesystem::path& path) : IStream(path.c_str()), fil
     throw InputError(path.string() + ": is not a regular file");  // reading a pipe would block
   file_.reset(std::fopen(path.c_str(), "rbe"));
   if (!file_) cannot_be_read(path.string(), errno);
+  note_input(path);
   size_ = std::uint64_t(status.st_size);
   check_header(*this, size_);
 }

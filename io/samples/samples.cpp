@@ -1,5 +1,6 @@
 #include "io/samples/samples.h"
 
+#include "io/files/text.h"
 #include "io/samples/degrees.h"
 #include "io/samples/table_rules.h"
 
@@ -47,6 +48,18 @@ void SampleTable::add_directions(double theta_of_light, double phi_of_light, dou
 void SampleTable::add_directions(const Vec3<double>& wi, const Vec3<double>& wo) {
   const Polar light = polar_degrees(wi), viewer = polar_degrees(wo);
   add_directions(light.theta, light.phi, viewer.theta, viewer.phi);
+}
+
+std::filesystem::path path_beside(const std::string& table, const std::string& named) {
+  const std::filesystem::path path(named);
+  return path.is_absolute() ? path : std::filesystem::path(table).parent_path() / path;
+}
+
+std::optional<std::string> budget_comment_in(const std::filesystem::path& folder, const SampleTable& table) {
+  const std::optional<std::string> named = table.find_metadata(kBudgetKey);
+  if (!named || trimmed(*named).empty() || std::filesystem::path(*named).is_absolute()) return named;
+  return std::filesystem::proximate(path_beside(table.source, *named), folder.empty() ? "." : folder)
+      .string();
 }
 
 DirectionArrays<double> unit_directions(const SampleTable& table) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,14 @@ struct SampleTable {
                       double phi_of_viewer);
   void add_directions(const Vec3<double>& wi, const Vec3<double>& wo);
 };
+
+// The key of a comment that names the file of the instrument's uncertainty budget.
+inline constexpr std::string_view kBudgetKey = "budget";
+// Returns the path that a comment of a table names, relative to the folder of the table.
+std::filesystem::path path_beside(const std::string& table, const std::string& named);
+// Returns the comment of a copy of the table in this folder, which names the same file. std::nullopt if no
+// comment names a budget.
+std::optional<std::string> budget_comment_in(const std::filesystem::path& folder, const SampleTable& table);
 
 // The origin of a table's values. Measured values are finite, which is a rule of the format. Computed
 // values are the results of a function and may be nan, inf or -inf. A table with such values cannot be read

@@ -61,9 +61,57 @@ TEST_F(Outputs, AnInputIsNotReplaced) {
   expect_refused("synth --form lambert --grid d.csv+in_plane -o d.csv", "is the input");
   EXPECT_EQ(run("convert s.csv s.html.csv && mv s.html.csv v.html").exit_code, 0);
   expect_refused("validate v.html -o v.html", "is the input");
+  // A budget is an input too, given by an option or by a comment of the table.
+  const std::string budget = "source,standard_uncertainty,unit,shared_by\nlamp,0.01,relative,table\n";
+  write("b.csv", budget);
+  write("named.csv", "# budget: b.csv\n" + samples);
+  for (const char* words :
+       {"fit s.csv --form lambert --budget b.csv -o b.csv",
+        "fit s.csv --form lambert --budget b.csv --report b.csv", "fit named.csv --form lambert -o b.csv",
+        "fit named.csv --form lambert --report b.csv",
+        "compare named.csv s.csv --form lambert --report b.csv",
+        "next named.csv --reach d.csv --form lambert --rows 2 -o b.csv"})
+    expect_refused(words, "b.csv: is the input ");
+  EXPECT_EQ(text("b.csv"), budget);
   EXPECT_EQ(text("s.csv"), samples);
   EXPECT_EQ(text("m.json"), material);
   EXPECT_EQ(text("d.csv"), directions);
+}
+
+// The command finds these inputs itself: a texture, an included file, an image of a stack, a plan.
+TEST_F(Outputs, AnInputThatNoOptionNamesIsNotReplaced) {
+  write("inc.glsl", "float half_of(float x) { return 0.5 * x; }\n");
+  write("u.glsl", "#include \"inc.glsl\"\nfloat brdf(vec3 L, vec3 V, float k) { return half_of(k); }\n");
+  const std::string included = text("inc.glsl");
+  expect_refused("synth --shader u.glsl --set k=0.1 -o inc.glsl", "inc.glsl: is an input of this command");
+  EXPECT_EQ(text("inc.glsl"), included);
+  ASSERT_EQ(run("synth --form lambert --texels 3x2 --lights 12 -o stack").exit_code, 0);
+  const std::string lights = text("stack/lights.csv");
+  expect_refused("fit stack --form lambert -o maps --report stack/lights.csv",
+                 "is the input stack/lights.csv");
+  expect_refused("fit stack --form lambert -o stack", "-o stack: is the folder of the stack");
+  ASSERT_EQ(run("plan fit stack --form lambert -o job").exit_code, 0);
+  ASSERT_EQ(run("work job").exit_code, 0);
+  const std::string plan = text("job/plan.json");
+  expect_refused("collect job -o maps --report job/plan.json", "job/plan.json: is an input of this command");
+  expect_refused("collect job --json -o maps", "--json: nothing is collected");
+  EXPECT_EQ(text("job/plan.json"), plan);
+  EXPECT_EQ(text("stack/lights.csv"), lights);
+}
+
+TEST_F(Outputs, AnEmptyValueIsNoValue) {
+  for (const char* words : {"fit s.csv --form lambert -o ''", "fit s.csv --form lambert --budget ''",
+                            "validate s.csv -o ''", "eval --form lambert d.csv -o ''"})
+    expect_refused(words, ": the value is empty: give a value, or leave the option out");
+}
+
+TEST_F(Outputs, ABrokenLinkAmongTheSamplesIsAFault) {
+  ASSERT_EQ(run("synth --form ward -o two.csv").exit_code, 0);
+  ASSERT_EQ(run("models > /dev/null && mkdir in && cp s.csv two.csv in && ln -s nowhere in/z.csv").exit_code,
+            0);
+  const Outcome outcome = run("fit in --form lambert --no-pictures -o out");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out + outcome.err, HasSubstr("z.csv"));
 }
 
 TEST_F(Outputs, TwoOutputsAreTwoFiles) {

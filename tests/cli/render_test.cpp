@@ -134,7 +134,7 @@ TEST_F(RenderCli, WhatIsNoEnvironmentIsRefused) {
                  "text.hdr: is neither a Radiance picture (.hdr) nor an OpenEXR one");
   expect_refused("render m.json --environment none.exr -o x.png", 2, "none.exr: no such file");
   expect_refused("render m.json --environment dusk -o x.png", 2, "dusk: no such file");
-  expect_refused("render m.json --environment '' -o x.png", 2, "brdf: '': cannot be used: Invalid argument");
+  expect_refused("render m.json --environment '' -o x.png", 2, "--environment: the value is empty");
   expect_refused("render m.json --environment " + std::string(300, 'a') + " -o x.png", 2,
                  ": cannot be used: File name too long");
   expect_refused("render m.json --hard-light --rotate 30 -o x.png", 2, "--rotate rotates an environment");

@@ -95,7 +95,8 @@ TEST_F(SeveralTables, BadCallsAreRefusedBeforeAnyFit) {
   const std::pair<const char*, const char*> calls[] = {
       {"compare a.csv", "SAMPLES: two tables are compared"},
       {"compare a.csv b.csv wide.csv", "SAMPLES: two tables are compared"},
-      {"compare a.csv ./a.csv", "./a.csv is named twice"},
+      {"compare a.csv a.csv", "a.csv is named twice"},
+      {"compare a.csv ./a.csv", "./a.csv is the same file as a.csv"},
       {"consensus a.csv", "SAMPLES: at least two tables are needed"},
       {"consensus a.csv b.csv wide.csv --budget budget.csv --budget budget.csv",
        "--budget: given 2 times for 3 tables"},

@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/csv/csv.h"
 #include "io/files/error.h"
+#include "io/files/output.h"
+#include "io/files/temporary.h"
+#include "io/formats/read.h"
 
 namespace brdf::io {
 namespace {
@@ -68,6 +72,48 @@ TEST(Budget, RefusesWithTheLine) {
   EXPECT_THAT(refusal_of_budget(""), HasSubstr("holds no header row"));
   EXPECT_THAT(refusal_of_budget(kBudgetHeader), HasSubstr("holds no source of uncertainty"));
   EXPECT_THAT(refusal_of_budget("source,unit\n"), HasSubstr("needs the column standard_uncertainty"));
+  EXPECT_THAT(with("b,1e200,relative,row"), HasSubstr("line 3: standard_uncertainty '1e200' of 'b' must be a "
+                                                      "number from 0 to 1000"));
+  EXPECT_THAT(with("zero_theta_i,91,degree,row"), HasSubstr("must be a number from 0 to 90"));
+  EXPECT_THAT(refusal_of_budget("source,unit,shared_by,unit,standard_uncertainty\n"),
+              HasSubstr("line 1: the column unit is there twice"));
+}
+
+TEST(Budget, StatesSomeUncertainty) {
+  const std::string zero = std::string(kBudgetHeader) + "a,0,relative,table\n";
+  EXPECT_THAT(refusal_of_budget(zero),
+              HasSubstr("states no uncertainty, because every standard_uncertainty is 0"));
+  EXPECT_EQ(budget_in(zero + "b,0.01,relative,row\n").sources.size(), 2u);
+}
+
+TEST(Budget, OfATableIsRefusedWithTheNameOfTheTable) {
+  const TemporaryFolder folder;
+  SampleTable table;
+  table.source = (folder.path() / "a.csv").string();
+  const auto refusal = [&](const std::string& named) {
+    table.metadata = {{std::string(kBudgetKey), named}};
+    try {
+      stated_budget(table);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no refusal");
+  };
+  EXPECT_THAT(refusal("none.csv"), HasSubstr("a.csv: the comment # budget: none.csv: "));
+  EXPECT_THAT(refusal(" "), HasSubstr("a.csv: the comment # budget: names no file"));
+}
+
+TEST(Budget, IsFoundByACopyOfTheTableInAnotherFolder) {
+  const TemporaryFolder folder;
+  write_file_atomically(folder.path() / "b.csv", std::string(kBudgetHeader) + "a,0.01,relative,table\n");
+  write_file_atomically(folder.path() / "a.csv",
+                        "# budget: b.csv\ntheta_i,phi_i,theta_o,phi_o,f\n0,0,30,0,0.1\n");
+  make_folder(folder.path() / "deep/er");
+  const auto copied = folder.path() / "deep/er/a.csv";
+  write_samples(copied, read_samples(folder.path() / "a.csv"));
+  const SampleTable copy = read_samples(copied);
+  EXPECT_EQ(copy.find_metadata(kBudgetKey), "../../b.csv");
+  EXPECT_EQ(stated_budget(copy)->sources.size(), 1u);
 }
 
 }  // namespace

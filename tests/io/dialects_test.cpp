@@ -244,6 +244,8 @@ TEST(UnreadableDialect, IsRefusedWithWhatWouldBeRead) {
       {names + "30,0,40,180,NaN\n", "'NaN' is not finite; omit the rows"},
       {names + "30,0,40,180,-inf\n", "'-inf' is not finite; omit the rows"},
       {names + "30,0,40,180,1e400\n", "'1e400' is not a number; the value exceeds the largest number"},
+      {names + "30,0,40,180,1e-400\n",
+       "'1e-400' is not a number; the value is below the smallest number above 0"},
       {names + "30,0,40,180,1.25D-01\n", "write the exponent with e"},
       {names + "30°,0,40,180,1\n", "'30°' is not a number; write the unit in the column's name"},
       {names + "30,0,40,180,25%\n", "'25%' is not a number; values are f_r in 1/sr, not percent"},
