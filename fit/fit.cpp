@@ -89,6 +89,8 @@ FitResult fit_prepared(const Prepared& p, const io::SampleTable& table,
                        const std::vector<std::vector<Reflectance>>& models, const Progress& progress,
                        const RefitSolutions* known) {
   if (models.empty() && p.options.bootstrap > 0) throw InputError(kChooses);
+  if (p.options.bootstrap == 1)
+    throw InputError("--bootstrap 1: one replicate has no spread: at least 2 are needed");
   if (models.empty()) return fit_stepwise(p, progress);
   if (known && known->size() != models.size() * count_refits(p.data.groups, p.options))
     throw InputError(table.source +

@@ -209,6 +209,7 @@ class Stepwise {
     solved_.emplace(std::move(tried.back()));
     first.candidates.pop_back();
     tried.pop_back();
+    if (!comparable(chosen()) && options_.stop()) return finished(std::move(tried));
     if (!comparable(chosen()))
       throw InputError(
           "--form auto: compares forms by held-out error and needs measurements at several directions");

@@ -120,18 +120,20 @@ void add_spheres(const Spheres& spheres, std::vector<File>& files) {
   files.push_back({kDifference, spheres.whole.difference});
 }
 
-// Adds the material, its properties, its pictures and its shader.
-void add_material(Findings& found, const SampleOptions& options, const Step& step, std::vector<File>& files) {
+// Adds the material, its properties, its pictures and its shader. Returns false if the run was interrupted.
+bool add_material(Findings& found, const SampleOptions& options, const Step& step, std::vector<File>& files) {
   const fit::FormFit& best = found.fit.ranking.front();
   // Commands use the name that the file has in the page's folder.
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
   mark_proofs({*found.subject}, found.properties);
   step();
-  if (options.pictures)
-    found.spheres = draw(found.table, best.material);
+  const auto stops = [&] { return options.fit.stop(); };
+  if (options.pictures && !stops())
+    found.spheres = draw(found.table, best.material, stops);
   else
     found.spheres.missing = "disabled by --no-pictures";
+  if (stops()) return false;
   step();
   const Json block = fit::material_block(best, found.fit, found.table, options.fit);
   files.push_back({kMaterial, io::to_text(io::to_json(io::MaterialFile{best.material, block}))});
@@ -142,6 +144,7 @@ void add_material(Findings& found, const SampleOptions& options, const Step& ste
     found.no_shader = error.what();
   }
   add_spheres(found.spheres, files);
+  return true;
 }
 
 }  // namespace
@@ -167,7 +170,8 @@ SampleStudy study_sample(io::Content content, const std::string& name, const Sam
   if (options.fitted && best.solved()) options.fitted(fit::verdict_sentence(best));
   out.files.push_back({kSheet, io::to_text(validate::to_json(found.sheet.findings))});
   out.files.push_back({kFit, io::to_text(fit::to_json(found.fit, found.table, options.fit))});
-  if (best.solved()) add_material(found, options, step, out.files);
+  out.interrupted = best.solved() && !add_material(found, options, step, out.files);
+  if (out.interrupted) return out;
   for (const File& file : out.files) found.files.push_back(file.name);
   out.row = row_of(found, name, options);
   out.files.push_back({kPage, sample_page(found, options)});

@@ -1,6 +1,7 @@
 // Pictures of a fitted material in the studio, and of the material and its samples under one light.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct Spheres {
 };
 
 // Draws the pictures. If the channels are not colours, there are no pictures, and Spheres::missing gives
-// this reason.
-Spheres draw(const io::SampleTable& samples, const Material& fitted);
+// this reason. If `stops` returns true in between, the pictures are incomplete.
+Spheres draw(const io::SampleTable& samples, const Material& fitted, const std::function<bool()>& stops);
 
 }  // namespace brdf::study

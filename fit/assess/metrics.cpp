@@ -89,6 +89,21 @@ bool all_near(const FitData& data, const std::vector<std::vector<double>>& model
   return off == 0 && 2 * far_off < count;
 }
 
+// Returns the ratio of measured to fitted values if it is nearly the same for all of them: their scale is
+// beyond the range of the weights, and their shape is not in question.
+std::optional<double> common_ratio(const FitData& data, const std::vector<std::vector<double>>& model) {
+  constexpr double kSame = 0.182, kShare = 0.9;  // ln 1.2
+  std::vector<double> ratios;
+  for (std::size_t c = 0; c < model.size(); ++c)
+    for (std::size_t k = 0; k < data.rows(); ++k)
+      if (data.values[c][k] > 0 && model[c][k] > 0)
+        ratios.push_back(std::log(data.values[c][k] / model[c][k]));
+  if (ratios.empty()) return std::nullopt;
+  const double middle = io::median(ratios);
+  const auto near = std::ranges::count_if(ratios, [&](double x) { return std::abs(x - middle) < kSame; });
+  return double(near) >= kShare * double(ratios.size()) ? std::optional(std::exp(middle)) : std::nullopt;
+}
+
 }  // namespace
 
 Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>& model,
@@ -110,6 +125,12 @@ Misfit judge_misfit(const FitData& data, const std::vector<std::vector<double>>&
                       cannot + "; `--form auto` tries a lobe about the light"};
   };
   if (all_near(data, model, factor, far)) return retro_reflects();
+  if (const auto ratio = common_ratio(data, model); ratio && std::abs(std::log(*ratio)) > std::log(factor))
+    return {true,
+            "the measured values are about " + io::short_number(*ratio, 3) +
+                " times the fitted ones in all directions: their scale is beyond the range of the weights; "
+                "--free-scale fits the shape alone",
+            true};
   double off = 0, all = 0;
   std::size_t far_off = 0, count = 0;
   // Calls visit(larger, ratio) for each pair of modelled and measured light.

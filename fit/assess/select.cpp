@@ -11,16 +11,17 @@ namespace {
 constexpr double kPerfect = 1e-9;  // median errors below this are rounding
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The value by which forms are ranked. A form without a solution ranks last, because nothing is known about
-// it. A form that was interrupted before its rows were held out ranks last too.
+// The value by which forms are ranked: by the rows left out, if all forms have that value, otherwise,
+// after an interruption, by the fitted rows. A form without a solution ranks last, because nothing is
+// known about it.
 class Value {
  public:
   explicit Value(const FitResult& result)
       : rounding_(result.left_out_rounding),
-        left_out_(
-            std::ranges::any_of(result.ranking, [](const FormFit& f) { return f.left_out.has_value(); })) {}
+        left_out_(std::ranges::all_of(result.ranking,
+                                      [](const FormFit& f) { return !f.solved() || f.left_out; })) {}
   double operator()(const FormFit& f) const {
-    if (!f.solved() || (left_out_ && !f.left_out)) return kInfinity;
+    if (!f.solved()) return kInfinity;
     const double value =
         left_out_ ? std::max(f.left_out->value, rounding_) : std::max(f.median_relative_error, kPerfect);
     return std::isfinite(value) ? value : kInfinity;

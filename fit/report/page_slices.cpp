@@ -31,7 +31,7 @@ struct Slice {
 struct Slices {
   std::vector<Slice> offered;  // up to kOffered
   std::size_t all = 0;         // angles of incidence with enough rows in the plane
-  std::vector<bool> shown;     // up to kShown of those offered; readers can switch the others on
+  std::vector<bool> shown;     // up to kShown of all; readers can switch the others on
 };
 
 // Returns slices from the steepest to the flattest angle of incidence. For each angle, uses the azimuth with

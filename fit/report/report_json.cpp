@@ -258,6 +258,7 @@ Json material_block(const FormFit& fit, const FitResult& result, const io::Sampl
                     const FitOptions& options) {
   Json j = run_json(result, table, options);
   j.update(statistics_json(fit));
+  if (result.interrupted) j["interrupted"] = true;
   if (fit.budget) j["budget"] = budget_json(fit, nullptr);
   constexpr std::size_t kMostParameters = 100, kMostEnds = 40;  // limits for a file that people read
   if (fit.covariance && fit.covariance->names.size() <= kMostParameters)

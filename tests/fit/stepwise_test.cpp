@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 #include <vector>
 
@@ -27,6 +28,16 @@ Material two_lobes(double narrow, double wide) {
 
 const Step& last_kept(const FitResult& result) {
   return *std::find_if(result.steps.rbegin(), result.steps.rend(), [](const Step& s) { return s.kept; });
+}
+
+// An interruption is no lack of directions.
+TEST(Stepwise, ReportsAnInterruption) {
+  std::atomic<bool> stop = true;
+  FitOptions options;
+  options.interrupted = &stop;
+  const FitResult result = fit(fine_hemisphere(one_lobe(0.3, 0.5, 0.04, 0.2), 0.03, 1), {}, options);
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_FALSE(result.ranking.empty());
 }
 
 TEST(Stepwise, MattSamplesKeepADiffuseTerm) {

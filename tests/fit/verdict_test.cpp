@@ -219,6 +219,35 @@ TEST(Verdict, IntervalsOfFewValuesAreStudents) {
   EXPECT_NEAR((rho.high - rho.value) / rho.standard_error, 4.302652729911275, 1e-9);
 }
 
+// Counts are constant: the surface is matt, and only the range of rho keeps the fit from them.
+TEST(Verdict, AScaleBeyondTheWeightsIsNoPropertyOfTheSurface) {
+  const FormFit f = fit_one(constant_table(20000), {"lambert"}, {});
+  EXPECT_EQ(f.verdict, Verdict::misfit);
+  EXPECT_TRUE(f.findings.front().starts_with("the measured values are about ")) << f.findings.front();
+  EXPECT_NE(f.findings.front().find("times the fitted ones in all directions"), std::string::npos);
+  EXPECT_EQ(fit_one(constant_table(0.2), {"lambert"}, {}).verdict, Verdict::converged);
+}
+
+// The rows of one form alone were held out before the interruption: all forms are then ranked by the fitted
+// rows, and nothing follows from the missing value.
+TEST(Verdict, AnInterruptionMakesNoFormAMisfit) {
+  FitResult result;
+  FormFit off, good;
+  off.form = "lambert";
+  off.verdict = Verdict::misfit;
+  off.light_is_off = true;
+  off.median_relative_error = 0.9;
+  off.left_out.emplace();
+  off.left_out->value = 0.02;
+  good.form = "ward";
+  good.verdict = Verdict::converged;
+  good.median_relative_error = 1e-6;
+  result.ranking = {off, good};
+  rank(result);
+  EXPECT_EQ(result.ranking.front().form, "ward");
+  EXPECT_EQ(result.ranking.front().verdict, Verdict::converged);
+}
+
 TEST(Verdict, AnInterruptedFitReturnsItsBestAndSaysSo) {
   std::atomic<bool> stop = true;
   FitOptions options;
