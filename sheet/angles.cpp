@@ -107,14 +107,19 @@ bool peaks_at_the_complement(const std::vector<Highlight>& lights) {
   return angles.size() >= 3 && io::median(mirror) > 12 && io::median(complement) < 6;
 }
 
-// Returns whether the highlight loses contrast steadily, by half or more in total, from the smallest stated
-// angle of the light to the largest. The laws of Fresnel and of microfacets make a highlight grow.
-bool fades_with_theta(const std::vector<Highlight>& lights) {
+// The change of a quantity with the stated angle of the light.
+enum class Change { falls, rises };
+
+// Returns whether the contrast of the highlight changes steadily, by a factor of two or more in total,
+// from the smallest stated angle of the light to the largest. The laws of Fresnel and of microfacets make
+// it rise.
+bool contrast_changes(const std::vector<Highlight>& lights, Change change) {
   std::map<double, std::vector<double>> contrasts;
   for (const Highlight& h : lights)
     if (h.exact > 0 && h.theta_i >= 20 && h.theta_i <= 70) contrasts[h.theta_i].push_back(h.exact / h.middle);
   std::vector<double> series;
   for (const auto& [theta, values] : contrasts) series.push_back(io::median(values));
+  if (change == Change::rises) std::ranges::reverse(series);
   if (series.size() < 3 || series.front() < 2 || series.front() < 2 * series.back()) return false;
   return std::ranges::adjacent_find(series, [](double a, double b) { return b > 1.05 * a; }) == series.end();
 }
@@ -164,12 +169,22 @@ std::optional<double> shape_of_highlight(const View& view, const Scan& scan) {
   return std::log(width / depth);
 }
 
-// Returns whether the highlight grows wider across the plane as the stated angle of the light grows. A
-// highlight that surrounds the mirror direction is as wide across as along. A highlight that surrounds the
-// half vector becomes narrower across with steeper light (as the cosine). If elevations are read as polar
-// angles, it grows wider instead, as the tangent or faster.
-bool widens_with_theta(const View& view) {
-  constexpr double kApart = 15, kGrows = 0.03;  // degrees; per degree
+// How the logarithm of the width of the highlight across the plane, over its width in the plane, changes
+// with the stated angle of the light, per degree: over all pairs of lights. A highlight that surrounds the
+// mirror direction is as wide across as along. A highlight that surrounds the half vector becomes narrower
+// across with steeper light (as the cosine). If elevations are read as polar angles, it grows wider
+// instead, as the tangent or faster, by at least 0.035 per degree.
+struct Widening {
+  double median, quarter;
+  static constexpr double kGrows = 0.03;
+
+  bool is_clear() const { return median > kGrows && quarter > 0.7 * kGrows; }
+  bool is_excluded() const { return median < 0.5 * kGrows; }
+};
+
+// Returns std::nullopt if fewer than two lights, 15 degrees apart, have a highlight.
+std::optional<Widening> widening_of(const View& view) {
+  constexpr double kApart = 15;  // degrees
   std::vector<std::pair<double, double>> shapes;
   for (const Scan& scan : view.scans())
     if (scan.theta_i >= 10 && scan.theta_i <= 80)
@@ -179,8 +194,8 @@ bool widens_with_theta(const View& view) {
     for (std::size_t b = a + 1; b < shapes.size(); ++b)
       if (std::abs(shapes[b].first - shapes[a].first) >= kApart)
         slopes.push_back((shapes[b].second - shapes[a].second) / (shapes[b].first - shapes[a].first));
-  if (slopes.empty()) return false;
-  return io::median(slopes) > kGrows && io::quantile(slopes, 0.25) > 0.7 * kGrows;
+  if (slopes.empty()) return std::nullopt;
+  return Widening{io::median(slopes), io::quantile(slopes, 0.25)};
 }
 
 // The numbers in the column of one angle, as in the file.
@@ -308,9 +323,10 @@ Finding polar_angle(const Evidence& e) {
   const std::vector<Highlight> lights = highlights(view);
   // A cosine factor makes highlights fade too.
   const bool has_cosine = e.causes.found && e.causes.found->cause == Cause::cosine;
-  if (!has_cosine && fades_with_theta(lights))
+  if (!has_cosine && contrast_changes(lights, Change::falls))
     return fail("the highlight fades with increasing angle of incidence");
-  if (widens_with_theta(view))
+  const std::optional<Widening> widening = widening_of(view);
+  if (widening && widening->is_clear())
     return fail(
         "the highlight becomes wider across the plane of incidence with increasing angle of incidence");
   if (peaks_at_the_complement(lights))
@@ -327,7 +343,22 @@ Finding polar_angle(const Evidence& e) {
                              " at theta_o = " + io::short_number(low, 3) + " and by " + factor(*at_high) +
                              " at " + io::short_number(high, 3);
   if (low < 20 && f.value > f.bound) return fail(spread);
-  f.statement = "polar angles are measured from the normal: " + spread;
+  // Elevations above the surface would have shown the opposite.
+  if (*at_high > std::max(3 * *at_low, 0.3))
+    f.statement = "polar angles are measured from the normal: " + spread;
+  else if (contrast_changes(lights, Change::rises))
+    f.statement =
+        "polar angles are measured from the normal: the highlight grows with the angle of incidence";
+  else if (widening && widening->is_excluded())
+    f.statement =
+        "polar angles are measured from the normal: the highlight does not become wider across the plane of "
+        "incidence with increasing angle of incidence";
+  else
+    return undecided(
+        t, "polar_angle",
+        spread +
+            ", and no highlight tells the angle of incidence from its complement: both conventions "
+            "are possible");
   return f;
 }
 

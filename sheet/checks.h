@@ -136,6 +136,10 @@ std::vector<bool> within(const io::SampleTable& table, double max_theta);
 
 // Returns the power of ten of which all values are multiples; 0 if the values have more than 12 decimals.
 double resolution(const std::vector<double>& values);
+// Returns whether some value is above 0.
+bool has_light(const io::SampleTable& table);
+// Returns whether every channel has the same value in all rows.
+bool is_constant(const io::SampleTable& table);
 // Returns whether the rows are cells of a MERL file.
 bool is_of_cells(const io::SampleTable& table);
 

@@ -285,6 +285,7 @@ Finding energy_in_plane(const io::SampleTable& t, const std::vector<MeasuredAlbe
 }
 
 Finding energy_of(const io::SampleTable& t, const std::vector<MeasuredAlbedo>& albedo) {
+  if (!has_light(t)) return not_applicable(t.source, "energy", "no value is above 0");
   Worst proven, likely;
   for (const MeasuredAlbedo& a : albedo)
     for (std::size_t c = 0; c < a.value.size(); ++c) {

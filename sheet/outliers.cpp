@@ -352,12 +352,28 @@ Finding outliers_of(const View& view, std::vector<NamedRow> rows, double max_the
   return f;
 }
 
+namespace {
+
+bool has_neighbours(const View& view) {
+  for (Row k = 0; k < view.table().rows(); ++k)
+    for (const Row n : view.near(k))
+      if (n != k) return true;
+  return false;
+}
+
+}  // namespace
+
 Finding outliers(const Evidence& e) {
   const View& view = e.whole;
   const io::SampleTable& t = view.table();
   if (t.rows() > kMostRows)
     return not_applicable(t.source, "outliers",
                           "not checked in tables of more than " + std::to_string(kMostRows) + " rows");
+  if (!has_light(t)) return not_applicable(t.source, "outliers", "no value is above 0");
+  constexpr double kHides = 0.7;  // a factor of two, below which no value counts as an outlier
+  if (const double noise = e.scatter.value().value_or(0); noise > kHides)
+    return undecided(t, "outliers", "the noise of " + io::percent(noise, 2) + " hides outliers");
+  if (!has_neighbours(view)) return not_applicable(t.source, "outliers", "no row has neighbours");
   const HalfNeighbours of_half = near_half_vector(t);
   std::vector<NamedRow> found;
   std::vector<Witnesses> witnesses;

@@ -85,6 +85,13 @@ Finding negative_of(const View& view) {
   constexpr double kBeyond = 6;  // standard deviations
   const io::SampleTable& t = view.table();
   std::set<Row> below, beyond;
+  if (!has_light(t)) {
+    Finding f = start(t, "negative");
+    f.outcome = Outcome::fail;
+    f.statement =
+        "no value is above 0: the table holds no light; look at its dark level, its sign and its unit";
+    return f;
+  }
   for (const auto& values : t.values) {
     std::vector<Row> rows;
     for (Row k = 0; k < t.rows(); ++k)

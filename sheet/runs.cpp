@@ -200,13 +200,16 @@ Finding stuck(const Evidence& e) {
           is_the_only_place(run, values))
         found[run.first] = std::max(found[run.first], run.length);
   }
+  if (is_constant(t))
+    return undecided(t, "stuck",
+                     "all rows have the same value: a computed table, or a reading that stands still");
   Finding f = start(t, "stuck");
   std::vector<Row> rows;
   for (const auto& [first, length] : found)
     for (std::size_t k = 0; k < length; ++k) rows.push_back(Row(first + k));
   f.value = double(rows.size());
   for (const Row k : rows) f.rows.push_back(named_row(view, k));
-  f.conclude(found.empty(), "the readings differ from row to row",
+  f.conclude(found.empty(), "no more rows in succession have the same value than chance explains",
              found.empty()
                  ? ""
                  : plural(found.begin()->second, "row") +
@@ -243,6 +246,9 @@ Finding invented(const Evidence& e) {
       if (!std::isnan(view.level(p.row))) plane.dots.emplace_back(p.angle, view.level(p.row));
     planes.push_back(std::move(plane));
   }
+  if (curves == 0 && between.looked == 0)
+    return not_applicable(t.source, "invented",
+                          "no curve is long enough to be compared with a straight line");
   Finding f = start(t, "invented");
   constexpr std::size_t kMostLights = 60;
   // Computed values may follow a law that only shifts. Noise does not repeat.

@@ -80,6 +80,18 @@ double resolution(const std::vector<double>& values) {
   return std::pow(10.0, -digits);
 }
 
+bool has_light(const io::SampleTable& t) {
+  return std::ranges::any_of(t.values, [](const auto& values) {
+    return std::ranges::any_of(values, [](double x) { return x > 0; });
+  });
+}
+
+bool is_constant(const io::SampleTable& t) {
+  return std::ranges::all_of(t.values, [](const auto& values) {
+    return std::ranges::all_of(values, [&](double x) { return x == values.front(); });
+  });
+}
+
 bool is_of_cells(const io::SampleTable& t) {
   return t.format == "merl";
 }

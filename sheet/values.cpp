@@ -134,12 +134,9 @@ Finding saturation_of(const View& view, double scatter) {
   std::vector<Row> all(t.rows());
   for (Row k = 0; k < all.size(); ++k) all[k] = k;
   Finding f = start(t, "saturation");
-  f.statement = "no saturation: the largest values differ";
+  f.statement = "no more rows share the largest value than chance explains";
   constexpr std::size_t kFewestRows = 20;
-  const auto is_constant = [](const std::vector<double>& v) {
-    return std::ranges::all_of(v, [&](double x) { return x == v.front(); });
-  };
-  if (t.rows() >= kFewestRows && std::ranges::all_of(t.values, is_constant))
+  if (t.rows() >= kFewestRows && is_constant(t))
     return undecided(t, "saturation",
                      "all rows have the same value: a computed table, or complete saturation");
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
@@ -153,6 +150,8 @@ Finding saturation_of(const View& view, double scatter) {
     f.outcome = Outcome::fail;
     for (const Row k : top) f.rows.push_back(named_row(view, k, c));
   }
+  if (f.outcome == Outcome::pass && t.rows() < kFewestRows)
+    return not_applicable(t.source, "saturation", "too few rows");
   return f;
 }
 
@@ -167,6 +166,7 @@ Finding saturation(const Evidence& e) {
 Finding quantity_of(const View& view, const std::vector<MeasuredAlbedo>& albedo) {
   constexpr double kDarkest = 1e-4;  // the blackest coatings reflect 2e-4
   const io::SampleTable& t = view.table();
+  if (!has_light(t)) return not_applicable(t.source, "quantity", "no value is above 0");
   const Reflected r = reflected(albedo);
   const Range range = range_of(t);
   Finding f = start(t, "quantity");

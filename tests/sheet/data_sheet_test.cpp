@@ -51,6 +51,38 @@ TEST(DataSheet, NamesACleanTableClean) {
   EXPECT_EQ(failing(clean_table()), Names{});
 }
 
+Outcome outcome_of(const io::SampleTable& t, const char* check) {
+  return finding(data_sheet(t), check).outcome;
+}
+
+// A sentence about what a check looked at needs values that would have shown the opposite.
+TEST(DataSheet, ClaimsNothingOfValuesThatShowNothing) {
+  io::SampleTable same = clean_table();
+  for (double& v : same.values[0]) v = 0.3;
+  for (const char* check : {"stuck", "saturation", "polar_angle"})
+    EXPECT_EQ(outcome_of(same, check), Outcome::undecided) << check;
+  io::SampleTable dark = clean_table();
+  for (double& v : dark.values[0]) v = 0;
+  io::SampleTable inverted = clean_table();
+  for (double& v : inverted.values[0]) v = -v;
+  for (const io::SampleTable& t : {dark, inverted}) {
+    EXPECT_EQ(outcome_of(t, "negative"), Outcome::fail);
+    EXPECT_NE(finding(data_sheet(t), "negative").statement.find("no value is above 0"), std::string::npos);
+    for (const char* check : {"quantity", "energy", "outliers"})
+      EXPECT_EQ(outcome_of(t, check), Outcome::not_applicable);
+  }
+  io::SampleTable noise = clean_table();
+  std::mt19937 random(6);
+  for (double& v : noise.values[0]) v = std::pow(10.0, 12 * double(random()) / double(random.max()) - 6);
+  EXPECT_NE(outcome_of(noise, "outliers"), Outcome::pass);
+  io::SampleTable one;
+  one.set_channels({"fr"});
+  one.add_directions(30, 180, 30, 0);
+  one.values[0] = {1.2};
+  for (const char* check : {"outliers", "saturation", "stuck", "invented"})
+    EXPECT_EQ(outcome_of(one, check), Outcome::not_applicable) << check;
+}
+
 TEST(DataSheet, NamesANegativeValue) {
   io::SampleTable t = clean_table();
   t.values[0][100] = -0.01;
