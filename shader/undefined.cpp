@@ -1,6 +1,7 @@
 #include "shader/undefined.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/files/numbers.h"
 #include "shader/program/operations.h"
@@ -66,15 +67,24 @@ class MarkedRun {
         [&](const Stretch& s) {
           if (found == 0 && s.end == End::branch) found = marks_.placed(marks_.at(true, s.condition), s.line);
         });
-    for (const std::uint32_t slot : program_.results)
+    bool is_finite = true;
+    for (const std::uint32_t slot : program_.results) {
       if (found == 0) found = marks_.at(false, slot);
+      is_finite = is_finite && std::isfinite(number(slot));
+    }
     if (found == 0) return std::nullopt;
     UndefinedValue reason = marks_.reason(found);
+    if (!is_finite && shows_in_result(reason.why)) return std::nullopt;
     if (reason.line == 0) reason.line = program_.line;  // only the return has read the value
     return reason;
   }
 
  private:
+  // Every driver gives NaN or infinity outside the domain of these functions. A result that is not finite
+  // is the finding of another check; a finite result that depends on such a value is undefined.
+  static bool shows_in_result(Undefined why) {
+    return why == Undefined::root || why == Undefined::logarithm || why == Undefined::arc;
+  }
   double number(std::uint32_t slot) { return Functions<T>::value(*runner_.bank().number(slot)); }
   std::uint32_t integer(std::uint32_t slot) { return *runner_.bank().integer(slot); }
 
@@ -108,7 +118,8 @@ class MarkedRun {
       return;
     }
     std::uint32_t mark = place(mark_of_operands(s, o));
-    if (mark == 0)
+    // A later step may hide a value that would show in the result.
+    if (mark == 0 || shows_in_result(marks_.reason(mark).why))
       if (const auto why = undefined_step(
               s, [&](std::uint32_t slot) { return number(slot); },
               [&](std::uint32_t slot) { return integer(slot); }))
@@ -141,6 +152,9 @@ constexpr Sentence kSentences[] = {
     {Undefined::conversion, 1, "a number is outside the range of the integer type"},
     {Undefined::pow, 2, "pow of a base below 0, or of 0 to an exponent that is not above 0"},
     {Undefined::atan, 2, "atan of two zeros"},
+    {Undefined::root, 1, "sqrt of a number below 0, or inversesqrt of one that is not above 0"},
+    {Undefined::logarithm, 1, "a logarithm of a number that is not above 0"},
+    {Undefined::arc, 1, "asin or acos of a number outside -1 to 1"},
     {Undefined::smoothstep, 2, "smoothstep with a lower edge that is not below the upper edge"},
     {Undefined::clamp, 0, "clamp with a lower limit above the upper limit"},
     {Undefined::min_max, 2, "min or max of NaN"},

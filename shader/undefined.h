@@ -23,6 +23,9 @@ enum class Undefined : std::uint8_t {
   conversion,  // of a number outside the range of the integer type
   pow,         // of a base below 0, or of 0 to an exponent that is not above 0
   atan,        // of two zeros
+  root,        // sqrt of a number below 0, inversesqrt of one that is not above 0
+  logarithm,   // of a number that is not above 0
+  arc,         // asin or acos of a number outside -1 to 1
   smoothstep,  // the lower edge is not below the upper one
   clamp,       // the lower limit is above the upper one
   min_max,     // one operand is NaN
@@ -44,6 +47,16 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
       return if_so(number(s.a) < 0 || (number(s.a) == 0 && !(number(s.b) > 0)), Undefined::pow);
     case Op::atan2:
       return if_so(number(s.a) == 0 && number(s.b) == 0, Undefined::atan);
+    case Op::sqrt:
+      return if_so(number(s.a) < 0, Undefined::root);
+    case Op::inverse_sqrt:
+      return if_so(number(s.a) <= 0, Undefined::root);
+    case Op::log:
+    case Op::log2:
+      return if_so(number(s.a) <= 0, Undefined::logarithm);
+    case Op::asin:
+    case Op::acos:
+      return if_so(number(s.a) < -1 || number(s.a) > 1, Undefined::arc);
     case Op::smoothstep:
       return if_so(!(number(s.a) < number(s.b)), Undefined::smoothstep);
     case Op::min:

@@ -107,6 +107,28 @@ Declared read_declared(std::string_view kind, std::span<const std::string_view> 
   return p;
 }
 
+namespace {
+
+// Sets what one line of a file states. Throws InputError for a second line, which would contradict the first.
+template <class Stated, class Parse>
+void state_once(std::optional<Stated>& stated, std::string_view key, const std::string& where, Parse parse) {
+  if (stated)
+    throw InputError(where + "//: " + std::string(key) + " is there twice: remove one of the lines");
+  try {
+    stated = parse();
+  } catch (const InputError& error) {
+    throw InputError(where + error.what());
+  }
+}
+
+void add_parameter(Source& source, Declared p, const std::string& where) {
+  if (std::ranges::find(source.parameters, p.name, &Declared::name) != source.parameters.end())
+    throw InputError(where + "the parameter " + p.name + " is there twice: remove one of the lines");
+  source.parameters.push_back(std::move(p));
+}
+
+}  // namespace
+
 // Reads a line that begins with //: and is meant for this program.
 void read_note(Source& source, std::string_view line, std::uint32_t number) {
   const std::string where = source.name + ":" + std::to_string(number) + ": ";
@@ -114,21 +136,23 @@ void read_note(Source& source, std::string_view line, std::uint32_t number) {
   io::split_blanks(io::trimmed(line), words);
   if (words.empty()) return;
   const std::string rest(io::trimmed(io::trimmed(line).substr(words[0].size())));
+  const auto second = [&] { return std::string(io::trimmed(rest.substr(words[1].size()))); };
   if (words[0] == "param" || words[0] == "bool" || words[0] == "color")
-    source.parameters.push_back(
-        read_declared(words[0], std::span<const std::string_view>(words).subspan(1), number, where));
+    add_parameter(source,
+                  read_declared(words[0], std::span<const std::string_view>(words).subspan(1), number, where),
+                  where);
   else if (words[0] == "entry")
-    source.entry = parse_entry(rest);
+    state_once(source.entry, "entry", where, [&] { return parse_entry(rest); });
   else if (words[0] == "returns")
-    source.returns = parse_returns(rest);
+    state_once(source.returns, "returns", where, [&] { return parse_returns(rest); });
   else if (words[0] == "sample" && words.size() > 1 && words[1] == "returns")
-    source.sample_returns = parse_sample_value(std::string(io::trimmed(rest.substr(words[1].size()))));
+    state_once(source.sample_returns, "sample returns", where, [&] { return parse_sample_value(second()); });
   else if (words[0] == "pdf" && words.size() > 1 && words[1] == "per")
-    source.density_of = parse_density_of(std::string(io::trimmed(rest.substr(words[1].size()))));
+    state_once(source.density_of, "pdf per", where, [&] { return parse_density_of(second()); });
   else if (words[0] == "sample")
-    source.sample = parse_entry(rest);
+    state_once(source.sample, "sample", where, [&] { return parse_entry(rest); });
   else if (words[0] == "pdf")
-    source.pdf = parse_entry(rest);
+    state_once(source.pdf, "pdf", where, [&] { return parse_entry(rest); });
   else if (words[0] == "violates")
     source.violations.push_back(
         read_violation(std::span<const std::string_view>(words).subspan(1), number, where));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brdf/reflectance.h"
+#include "io/files/json.h"
 #include "tests/cli/run_brdf.h"
 
 namespace brdf {
@@ -317,6 +318,17 @@ TEST(OwnShader, AFitHoldsTruthValuesAndLeavesOutPlacesWithoutAValue) {
   EXPECT_THAT(fitted.err,
               AllOf(HasSubstr("the value is not finite at"), HasSubstr("steep is a whole number")));
   EXPECT_THAT(fitted.err, Not(HasSubstr("linear in none")));
+}
+
+TEST(OwnShader, TheDefaultsOfAColourAreListedByChannel) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl")
+      << "//: color base 0.5 0.4 0.3\nvec3 brdf(vec3 L, vec3 V, vec3 base, float k) { return base * k; }\n";
+  EXPECT_THAT(run_brdf("models --shader s.glsl", folder.path()).out, HasSubstr("default 0.5,0.4,0.3"));
+  const io::Json json =
+      io::parse_json(run_brdf("models --shader s.glsl --json", folder.path()).out, "stdout");
+  for (const io::Json& p : json["forms"][0]["parameters"])
+    EXPECT_EQ(p["default"].is_array(), p["name"] == "base") << p;
 }
 
 TEST(OwnShader, LongNamesStayInTheirColumn) {

@@ -98,6 +98,24 @@ TEST(Text, NotesStandInLinesOfTheirOwn) {
       0.5);
 }
 
+TEST(Text, NotesThatContradictEachOtherAreRefusedWithTheLine) {
+  const std::string code = "float brdf(vec3 L, vec3 V, float k) { return k; }\n";
+  const auto refusal = [&](const std::string& notes) -> std::string {
+    try {
+      parse_source("s.glsl", notes + code);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal("//: param k 0 1 0.5\n//: returns f\n"), "accepted");
+  EXPECT_THAT(refusal("//: param k 0 1 0.5\n//: param k 0 2 0.5\n"),
+              HasSubstr("s.glsl:2: the parameter k is there twice"));
+  EXPECT_THAT(refusal("//: returns f\n//: returns f*cos_i\n"),
+              HasSubstr("s.glsl:2: //: returns is there twice"));
+  EXPECT_THAT(refusal("//: returns foo\n"), HasSubstr("s.glsl:1: returns 'foo': must be one of"));
+}
+
 TEST(Text, ByteOrderMarksAreNoPartOfIt) {
   const std::string code = "float brdf(float3 L, float3 V) { return 0.625; }\r\n";
   EXPECT_EQ(value_at(shader_of("\xEF\xBB\xBF" + code, {}, "a.hlsl"), 20, 0, 30, 0), 0.625);

@@ -50,11 +50,18 @@ INSTANTIATE_TEST_SUITE_P(
                     UndefinedCase{"return 1e-9 * float(1 << (31 + int(2.0 * c)));", "shift", 0.7, 0.2},
                     UndefinedCase{"return p * pow(c - 0.5, 2.0);", "pow", 0.2, 0.8},
                     UndefinedCase{"return pow(max(c - 0.5, 0.0), p - 0.5);", "pow", 0.2, 0.8},
+                    // The value is finite, but the condition that chooses it is not defined.
+                    UndefinedCase{"return sqrt(c - 0.5) == 0.0 ? p : 0.1;", "sqrt", 0.2, 0.8},
+                    UndefinedCase{"return inversesqrt(c - 0.5) < -1.0 ? p : 0.1;", "inversesqrt", 0.5, 0.8},
+                    UndefinedCase{"return log(c - 0.5) > 9.0 ? p : 0.1;", "logarithm", 0.5, 0.8},
+                    UndefinedCase{"return log2(c - 0.5) > 9.0 ? p : 0.1;", "logarithm", 0.2, 0.8},
+                    UndefinedCase{"return acos(c + 0.5) > 9.0 ? p : 0.1;", "acos", 0.8, 0.2},
+                    UndefinedCase{"return asin(c + 0.5) > 9.0 ? p : 0.1;", "asin", 0.8, 0.2},
                     UndefinedCase{"return 0.1 + 0.1 * cos(atan(max(c - 0.5, 0.0), V.x));", "atan", 0.2, 0.8},
                     UndefinedCase{"return smoothstep(0.4, 0.9 - c, p);", "smoothstep", 0.6, 0.2},
                     UndefinedCase{"return clamp(p, c, 0.5);", "clamp", 0.7, 0.3},
                     UndefinedCase{"return 0.1 * float(clamp(int(p), int(4.0 * c), 2));", "clamp", 0.9, 0.3},
-                    UndefinedCase{"return max(sqrt(c - 0.5), 0.0);", "NaN", 0.2, 0.8},
+                    UndefinedCase{"return max((c - 0.2) / (c - 0.2), 0.0);", "NaN", 0.2, 0.8},
                     UndefinedCase{"return 0.1 * float(int(4e9 * c) & 1);", "outside the range", 0.8, 0.2}));
 
 TEST(Undefined, CountsOnlyWhereTheResultDependsOnIt) {

@@ -85,6 +85,11 @@ Finding check_sampling(const Subject& subject, const CheckOptions& options) {
     const Mean mean = estimate(term, direction(theta, phi), count, options.seed + std::uint64_t(k));
     const double z = std::abs(mean.value - truth.value) / (mean.error + 1e-12 + truth.error_bound);
     finding.evaluations += truth.evaluations + count;
+    if (!std::isfinite(z)) {
+      finding.outcome = Outcome::undecided;
+      finding.statement = "some values are not finite numbers, so that their mean is not known";
+      return finding;
+    }
     if (!is_worst(z, finding.value)) continue;
     finding.value = z;
     finding.witness = Witness{
