@@ -156,6 +156,10 @@ BRDF_OF_MIDDLE(nth_element)
 BRDF_OF_MIDDLE(partial_sort)
 #undef BRDF_OF_MIDDLE
 
+template <class First, class Second>
+constexpr bool equal(const First& a, const Second& b) {
+  return std::equal(std::begin(a), std::end(a), std::begin(b), std::end(b));
+}
 template <class Range, class T, class Project = identity>
 constexpr auto find(Range&& range, const T& value, Project project = {}) {
   return std::find_if(std::begin(range), std::end(range),

@@ -101,6 +101,7 @@ JobReport run(const Job& given) {
   report.samples = pictures.samples_drawn();
   report.noise = pictures.noise();
   report.clipped = clipped_share(pictures.a_picture(), state.scene.tone_map, state.scene.exposure);
+  report.not_finite = not_finite_share(pictures.a_picture());
   report.validation_messages = device.validation_messages();
   return report;
 }

@@ -78,9 +78,10 @@ struct Job {
 struct JobReport {
   std::string device;
   int width = 0, height = 0;
-  float exposure = 0;  // stops
-  double clipped = 0;  // share of surface pixels that the display clips
-  std::string other;   // name of B; empty without B
+  float exposure = 0;     // stops
+  double clipped = 0;     // share of surface pixels that the display clips
+  double not_finite = 0;  // share of surface pixels with a value that is not a finite number
+  std::string other;      // name of B; empty without B
   std::optional<Difference> difference;
   // B shows smoothed measurements: their scatter, which B does not show, and Job::deviation.
   std::optional<double> scatter, deviation;

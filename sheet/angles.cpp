@@ -119,7 +119,7 @@ bool contrast_changes(const std::vector<Highlight>& lights, Change change) {
     if (h.exact > 0 && h.theta_i >= 20 && h.theta_i <= 70) contrasts[h.theta_i].push_back(h.exact / h.middle);
   std::vector<double> series;
   for (const auto& [theta, values] : contrasts) series.push_back(io::median(values));
-  if (change == Change::rises) std::ranges::reverse(series);
+  if (change == Change::rises) std::reverse(series.begin(), series.end());
   if (series.size() < 3 || series.front() < 2 || series.front() < 2 * series.back()) return false;
   return std::ranges::adjacent_find(series, [](double a, double b) { return b > 1.05 * a; }) == series.end();
 }

@@ -26,6 +26,8 @@ namespace {
 
 // `says_target`: the noise was requested, and the words state whether it was reached.
 std::string noise_words(const render::JobReport& report, const render::Job& job, bool says_target) {
+  if (report.not_finite > 0)
+    return "the remaining noise is not known, because not all values of the picture are finite";
   if (report.noise < 0)
     return "the remaining noise is not known, because all samples are one run of " +
            std::to_string(render::kRun);
@@ -42,13 +44,19 @@ void print_text(const render::JobReport& report, const render::Job& job, bool ti
   if (job.turntable) std::cout << ", " << io::plural(std::size_t(*job.turntable), "frame");
   std::cout << " on " << report.device;
   if (report.clipped > 0) std::cout << ", " << 100 * report.clipped << " % of the surface clipped";
+  if (report.not_finite > 0)
+    std::cout << ", " << io::percent(report.not_finite, 2) << " of the surface without a finite value";
   std::cout << '\n';
   if (job.exposure_from_picture)
     std::cout << "exposure " << io::short_number(double(report.exposure), 4) << " stops, from the picture\n";
   if (report.difference) {
-    std::cout << "against " << io::printable(report.other) << ": relative MSE " << report.difference->rel_mse
-              << ", PSNR " << report.difference->psnr << " dB, coverage mismatch "
-              << 100 * report.difference->coverage_mismatch << " %";
+    std::cout << "against " << io::printable(report.other) << ": ";
+    if (std::isfinite(report.difference->rel_mse))
+      std::cout << "relative MSE " << report.difference->rel_mse << ", PSNR " << report.difference->psnr
+                << " dB";
+    else
+      std::cout << "relative MSE and PSNR not known, because not all values are finite";
+    std::cout << ", coverage mismatch " << 100 * report.difference->coverage_mismatch << " %";
     if (report.difference->not_measured > 0)
       std::cout << ", not measured " << io::short_number(100 * report.difference->not_measured, 3)
                 << " % of the surface";
@@ -101,11 +109,12 @@ void print_json(const render::JobReport& report, const render::Job& job) {
   out["exposure"] = report.exposure;
   if (job.turntable) out["frames"] = *job.turntable;
   out["clipped"] = report.clipped;
+  if (report.not_finite > 0) out["not_finite"] = report.not_finite;
   out["passes"] = io::Json::array();
   for (const auto& [pass, ms] : report.passes) out["passes"].push_back({{"pass", pass}, {"ms", ms}});
   if (report.difference) {
     out["other"] = report.other;
-    out["rel_mse"] = report.difference->rel_mse;
+    out["rel_mse"] = io::finite_or_null(report.difference->rel_mse);
     out["psnr"] = report.difference->psnr;
     out["coverage_mismatch"] = report.difference->coverage_mismatch;
     out["not_measured"] = report.difference->not_measured;
@@ -113,7 +122,7 @@ void print_json(const render::JobReport& report, const render::Job& job) {
     if (report.deviation) out["measurements_median_error"] = *report.deviation;
   }
   if (report.samples > 0) out["samples"] = report.samples;
-  if (report.noise >= 0) out["noise"] = report.noise;
+  if (report.noise >= 0 && report.not_finite == 0) out["noise"] = report.noise;
   if (report.samples > 0 && job.noise) out["noise_wanted"] = *job.noise;
   if (report.probe) out["probe"] = json_of(*report.probe, report);
   if (job.validation) out["validation_messages"] = report.validation_messages;
@@ -141,7 +150,7 @@ constexpr OptionOf kRenderOptions[] = {
      kAll},
     {"--tone-map", kShown | kMeasures},
     {"--no-dither --show --no-labels", kShown},
-    {"--hard-light", kAll & ~kOfTwo},
+    {"--hard-light", kAll & ~(kOfTwo | kMeasures)},
     {"--noise", kAll & ~kOfTwo},
     {"--gbuffer-bits", kAll},
     {"--supersample", kAll & ~kMeasures},
@@ -308,9 +317,10 @@ std::string words_for(unsigned product) {
 Exit run_render(const CLI::App& verb, RenderCall& o) {
   render::Job& job = o.job;
   refuse_without_effect(verb, kRenderOptions, product_of(o), words_for(product_of(o)));
-  if (verb.count("--samples") > 0 && !job.environment && (product_of(o) & kOfTwo) && job.scene.empty() &&
-      job.state.empty())
-    throw InputError("--samples: has no effect on what is compared without --environment: leave it out");
+  if (verb.count("--samples") > 0 && !job.environment && (product_of(o) & (kOfTwo | kMeasures)) &&
+      job.scene.empty() && job.state.empty())
+    throw InputError("--samples: has no effect on " + words_for(product_of(o)) +
+                     " without --environment: leave it out");
   if (job.forward && verb.count("--gbuffer-bits") > 0)
     throw InputError("--gbuffer-bits: has no effect on --forward, which has no targets: leave it out");
   show_shader(o.shader, "render", job);

@@ -119,6 +119,16 @@ double clipped_share(const Picture& picture, ToneMap tone_map, float exposure) {
   return covered ? double(clipped) / double(covered) : 0;
 }
 
+double not_finite_share(const Picture& picture) {
+  std::size_t count = 0, covered = 0;
+  for (const glm::vec4& p : picture.pixels) {
+    if (p.a < 0.5f) continue;
+    ++covered;
+    count += !(std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b));
+  }
+  return covered ? double(count) / double(covered) : 0;
+}
+
 glm::vec3 false_color(float relative_difference) {
   const Colour<float> c = false_color_of(relative_difference);
   return {c[0], c[1], c[2]};

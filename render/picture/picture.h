@@ -70,6 +70,8 @@ float exposure_from(const Picture& picture);
 // Returns the share of surface pixels with a channel that the display clips: above 1, or shown as the
 // brightest byte.
 double clipped_share(const Picture& picture, ToneMap tone_map, float exposure);
+// Returns the share of surface pixels with a channel that is not a finite number.
+double not_finite_share(const Picture& picture);
 
 // Returns the colour of a relative difference: blue 1e-6 through green and yellow to red 1; black if equal.
 glm::vec3 false_color(float relative_difference);

@@ -28,8 +28,8 @@ brdf, data = call.brdf.resolve(), call.data.resolve()
 A, B = "a.json", "b.json"
 
 SLOW = {"fit", "render", "validate"}  # verbs that --all adds
-# Options that change the time or the exit code of a product, but never the product.
-NO_BYTES = {"--jobs", "--memory-limit", "--validation", "--require"}
+# Options that change the time or the exit code of a product, or print the time, but never change the product.
+NO_BYTES = {"--jobs", "--memory-limit", "--validation", "--require", "--times"}
 FIT = {"--form": "phong", "--metric": "linear", "--anisotropic": None, "--per-channel": None, "--shape": "free", "--free-scale": None,
        "--keep-fill": None, "--polarisation": "average", "--repeats": "average", "--quantity": "BRF", "--mirror-side": "negative",
        "--layout": "none.json", "--budget": "none.csv", "--max-theta": "50", "--fix": "kd=0.3", "--start": "alpha=0.9", "--bounds": "alpha=0.5:0.9", "--tie": "kd", "--physical": None,

@@ -299,6 +299,21 @@ TEST_F(RenderCli, SamplesAreDrawnUntilTheNoiseIsReachedOrTheLimitIs) {
   expect_refused(size + "--noise 1% --hard-light -o x.png", 2, "has no effect without an environment");
 }
 
+// A mean over values that are not finite is not known: neither a noise nor a difference is stated.
+TEST_F(RenderCli, ValuesThatAreNotFiniteAreReported) {
+  write(
+      "nan.glsl",
+      "float brdf(vec3 L, vec3 V, vec3 N, float kd) { return kd * (0.1 + 0.1 * sqrt(N.z * L.z - 0.5)); }\n");
+  const Outcome outcome = run("render --shader nan.glsl --width 48 --height 48 -o n.png");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(" % of the surface without a finite value"));
+  EXPECT_THAT(outcome.out, HasSubstr("the remaining noise is not known, because not all values"));
+  const io::Json json = io::parse_json(
+      run("render --shader nan.glsl --compare embree --width 48 --height 48 --json -o m.png").out, "stdout");
+  EXPECT_GT(json["not_finite"].get<double>(), 0);
+  EXPECT_TRUE(json["rel_mse"].is_null());
+}
+
 TEST_F(RenderCli, ComparisonsOfTwoMaterialsCarryTheirNames) {
   write("red.json", R"({"format":"brdf-material","version":1,"form":"lambert","channels":["r","g","b"],)"
                     R"("weights":{"rho":[0.8,0.1,0.1]}})");
