@@ -72,7 +72,7 @@ def wait_for_states(page, *wanted):
     page.wait(f"JSON.stringify({STATES}) === JSON.stringify({json.dumps(wanted)})")
 
 
-def tab_to(page, selector, most=120):
+def tab_to(page, selector, most=400):
     """Presses Tab until an element has the focus, which must be visible at each stop."""
     for _ in range(most):
         page.key("Tab")
