@@ -135,7 +135,7 @@ void print(std::ostream& out, const texel::Stack& stack, const Making& making, c
         << "median residual: " << io::short_number(*summary.median_error)
         << "; standard errors are approximate: they follow from the curvature at each minimum\n";
   else
-    out << "no texel was fitted: the mask, the dark level and the saturation leave too few images of each\n";
+    out << "no texel was fitted: look at the mask, the dark level and the saturation of the stack\n";
   if (seconds)
     out << io::short_number(*seconds) << " s, "
         << io::short_number(1e6 * *seconds / double(std::max<std::size_t>(summary.fitted, 1)))

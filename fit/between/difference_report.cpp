@@ -111,9 +111,13 @@ const char* name_of_answer(const Difference& d) {
 // Returns the limits of a comparison of parameters, as a clause after the answer; empty without limits.
 std::string limits_of(const Difference& d) {
   if (d.common) return "";
-  std::vector<std::string> rough;
-  for (const FittedTable& t : d.fits.tables)
+  std::vector<std::string> rough, unknown;
+  for (const FittedTable& t : d.fits.tables) {
     if (t.fit.lack_of_fit.beyond_scatter) rough.push_back(name_in_text(t));
+    if (!t.fit.lack_of_fit.judged()) unknown.push_back(name_in_text(t));
+  }
+  if (!unknown.empty())
+    return "; the noise of " + listed(unknown) + " is not known, so that a lack of fit is not seen";
   return rough.empty() ? ""
                        : "; " + d.fits.form + " describes " + listed(rough) +
                              " only roughly, and a difference that it cannot describe is not seen";

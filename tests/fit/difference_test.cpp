@@ -191,8 +191,20 @@ TEST(Difference, OfEqualSpectraIsRarelyAnAlarm) {
         EXPECT_EQ(d.obstacle, "");
         alarms += d.sameness == Sameness::different;
       }
-      EXPECT_LE(alarms, 3) << channels << " channels, repeatability " << stated;  // 12 and 9 of 12 before
+      EXPECT_LE(alarms, 3) << channels << " channels, repeatability " << stated;
     }
+}
+
+// Without a known noise nothing shows whether the form describes a table.
+TEST(Difference, StatesThatALackOfFitIsNotSeenIfTheNoiseIsUnknown) {
+  const std::vector<TableToFit> tables = with_budgets(pair_of(gloss(), gloss(), {}));
+  Difference d = compare_tables(tables, laboratory_model()).difference;
+  ASSERT_EQ(d.sameness, Sameness::no_difference);
+  EXPECT_EQ(answer(d).find("is not known"), std::string::npos) << answer(d);
+  d.fits.tables[0].fit.lack_of_fit.residual_over_scatter.reset();
+  EXPECT_NE(answer(d).find("; the noise of a.csv is not known, so that a lack of fit is not seen"),
+            std::string::npos)
+      << answer(d);
 }
 
 Material brushed(double along, double across) {
