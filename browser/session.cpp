@@ -196,8 +196,7 @@ Json Session::exported(const JsonPlace& request) {
   const Chosen chosen = material_of(request);
   const std::string command = "brdf export" + chosen.words + " --to gltf";
   io::record_command(command);
-  const interop::Exported made =
-      interop::export_to(*interop::find_program("gltf"), chosen.material, "material", false);
+  const interop::Exported made = interop::export_to(interop::gltf(), chosen.material, "material", false);
   files_.push_back({"material.gltf", made.text});
   return {{"command", command}, {"statement", interop::in_words(made)}, {"files", names_of(files_)}};
 }

@@ -227,6 +227,22 @@ std::string in_words(const Exported& made) {
   return made.copied.rms == made.loss.rms ? words : words + "; copied parameters: " + in_words(made.copied);
 }
 
+const Program& gltf() {
+  static const Program program{
+      .name = "gltf",
+      .title = "glTF 2.0, according to the specification",
+      .most = 1,
+      .most_lobe = 1,
+      .adds = false,
+      .run_here = true,
+      .conventions =
+          {"roughness is the square root of alpha (of the narrower axis); colours are linear",
+           "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
+      .targets = {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
+      .write = write_gltf};
+  return program;
+}
+
 std::span<const Program> programs() {
   const CopyRules kGrey{.grey_lobe = true};
   static const std::vector<Program> all{
@@ -277,17 +293,7 @@ std::span<const Program> programs() {
                     {},
                     shown_by_pbrt}},
        .write = write_pbrt},
-      {.name = "gltf",
-       .title = "glTF 2.0, according to the specification",
-       .most = 1,
-       .most_lobe = 1,
-       .adds = false,
-       .run_here = true,
-       .conventions =
-           {"roughness is the square root of alpha (of the narrower axis); colours are linear",
-            "programs may compute more: three.js scales the lobe by a multiple-scattering term (--to three)"},
-       .targets = {{gltf_metallic_roughness{}, {.coloured = {Role::tint}}}},
-       .write = write_gltf},
+      gltf(),
       {.name = "three",
        .title = "three.js 0.187, as glTF",
        .most = 1,

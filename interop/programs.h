@@ -41,6 +41,8 @@ struct Program {
 
 // Returns all programs.
 std::span<const Program> programs();
+// Returns the row of glTF, for a program that writes no other file: it then contains no other writer.
+const Program& gltf();
 // Returns the program with this name, or null if there is no such program.
 const Program* find_program(std::string_view name);
 

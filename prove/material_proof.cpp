@@ -62,15 +62,14 @@ void refute_negative(Proof& p, const Channels& terms, const std::string& file) {
       }
 }
 
-void at_parameters(Proof& p, const Channel& c, const Options& given) {
-  Options options = given;
+void at_parameters(Proof& p, const Channel& c, SearchOptions search) {
   const auto negative = p.claim.property == Property::non_negative ? below_zero(c) : std::nullopt;
-  if (negative) options.search.leaves = 1;  // no division of the domain can prove it
+  if (negative) search.leaves = 1;  // no division of the domain can prove it
   p.domain = domain_at(c, p.claim);
   p.arithmetic = arithmetic_of(p.claim);
   p.cover = cover(
       *p.domain, [&](const Box& box) { return enclose(p.claim, box); },
-      [&](Bounds b) { return settles(p.claim.property, b, 0); }, options.search);
+      [&](Bounds b) { return settles(p.claim.property, b, 0); }, search);
   p.low = p.cover.range.lo;
   p.high = p.cover.range.hi;
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
@@ -142,24 +141,11 @@ void largest_albedo(Proof& p, const Channels& terms, const std::string& file, co
   }
 }
 
-Proof of_term(const Channel& c, const Claim& claim, const Options& options) {
-  Proof p;
-  p.claim = claim;
-  p.form = c.term.form.info().name;
-  if (!is_of_catalogue(c)) {
-    p.statement = "the prover has no method for a model of another program";
-    return p;
-  }
-  if (claim.property == Property::reciprocity) {
-    Options alone;
-    alone.properties = {Property::reciprocity};
-    return prove(c.term.form, alone).front();
-  }
-  if (claim.property == Property::rounding)
-    p.domain = domain_at(c, claim), prove_rounding(p, options.search);
-  else if (claim.property != Property::energy)
-    at_parameters(p, c, options);
-  return p;
+void values_of_term(Proof& p, const Channel& c, const SearchOptions& search) {
+  if (p.claim.property == Property::reciprocity)
+    p = prove_reciprocity(c.term.form);
+  else
+    at_parameters(p, c, search);
 }
 
 // Combines the proofs of the terms. Apart from the terms, only their sum is computed.
@@ -196,25 +182,40 @@ Proof of_sum(std::vector<Proof> parts) {
   return sum;
 }
 
-}  // namespace
+using OfTerm = std::function<void(Proof&, const Channel&)>;
+using OfSum = std::function<void(Proof&, const Channels&)>;
 
-std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options) {
+// Calls `of_term` for each term that has a method, and `of_whole` for the sum of the terms.
+Proof of_channel(const Channels& terms, Property property, Precision precision, const OfTerm& of_term,
+                 const OfSum& of_whole) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Proof> parts;
+  for (const Channel& c : terms) {
+    Proof& p = parts.emplace_back();
+    p.claim = {catalogue_index(c.term.form), property, precision};
+    p.form = c.term.form.info().name;
+    if (is_of_catalogue(c))
+      of_term(p, c);
+    else
+      p.statement = "the prover has no method for a model of another program";
+  }
+  Proof p = of_sum(std::move(parts));
+  of_whole(p, terms);
+  p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return p;
+}
+
+std::vector<Proof> of_channels(const Material& material, const std::string& file,
+                               std::span<const Property> properties, const OfTerm& of_term,
+                               const OfSum& of_whole) {
   const auto about = [&](std::size_t channel, Property property, Precision precision) {
-    const auto start = std::chrono::steady_clock::now();
-    const Channels terms = channels_of(material, channel);
-    std::vector<Proof> parts;
-    for (const Channel& c : terms)
-      parts.push_back(of_term(c, {catalogue_index(c.term.form), property, precision}, options));
-    Proof p = of_sum(std::move(parts));
-    if (property == Property::energy) largest_albedo(p, terms, file, options);
-    if (property == Property::non_negative) refute_negative(p, terms, file);
+    Proof p = of_channel(channels_of(material, channel), property, precision, of_term, of_whole);
     p.material = file;
     if (property != Property::reciprocity) p.channel = material.channels[channel];
-    p.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return p;
   };
   std::vector<std::function<Proof()>> asked;
-  for (const Property property : options.properties) {
+  for (const Property property : properties) {
     const bool rounded = is_of_a_precision(property);
     // Reciprocity is proved for all channels at once.
     const std::size_t channels = property == Property::reciprocity ? 1 : material.channels.size();
@@ -226,6 +227,31 @@ std::vector<Proof> prove(const Material& material, const std::string& file, cons
   std::vector<Proof> proofs(asked.size());
   io::parallel_for(asked.size(), [&](std::size_t k) { proofs[k] = asked[k](); });
   return proofs;
+}
+
+}  // namespace
+
+std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options) {
+  const auto of_term = [&](Proof& p, const Channel& c) {
+    if (p.claim.property == Property::rounding)
+      p.domain = domain_at(c, p.claim), prove_rounding(p, options.search);
+    else if (p.claim.property != Property::energy)
+      values_of_term(p, c, options.search);
+  };
+  const auto of_whole = [&](Proof& p, const Channels& terms) {
+    if (p.claim.property == Property::energy) largest_albedo(p, terms, file, options);
+    if (p.claim.property == Property::non_negative) refute_negative(p, terms, file);
+  };
+  return of_channels(material, file, options.properties, of_term, of_whole);
+}
+
+std::vector<Proof> prove_values(const Material& material, const std::string& file,
+                                const SearchOptions& search) {
+  const auto of_term = [&](Proof& p, const Channel& c) { values_of_term(p, c, search); };
+  const auto of_whole = [&](Proof& p, const Channels& terms) {
+    if (p.claim.property == Property::non_negative) refute_negative(p, terms, file);
+  };
+  return of_channels(material, file, kPropertiesOfValues, of_term, of_whole);
 }
 
 }  // namespace brdf::prove

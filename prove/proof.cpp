@@ -59,21 +59,6 @@ Proof non_negative(const Reflectance& form, const Claim& claim, const Options& o
   return p;
 }
 
-Proof reciprocity(const Reflectance& form, const Claim& claim) {
-  Proof p = about(form, claim);
-  const Swapped bits = record_both_orders(claim.form, Rules::bits);
-  p.cover.boxes = bits.cases;
-  if (bits.same || record_both_orders(claim.form, Rules::exact).same) {
-    p.verdict = Verdict::proved;
-    p.arithmetic = arithmetic_of(claim, bits.same);
-    p.statement = bits.same ? "f(wi, wo) and f(wo, wi) are the same operations"
-                            : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
-  } else {
-    p.statement = "the formulas for both orders differ";
-  }
-  return p;
-}
-
 std::string in_words(const Growth& g) {
   return "beyond an angle of incidence of " + io::short_number(g.from, 3) +
          " degrees the largest albedo is K/" +
@@ -125,7 +110,7 @@ Proof of(const Reflectance& form, const Claim& claim, const Options& options) {
     case Property::non_negative:
       return non_negative(form, claim, options);
     case Property::reciprocity:
-      return reciprocity(form, claim);
+      return prove_reciprocity(form);
     case Property::energy:
       return energy(form, claim, options);
     case Property::rounding:
@@ -135,6 +120,22 @@ Proof of(const Reflectance& form, const Claim& claim, const Options& options) {
 }
 
 }  // namespace
+
+Proof prove_reciprocity(const Reflectance& form) {
+  const Claim claim{catalogue_index(form), Property::reciprocity, Precision::double_type};
+  Proof p = about(form, claim);
+  const Swapped bits = record_both_orders(claim.form, Rules::bits);
+  p.cover.boxes = bits.cases;
+  if (bits.same || record_both_orders(claim.form, Rules::exact).same) {
+    p.verdict = Verdict::proved;
+    p.arithmetic = arithmetic_of(claim, bits.same);
+    p.statement = bits.same ? "f(wi, wo) and f(wo, wi) are the same operations"
+                            : "f(wi, wo) and f(wo, wi) are the same sums and products in another order";
+  } else {
+    p.statement = "the formulas for both orders differ";
+  }
+  return p;
+}
 
 std::vector<Proof> prove(const Reflectance& form, const Options& options) {
   std::vector<Proof> proofs;

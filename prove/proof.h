@@ -1,6 +1,7 @@
 // Statements about forms over their whole domain, and the search for their proofs.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -58,6 +59,18 @@ std::vector<Proof> prove(const Reflectance& form, const Options& options);
 // Proves the properties of the channels of a material at their parameters. For energy, this is the largest
 // directional albedo to 1e-3, if the integral is known. `file` is named in the statements.
 std::vector<Proof> prove(const Material& material, const std::string& file, const Options& options);
+
+// The properties of single values, which need neither an integral nor rounding errors.
+inline constexpr std::array kPropertiesOfValues{Property::finite, Property::non_negative,
+                                                Property::reciprocity};
+
+// Proves the properties of single values of a material. A program that calls this function alone, such as
+// the page for browsers, contains no other method of proof.
+std::vector<Proof> prove_values(const Material& material, const std::string& file,
+                                const SearchOptions& search);
+
+// Proves that the formula of a form is symmetric in its directions.
+Proof prove_reciprocity(const Reflectance& form);
 
 // Returns a place that shows a declared violation: a direction in which f is negative, or an albedo that
 // exceeds 1 by more than the error bound of the integral. Returns std::nullopt if no violation is declared

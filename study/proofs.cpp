@@ -1,6 +1,5 @@
 #include "study/proofs.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "prove/proof.h"
@@ -8,40 +7,47 @@
 namespace brdf::study {
 namespace {
 
-constexpr long kBoxes = 60;
+const prove::SearchOptions kBrief{60, std::numeric_limits<double>::infinity()};
 
-std::vector<prove::Property> proved_of(const validate::Subject& subject) {
+std::vector<prove::Proof> proofs_of_form(const Reflectance& form) {
   prove::Options brief;
-  brief.search = {kBoxes, std::numeric_limits<double>::infinity()};
-  std::vector<prove::Proof> proofs;
-  brief.properties = {prove::Property::finite, prove::Property::non_negative, prove::Property::reciprocity};
-  if (subject.of_form()) {
-    brief.properties.push_back(prove::Property::energy);
-    proofs = prove::prove(*subject.of_form(), brief);
-  } else {
-    proofs = prove::prove(subject.own(), subject.name(), brief);
+  brief.search = kBrief;
+  brief.properties.assign(prove::kPropertiesOfValues.begin(), prove::kPropertiesOfValues.end());
+  brief.properties.push_back(prove::Property::energy);
+  return prove::prove(form, brief);
+}
+
+std::vector<prove::Proof> proofs_of_material(const validate::Subject& subject) {
+  return prove::prove_values(subject.own(), subject.name(), kBrief);
+}
+
+void mark(const validate::Subject& subject, const std::vector<prove::Proof>& proofs,
+          std::vector<validate::Finding>& findings) {
+  for (validate::Finding& f : findings) {
+    const auto property = find_named<prove::Property>(f.check);
+    if (!property || f.subject != subject.name() || f.outcome != validate::Outcome::pass) continue;
+    bool any = false, all = true;
+    for (const prove::Proof& p : proofs) {
+      if (p.claim.property != *property) continue;
+      any = true;
+      all = all && p.verdict == prove::Verdict::proved;
+    }
+    f.proof = any && all ? "proved" : "sampled";
   }
-  std::vector<prove::Property> proved;
-  for (const prove::Property property : brief.properties) {
-    const auto holds = [&](const prove::Proof& p) {
-      return p.claim.property != property || p.verdict == prove::Verdict::proved;
-    };
-    if (std::ranges::all_of(proofs, holds)) proved.push_back(property);
-  }
-  return proved;
 }
 
 }  // namespace
 
+void mark_proofs_of_material(const validate::Subject& material, std::vector<validate::Finding>& findings) {
+  mark(material, proofs_of_material(material), findings);
+}
+
 void mark_proofs(const std::vector<validate::Subject>& subjects, std::vector<validate::Finding>& findings) {
   for (const validate::Subject& subject : subjects) {
-    std::vector<prove::Property> proved;
-    if (!subject.is_outside()) proved = proved_of(subject);
-    for (validate::Finding& f : findings) {
-      const auto property = find_named<prove::Property>(f.check);
-      if (!property || f.subject != subject.name() || f.outcome != validate::Outcome::pass) continue;
-      f.proof = std::ranges::find(proved, *property) == proved.end() ? "sampled" : "proved";
-    }
+    std::vector<prove::Proof> proofs;  // empty for outside code, which has no place in the catalogue
+    if (!subject.is_outside())
+      proofs = subject.of_form() ? proofs_of_form(*subject.of_form()) : proofs_of_material(subject);
+    mark(subject, proofs, findings);
   }
 }
 

@@ -12,4 +12,7 @@ namespace brdf::study {
 // not a time, so that equal inputs give equal words on every machine.
 void mark_proofs(const std::vector<validate::Subject>& subjects, std::vector<validate::Finding>& findings);
 
+// The same for the findings of one material.
+void mark_proofs_of_material(const validate::Subject& material, std::vector<validate::Finding>& findings);
+
 }  // namespace brdf::study

@@ -126,7 +126,7 @@ bool add_material(Findings& found, const SampleOptions& options, const Step& ste
   // Commands use the name that the file has in the page's folder.
   found.subject = validate::Subject::material(kMaterial, best.material);
   found.properties = validate::run_checks({*found.subject}, {});
-  mark_proofs({*found.subject}, found.properties);
+  mark_proofs_of_material(*found.subject, found.properties);
   step();
   const auto stops = [&] { return options.fit.stop(); };
   if (options.pictures && !stops())

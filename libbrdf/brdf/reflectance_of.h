@@ -93,6 +93,31 @@ void lobes_with(std::span<const double> shape, Partial partial, const Directions
   }
 }
 
+// A form that mixes the channels' weights has no lobes, so its weights are variables, too.
+template <Form F>
+void gradient_directions(const ParameterValues<double>& p, const Directions<double>& d, const LobeRows& out) {
+  constexpr std::size_t P = parameter_count<typename F::template Shape<double>>,
+                        W = parameter_count<typename F::template Weights<double>>;
+  using D = Dual<double, int(P + W)>;
+  using Shape = typename F::template Shape<D>;
+  using Weights = typename F::template Weights<D>;
+  std::array<D, P> shape;
+  std::array<D, W> weights, first;
+  for (std::size_t k = 0; k < P; ++k) shape[k] = D::variable(p.shape[k], k);
+  for (std::size_t k = 0; k < W; ++k) {
+    weights[k] = D::variable(p.weights[k], P + k);
+    first[k] = p.first.data() == p.weights.data() ? weights[k] : D(p.first[k]);
+  }
+  const auto s = from_values<Shape>(std::span<const D>(shape));
+  const auto w = from_values<Weights>(std::span<const D>(weights)),
+             f = from_values<Weights>(std::span<const D>(first));
+  for (std::size_t i = 0; i < d.count; ++i) {
+    const D value = brdf::eval(F{}, w, f, s, geometry(d.wi(i), d.wo(i)));
+    out.data[i] = value.a;
+    for (std::size_t k = 0; k < P + W; ++k) out.data[(1 + k) * out.stride + i] = value.v[k];
+  }
+}
+
 // Determines the effect of linear() by evaluating it: the weight that each lobe takes, and the factor of
 // that weight.
 template <LinearForm F>
@@ -212,23 +237,10 @@ class FormModel final : public ReflectanceModel {
 
   void gradient(const ParameterValues<double>& p, const Directions<double>& d,
                 const LobeRows& out) const override {
-    constexpr std::size_t P = parameter_count<Shape<double>>, W = parameter_count<Weights<double>>;
-    using D = Dual<double, int(P + W)>;
-    std::array<D, P> shape;
-    std::array<D, W> weights, first;
-    for (std::size_t k = 0; k < P; ++k) shape[k] = D::variable(p.shape[k], k);
-    for (std::size_t k = 0; k < W; ++k) {
-      weights[k] = D::variable(p.weights[k], P + k);
-      first[k] = p.first.data() == p.weights.data() ? weights[k] : D(p.first[k]);
-    }
-    const auto s = from_values<Shape<D>>(std::span<const D>(shape));
-    const auto w = from_values<Weights<D>>(std::span<const D>(weights)),
-               f = from_values<Weights<D>>(std::span<const D>(first));
-    for (std::size_t i = 0; i < d.count; ++i) {
-      const D value = brdf::eval(F{}, w, f, s, geometry(d.wi(i), d.wo(i)));
-      out.data[i] = value.a;
-      for (std::size_t k = 0; k < P + W; ++k) out.data[(1 + k) * out.stride + i] = value.v[k];
-    }
+    if constexpr (LinearForm<F>)
+      ReflectanceModel::gradient(p, d, out);
+    else
+      gradient_directions<F>(p, d, out);
   }
 
   std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override {

@@ -93,8 +93,30 @@ void ReflectanceModel::eval_cos(const ParameterValues<float>& p, const Direction
 }
 void ReflectanceModel::lobes(std::span<const double>, Partial, const Directions<double>&,
                              const LobeRows&) const {}
-void ReflectanceModel::gradient(const ParameterValues<double>&, const Directions<double>&,
-                                const LobeRows&) const {}
+void ReflectanceModel::gradient(const ParameterValues<double>& p, const Directions<double>& d,
+                                const LobeRows& out) const {
+  const std::span<const LobeWeight> table = info().lobes;
+  const std::size_t shapes = p.shape.size(), rows = 1 + shapes;
+  std::vector<double> lobe_rows(table.size() * rows * d.count);
+  lobes(p.shape, Partial::shape, d, {lobe_rows.data(), d.count});
+  const auto row = [&](std::size_t k) { return std::span(out.data + k * out.stride, d.count); };
+  const auto add = [&](std::size_t to, std::size_t lobe, std::size_t from, double factor) {
+    const double* const values = lobe_rows.data() + (lobe * rows + from) * d.count;
+    for (std::size_t i = 0; i < d.count; ++i) row(to)[i] += factor * values[i];
+  };
+  for (std::size_t k = 0; k < rows + p.weights.size(); ++k) std::ranges::fill(row(k), 0);
+  const std::vector<double> linear = linear_weights(info(), p.weights);
+  const int place = info().weight_index(Role::f0);
+  const std::size_t f0_row = rows + std::size_t(std::max(place, 0));
+  const double f0 = place < 0 ? 1 : p.weights[std::size_t(place)];
+  for (std::size_t l = 0; l < table.size(); ++l) {
+    const auto [weight, factor] = table[l];
+    for (std::size_t k = 0; k < rows; ++k) add(k, l, k, linear[l]);
+    const bool whole = factor == LobeWeight::Factor::one, reflected = factor == LobeWeight::Factor::f0;
+    add(rows + weight, l, 0, whole ? 1 : reflected ? f0 : 1 - f0);
+    if (!whole) add(f0_row, l, 0, reflected ? p.weights[weight] : -p.weights[weight]);
+  }
+}
 std::vector<ReflectanceModel::TableWeight> ReflectanceModel::weights_of(std::span<const double>) const {
   return {};
 }

@@ -241,6 +241,22 @@ TEST(Material, CosineLobesReflectTheirWeights) {
     }
 }
 
+// The page for browsers proves the properties of values alone.
+TEST(Material, PropertiesOfValuesAreTheSameAlone) {
+  Options options;
+  options.properties.assign(kPropertiesOfValues.begin(), kPropertiesOfValues.end());
+  for (const char* name : {"ward", "cook_torrance", "phong_as_coded", "matt_8", "mitsuba_principled"}) {
+    const Material m{{"r", "g"}, {make_term(*find_form(name), 2)}};
+    const std::vector<Proof> all = prove(m, "m", options), alone = prove_values(m, "m", options.search);
+    ASSERT_EQ(alone.size(), all.size()) << name;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      EXPECT_EQ(alone[k].statement, all[k].statement) << name;
+      EXPECT_EQ(alone[k].verdict, all[k].verdict) << name;
+      EXPECT_EQ(alone[k].high, all[k].high) << name;
+    }
+  }
+}
+
 TEST(Material, NothingIsSaidOfOtherProgramsModels) {
   for (const Reflectance& form : targets())
     for (const Proof& p : prove(Material{{"fr"}, {make_term(form, 1)}}, "m", {})) {

@@ -102,6 +102,30 @@ class Torn final : public Lambda {
   }
 };
 
+// One lobe of (1 + sharpness)/8, which states this derivative by the sharpness: 1/8 is right.
+class OneLobe final : public Lambda {
+ public:
+  explicit OneLobe(double stated)
+      : Lambda([](double weight, double sharpness, const auto&, const auto&) {
+          return weight * (1 + sharpness) / 8;
+        }),
+        stated_(stated) {
+    info_.differentiable = true;
+    info_.lobes = lobes_;
+  }
+  void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
+             const LobeRows& out) const override {
+    for (std::size_t i = 0; i < d.count; ++i) {
+      out.data[i] = (1 + shape[0]) / 8;
+      if (partial != Partial::none) out.data[out.stride + i] = stated_;
+    }
+  }
+
+ private:
+  double stated_;
+  std::array<LobeWeight, 1> lobes_{};
+};
+
 Reflectance lambda(Values f, Role shape = Role::other) {
   return Reflectance(std::make_shared<const Lambda>(std::move(f), shape));
 }
@@ -162,6 +186,17 @@ TEST(Outside, ADerivativeThatIsNoNumberFails) {
   const Outcomes found = judged(Reflectance(std::make_shared<const Torn>()));
   EXPECT_EQ(checks_that_are(found, Outcome::fail), Names{"derivatives"});
   EXPECT_TRUE(std::isnan(found.at("derivatives").value));
+}
+
+// Fits use the derivatives of the lobes, so the check looks at these.
+TEST(Outside, DerivativesOfLobesAreJudged) {
+  const auto derivatives = [](double stated) {
+    return judged(Reflectance(std::make_shared<const OneLobe>(stated))).at("derivatives");
+  };
+  EXPECT_EQ(derivatives(0.125).outcome, Outcome::pass);
+  const Finding wrong = derivatives(0.126);
+  EXPECT_EQ(wrong.outcome, Outcome::fail);
+  EXPECT_NEAR(wrong.value, 0.001 / 0.126, 1e-9);  // relative to the stated derivative
 }
 
 TEST(Outside, WeightsThatShareTheLightNeverExceedIt) {
