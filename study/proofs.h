@@ -12,7 +12,8 @@ namespace brdf::study {
 // not a time, so that equal inputs give equal words on every machine.
 void mark_proofs(const std::vector<validate::Subject>& subjects, std::vector<validate::Finding>& findings);
 
-// The same for the findings of one material.
+// The same for the findings of one material, which is not outside code. A program that calls this function
+// alone contains no proof of energy or of rounding.
 void mark_proofs_of_material(const validate::Subject& material, std::vector<validate::Finding>& findings);
 
 }  // namespace brdf::study

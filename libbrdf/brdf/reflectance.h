@@ -155,7 +155,8 @@ class ReflectanceModel {
 
   // Row 0 receives f_r, the next rows its derivatives by the shape parameters, then by the weights. If
   // `first` is the same array as the weights, the derivatives by the weights include both. Valid only if
-  // info().differentiable. The default adds up the lobes, which fits use.
+  // info().differentiable. The default adds up the derivatives of the lobes, which fits use; it is valid only
+  // if info().lobes is not empty.
   virtual void gradient(const ParameterValues<double>& p, const Directions<double>& d,
                         const LobeRows& out) const;
 

@@ -1,4 +1,5 @@
-// Samplers in a build that has no shaders, such as the page for browsers: no check of a sampler is made.
+// Checks of samplers in a build with an empty BRDF_SAMPLERS, such as the page for browsers, in place of the
+// folder joint: refused by name.
 #include "io/files/error.h"
 #include "validate/joint/judge_sampler.h"
 
