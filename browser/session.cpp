@@ -93,18 +93,27 @@ std::vector<double> angles_of_curve() {
   return thetas;
 }
 
-Json albedos_of(const Material& material, const std::vector<double>& thetas) {
+// The curves of the channels: the albedo at each angle, null if it is not known, and whether the least value
+// within the bound of its error is above 1 somewhere.
+struct Albedos {
   Json curves = Json::array();
-  for (std::size_t c = 0; c < material.channels.size(); ++c) curves.push_back(Json::array());
+  bool above_one = false;
+};
+
+Albedos albedos_of(const Material& material, const std::vector<double>& thetas) {
+  Albedos out;
+  for (std::size_t c = 0; c < material.channels.size(); ++c) out.curves.push_back(Json::array());
   AlbedoOptions options;
   options.tolerance = 1e-5;
   options.max_evaluations = 200'000;
   for (const double theta : thetas) {
     const std::vector<AlbedoResult> found = directional_albedo(material, degrees(theta), degrees(0), options);
-    for (std::size_t c = 0; c < found.size(); ++c)
-      curves[c].push_back(found[c].converged ? io::finite_or_null(found[c].value) : Json(nullptr));
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      out.curves[c].push_back(found[c].converged ? io::finite_or_null(found[c].value) : Json(nullptr));
+      out.above_one = out.above_one || (found[c].converged && found[c].value - found[c].error_bound > 1);
+    }
   }
-  return curves;
+  return out;
 }
 
 // The mean over the channels of f_r cos_o in the plane of incidence, for theta_o from -89 degrees, which is
@@ -149,8 +158,10 @@ Json Session::study(const JsonPlace& request) {
   options.fit = fit::options_of(choice);
   options.fit_words = fit::words_of(choice);
   if (has(request, "tolerance")) options.tolerance = request.at("tolerance").number(0, 1e6);
-  std::string command = "brdf study " + io::shell_word(name) + options.fit_words;
-  if (options.tolerance) command += " --tolerance " + io::to_text(100 * *options.tolerance) + "%";
+  // A name that only looks like standard input is a file here.
+  std::string command = "brdf study " + (name == "-" ? "./-" : io::shell_file(name)) + options.fit_words;
+  if (options.tolerance) command += " --tolerance " + io::to_text(*options.tolerance);
+  command += " --output studied";
   io::record_command(command);
   int steps = 0;
   constexpr std::array kNext{"fitting", "judging the properties", "drawing", "writing the page"};
@@ -177,7 +188,7 @@ Json Session::material(const JsonPlace& request) {
   for (const double t : theta) angles.push_back(io::to_text(t));
   const std::string command = "brdf albedo" + chosen.words + " --theta " + io::joined(angles, ",");
   io::record_command(command);
-  const Json albedo = albedos_of(chosen.material, theta);
+  const Albedos albedos = albedos_of(chosen.material, theta);
   const Json lobes{lobe_of(chosen.material, 30), lobe_of(chosen.material, 65)};
   files_.push_back({study::kMaterial, io::to_text(io::to_json(chosen.material))});
   Json no_shader = nullptr;
@@ -186,9 +197,13 @@ Json Session::material(const JsonPlace& request) {
   } catch (const InputError& e) {
     no_shader = e.what();
   }
-  return {{"command", command},       {"channels", chosen.material.channels},
-          {"theta", theta},           {"albedo", albedo},
-          {"lobes", lobes},           {"no_shader", no_shader},
+  return {{"command", command},
+          {"channels", chosen.material.channels},
+          {"theta", theta},
+          {"albedo", albedos.curves},
+          {"above_one", albedos.above_one},
+          {"lobes", lobes},
+          {"no_shader", no_shader},
           {"files", names_of(files_)}};
 }
 

@@ -26,8 +26,8 @@ endfunction()
 # brdf_flags(TARGET LEVEL): sets the optimisation level; targets at the low level share precompiled headers.
 function(brdf_flags target level)
   target_compile_options(${target} PRIVATE $<${release}:-O${level}>)
-  if(EMSCRIPTEN AND NOT target MATCHES "fit|measured|sheet|interop|hot")
-    target_compile_options(${target} PRIVATE -Os)  # but one level for all users of Eigen's templates
+  if(EMSCRIPTEN AND NOT target MATCHES "hot")
+    target_compile_options(${target} PRIVATE -Oz)  # a page is fetched before it computes
   endif()
   if(level GREATER 1 OR BUILD_SHARED_LIBS)
     return()

@@ -1,5 +1,6 @@
 #include "fit/choice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -96,6 +97,17 @@ void check_range(const char* option, Number value, Number low, Number high) {
                           : "number from " + io::to_text(double(low)) + " to " + io::to_text(double(high))));
 }
 
+// Returns the models of "all", "every", "ward" or "oren_nayar+ward".
+std::vector<std::vector<Reflectance>> models_of_word(std::string_view word) {
+  if (word == "all") return canonical_models();
+  if (word == "every") return every_model();
+  std::vector<Reflectance> forms;
+  std::vector<std::string_view> names;
+  io::split(word, '+', names);
+  for (const std::string_view name : names) forms.push_back(io::require_form(std::string(name)));
+  return {forms};
+}
+
 }  // namespace
 
 FitOptions options_of(const FitChoice& o) {
@@ -116,13 +128,20 @@ FitOptions options_of(const FitChoice& o) {
 
 std::vector<std::vector<Reflectance>> models_of(const std::string& text) {
   if (text == "auto") return {};
-  if (text == "all") return canonical_models();
-  if (text == "every") return every_model();
-  std::vector<Reflectance> forms;
-  std::vector<std::string_view> names;
-  io::split(text, '+', names);
-  for (const std::string_view name : names) forms.push_back(io::require_form(std::string(name)));
-  return {forms};
+  std::vector<std::vector<Reflectance>> out;
+  std::vector<std::string_view> words;
+  io::split(text, ',', words);
+  for (const std::string_view word : words) {
+    if (word == "auto")
+      throw InputError("--form " + text + ": auto builds a model by itself: leave the other forms out");
+    for (std::vector<Reflectance>& model : models_of_word(word)) {
+      if (std::ranges::find(out, model) != out.end())
+        throw InputError("--form " + text + ": " + std::string(word) +
+                         " is named twice: name each form once");
+      out.push_back(std::move(model));
+    }
+  }
+  return out;
 }
 
 std::string words_of(const FitChoice& o) {

@@ -20,8 +20,9 @@ struct FitChoice {
 
 // Returns the options that the texts describe. Throws InputError.
 FitOptions options_of(const FitChoice& choice);
-// Returns the models for "all", "every", "ward" or "oren_nayar+ward". Returns an empty list for "auto", for
-// which fit() builds the model itself. Throws InputError.
+// Returns the models for "all", "every", "ward", "oren_nayar+ward", or a list of these that commas separate.
+// Returns an empty list for "auto", for which fit() builds the model itself. Throws InputError for an unknown
+// form, for a model that is named twice, and for auto in a list.
 std::vector<std::vector<Reflectance>> models_of(const std::string& form);
 // Returns the choice in the syntax of a shell, without the options that have their default values: " --form
 // ward --fix ks=0". Together with the version, this text contains everything that determines a result.

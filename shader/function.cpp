@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 
-#include "brdf/random.h"
 #include "io/files/error.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
@@ -17,6 +16,7 @@
 #include "shader/front/module_file.h"
 #include "shader/half_precision.h"
 #include "shader/joint.h"
+#include "shader/kernels.h"
 #include "shader/program/lower.h"
 #include "shader/reflection.h"
 #include "shader/symmetry.h"
@@ -109,40 +109,6 @@ Program lowered(const spirv::Module& module, const spirv::Function& entry, const
     if (!what.starts_with("line ")) throw InputError(name + ": " + what);
     throw InputError(name + ":" + what.substr(5));
   }
-}
-
-// Returns whether the module's functions that have names of the library's kernels compute the kernels, to
-// 1e-5, for numbers of all magnitudes. A function of another meaning is taken as it is written.
-bool holds_kernels(const spirv::Module& module, const std::string& name) {
-  const auto value = []<class T>(const Program& program, T a, T b) {
-    Bank<T, 1> bank(program);
-    std::size_t given = 0;
-    for (const Input& input : program.inputs)
-      for (const std::uint32_t slot : input.slots) bank.set(slot, given++ == 0 ? a : b);
-    run<T, 1>(program, bank);
-    return bank.number(program.results[0])[0];
-  };
-  const std::vector<NamedKernel> kernels = kernels_of(module);
-  for (const NamedKernel& kernel : kernels) {
-    const Program program = lowered(module, *kernel.function, {}, name);
-    const Program meant{.stretches = {{.steps = {{kernel.op, 2, 0, 1}}}},
-                        .numbers = 3,
-                        .inputs = {{"a", "float", {0}}, {"b", "float", {1}}},
-                        .results = {2}};
-    Random random(1);
-    for (int k = 0; k < 4096; ++k) {
-      // All kernels are defined for operands from 0 to 10, log1p for a second one of 0.
-      const auto magnitude = [&] { return std::exp2(-20 + 23.3 * random.uniform()); };
-      const double a = kernel.op == Op::exp && k % 2 ? -magnitude() : magnitude();
-      const double b = kernel.op == Op::log1p ? 0 : magnitude();
-      const double is = value(program, float(a), float(b));
-      const double should = value(meant, double(float(a)), double(float(b)));
-      if (std::isfinite(should) && std::abs(should) < 1e30 && std::abs(should) > 1e-30 &&
-          !(std::abs(is - should) <= 1e-5 * std::abs(should)))
-        return false;
-    }
-  }
-  return !kernels.empty();
 }
 
 }  // namespace
@@ -255,7 +221,7 @@ Function function_of(Source source, const Compiled& compiled) {
   options.accumulated = chosen.results.accumulated;
   options.zero_globals = source.language == Language::hlsl;
   options.textures = textures_of(module, source);
-  const bool kernels = holds_kernels(module, f.source.name);
+  const std::set<spirv::Id> kernels = library_kernels(module);
   std::shared_ptr<Function> in_half = set_programs(f, options, kernels, [&](const LowerOptions& o) {
     return lowered(module, *chosen.function, o, source.name);
   });
@@ -285,7 +251,7 @@ Function function_of(Source source, const Compiled& compiled) {
   f.symmetry = symmetry_of(f.as_written, f.bindings);
   f.symmetry.reflects = reflects(f.as_written, f.bindings);
   f.symmetry_as_meant = f.symmetry;
-  if (kernels) {
+  if (!kernels.empty()) {
     f.symmetry_as_meant = symmetry_of(f.as_meant, f.bindings_as_meant);
     f.symmetry_as_meant.reflects = reflects(f.as_meant, f.bindings_as_meant);
   }

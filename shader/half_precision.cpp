@@ -6,9 +6,9 @@
 
 namespace brdf::shader {
 
-std::shared_ptr<Function> set_programs(Function& f, LowerOptions options, bool kernels,
+std::shared_ptr<Function> set_programs(Function& f, LowerOptions options, const std::set<spirv::Id>& kernels,
                                        const std::function<Program(const LowerOptions&)>& lower) {
-  options.kernels_by_meaning = false;
+  options.by_meaning.clear();
   options.halves = Halves::allowed;
   std::shared_ptr<Function> in_half = std::make_shared<Function>();
   in_half->as_written = lower(options);
@@ -21,8 +21,8 @@ std::shared_ptr<Function> set_programs(Function& f, LowerOptions options, bool k
     in_half.reset();
   }
   options.halves = Halves::none;
-  options.kernels_by_meaning = kernels;
-  f.as_meant = kernels || f.has_half_types ? lower(options) : f.as_written;
+  options.by_meaning = kernels;
+  f.as_meant = !kernels.empty() || f.has_half_types ? lower(options) : f.as_written;
   return in_half;
 }
 

@@ -11,10 +11,11 @@
 
 namespace brdf::shader {
 
-// Sets the programs of the function for float and for the other scalars. `kernels`: the library's kernels
-// have a meaning of their own. `lower` flattens the function. Returns a function with the program that
+// Sets the programs of the function for float and for the other scalars. `kernels`: the functions
+// that are the library's (shader/kernels.h). `lower` flattens the function. Returns a function with the program that
 // rounds every value that has or may have 16 bits; null if the function has no such values.
-std::shared_ptr<Function> set_programs(Function& function, LowerOptions options, bool kernels,
+std::shared_ptr<Function> set_programs(Function& function, LowerOptions options,
+                                       const std::set<spirv::Id>& kernels,
                                        const std::function<Program(const LowerOptions&)>& lower);
 
 // Returns f_r of one component in 1/sr at directions that are rounded to float, with every value that has or

@@ -12,7 +12,8 @@ namespace brdf::shader {
 namespace {
 
 Function companion(const spirv::Module& module, const spirv::Function& function, const Source& source,
-                   const std::optional<EntryLine>& line, LowerOptions options, bool kernels) {
+                   const std::optional<EntryLine>& line, LowerOptions options,
+                   const std::set<spirv::Id>& kernels) {
   Function f;
   const auto in_half = set_programs(f, std::move(options), kernels,
                                     [&](const LowerOptions& o) { return lower(module, function, o); });
@@ -88,7 +89,8 @@ std::string Joint::half_unknown() const {
 }
 
 std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Function& reflectance,
-                                  const Source& source, const LowerOptions& of_reflectance, bool kernels) {
+                                  const Source& source, const LowerOptions& of_reflectance,
+                                  const std::set<spirv::Id>& kernels) {
   const FoundSampler sampler = find_sampler(module, source, reflectance);
   const FoundDensity density = find_density(module, source, reflectance);
   auto joint = std::make_shared<Joint>();

@@ -88,7 +88,8 @@ class Joint {
 // Finds, flattens and binds both functions; null if the file has neither. `options`: as for the
 // reflectance. Throws InputError for a function that is named but cannot be used.
 std::shared_ptr<Joint> make_joint(const spirv::Module& module, const spirv::Function& reflectance,
-                                  const Source& source, const LowerOptions& options, bool kernels);
+                                  const Source& source, const LowerOptions& options,
+                                  const std::set<spirv::Id>& kernels);
 // Connects the parameters of both functions to the parameters of the reflectance.
 void bind_joint(Joint& joint, const Function& reflectance);
 // Returns whether the function takes an argument that the sampler uses in another sense than usual: the

@@ -12,6 +12,7 @@
 #include "io/page/html_report.h"
 #include "io/page/sphere/page.h"
 #include "measured/on_sphere.h"
+#include "study/lobes.h"
 #include "validate/form/checks.h"
 #include "validate/report/report.h"
 #include "validate/report/report_plots.h"
@@ -55,6 +56,7 @@ void add_lobes(io::HtmlReport& report, const Spheres& spheres) {
                         .title = "incidence at " + io::short_number(lobe.theta_i) + " degrees",
                         .text = "dots: measurements at this incidence, faint behind the lobe",
                         .body = lobe.body.dots.size() > kMostDots ? std::nullopt : std::optional(lobe.body)});
+  if (!has_lobes()) report.paragraph("No lobes: this build has no renderer, which draws them.");
   if (pictures.empty()) return;
   report.heading("Lobes: fitted (surface) and measured (dots)");
   report.pictures(pictures);

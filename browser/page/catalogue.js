@@ -40,8 +40,8 @@ class Catalogue {
 
   // Shows the material of the address.
   follow() {
-    if (location.hash === this.written) return;
     byId("link_fault").textContent = byId("link_fault").className = "";
+    if (location.hash === this.written) return;
     try {
       const chosen = chosenIn(location.hash, this.forms);
       if (!chosen) return;
@@ -111,19 +111,29 @@ class Catalogue {
     };
     put(values[k], null);
     range.addEventListener("input", () => {
-      put(Number(shown(scale.value(Number(range.value)))), range);
-      number.setCustomValidity("");
+      const rounded = Number(shown(scale.value(Number(range.value))));
+      put(Math.min(Math.max(rounded, low), high), range);
+      this.accept(number);
       this.changed(true);
     });
     number.addEventListener("input", () => {
       const value = number.value === "" ? NaN : Number(number.value), good = value >= low && value <= high;
-      number.setAttribute("aria-invalid", String(!good));
-      number.setCustomValidity(good ? "" : `${symbol} is a number from ${low} to ${high}.`);
+      this.accept(number, good ? "" : `${symbol} is a number from ${low} to ${high}.`);
       if (!good) return number.reportValidity();
       put(value, number);
       this.changed(true);
     });
+    number.addEventListener("blur", () => {  // the field shows the value of the plots again
+      if (!number.validity.valid) put(values[k], null);
+      this.accept(number);
+    });
     return make("div", { className: "parameter" }, make("label", { htmlFor: number.id }, title), range, number);
+  }
+
+  // Marks the number of a field as possible, or as impossible for the reason in `fault`.
+  accept(number, fault = "") {
+    number.setAttribute("aria-invalid", String(fault !== ""));
+    number.setCustomValidity(fault);
   }
 
   // The chosen material differs: the plots are old until the program answers.

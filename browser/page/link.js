@@ -3,7 +3,7 @@
 
 class LinkFault extends Error {}
 
-const toBase64Url = (text) => btoa(String.fromCharCode(...new TextEncoder().encode(text)))
+const toBase64Url = (text) => btoa(Array.from(new TextEncoder().encode(text), (byte) => String.fromCharCode(byte)).join(""))
   .replace(/\+/g, "-").replace(/\//g, "_").replace(/=+$/, "");
 
 const fromBase64Url = (text) =>
@@ -55,7 +55,8 @@ const chosenOf = ({ fit, ...material }, forms) => {
   const { format, version, form: name, channels = [], weights = {}, shape = {}, tangent_phi: phi = 0, ...more } = material;
   const given = { ...weights, ...shape };
   const listed = (value) => Array.isArray(value) ? value : [value];
-  const fits = form && phi === 0 && Object.keys(more).length === 0 && [1, 3].includes(channels.length)
+  // The sliders give names to the channels, so other names would be lost.
+  const fits = form && phi === 0 && Object.keys(more).length === 0 && ["fr", "r,g,b"].includes(channels.join(","))
     && Object.keys(given).length === form.parameters.length
     && form.parameters.every(({ symbol, low, high, colour }) => symbol in given && listed(given[symbol]).every((v) => v >= low && v <= high)
       && (listed(given[symbol]).length === 1 || (colour && listed(given[symbol]).length === 3)));

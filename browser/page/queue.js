@@ -11,6 +11,9 @@ const settings = () => {
   return { form: models === "chosen" ? chosen.join(",") : models, metric: byId("metric").value, tolerance: share };
 };
 
+const stateOf = ({ mark, within_tolerance: within }) =>
+  mark === "bad" ? "fitted, not usable" : within === false ? "fitted, outside the tolerance" : "fitted";
+
 class Queue {
   entries = [];
 
@@ -57,10 +60,12 @@ class Queue {
     if (cancelled) this.mark(entry, "cancelled", "Remove");
     else if (answer.error) {
       this.mark(entry, "refused", "Remove");
+      entry.item.append(make("p", { className: "refused" }, answer.error));
       this.results.refuse(entry, answer.error);
     } else {
-      Object.assign(entry, { row: answer.row, command: answer.command, files: withAddresses(files) });
-      this.mark(entry, answer.row.mark === "bad" ? "fitted, not usable" : "fitted", "Remove");
+      const { row, command, assumptions } = answer;
+      Object.assign(entry, { row, command, assumptions, files: withAddresses(files) });
+      this.mark(entry, stateOf(row), "Remove");
       this.results.add(entry);
     }
     if (!this.entries.some((e) => e.question)) this.say(`${entry.name}: ${entry.state.textContent}.`, null);

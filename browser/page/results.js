@@ -82,16 +82,18 @@ class Results {
   }
 
   pane(entry) {
-    const { name, row, command, files } = entry;
+    const { name, row, command, assumptions, files } = entry;
     const facts = [["form", row.form], ["measurements", row.rows.toLocaleString("en")], ["median error", percent(row.median_relative_error)],
       ["left-out error", percent(row.cross_validated_error)]];
+    if (row.within_tolerance !== null) facts.push([`tolerance of ${percent(row.tolerance)}`, row.within_tolerance ? "kept" : "exceeded"]);
+    const remarks = [...assumptions, ...row.warnings];
     const number = this.finished.indexOf(entry) + 1;
     const frame = make("iframe", { title: `Report on ${name}`, sandbox: "allow-scripts allow-popups allow-modals allow-downloads" });
     const pane = make("article", { className: "pane", "aria-label": `Result ${number}: ${name}` },
       make("h3", {}, name),
       make("p", { className: "verdict " + row.mark }, row.statement),
       make("ul", { className: "facts" }, ...facts.map(([label, value]) => make("li", {}, label + " ", make("b", {}, value)))),
-      ...(row.warnings.length ? [make("ul", { className: "remarks" }, ...row.warnings.map((text) => make("li", { className: "warn" }, text)))] : []),
+      ...(remarks.length ? [make("ul", { className: "remarks" }, ...remarks.map((text) => make("li", { className: "warn" }, text)))] : []),
       ...(row.next ? [make("p", { className: "next" }, "Next: ", row.next)] : []),
       make("p", { className: "note" }, "The same study with the installed program:"),
       make("div", { className: "command" }, make("pre", {}, command), copyButton("command", () => command)),
@@ -133,7 +135,7 @@ class Results {
       }
       const made = withAddresses(files);
       entry.files.push(...made);
-      note.replaceChildren(`glTF holds the material as: ${answer.statement}.`, downloads(made));
+      note.replaceChildren(`glTF holds the material as: ${answer.statement}. The same with the installed program: ${answer.command}`, downloads(made));
     });
     return button;
   }

@@ -19,9 +19,10 @@ void add_fit_options(CLI::App& verb, fit::FitChoice& choice) {
   std::vector<std::string> models = names_for(Value::form);
   models.insert(models.end(), {"all", "every", "auto"});
   offer(verb.add_option("--form", choice.form,
-                        "all, every, a form, a sum as in oren_nayar+ward, or auto: terms are added as long "
-                        "as the samples support them")
-            ->capture_default_str(),
+                        "all, every, a form, a sum as in oren_nayar+ward, a list of these separated by "
+                        "commas, or auto: terms are added as long as the samples support them")
+            ->capture_default_str()
+            ->join(','),
         std::move(models));
   add_named_option(
       verb, "--metric", choice.options.metric,

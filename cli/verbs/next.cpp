@@ -85,7 +85,6 @@ void add_next(CLI::App& app) {
   verb->add_option("--model-error", o.next.model_error,
                    "Relative standard deviation of the form from the surface (default: from the residuals)");
   add_fit_options(*verb, o.choice);
-  verb->get_option("--form")->join(',');
   verb->add_option("-o,--output", o.output, "CSV of the chosen directions to write (- for standard output)");
   verb->add_flag("--json", o.json, "JSON on stdout");
   verb->footer(

@@ -205,23 +205,8 @@ NextModels next_models(const std::string& forms, NextOptions next) {
   io::require_between("--rows", double(next.rows), 1, double(NextOptions::kMostRows));
   if (next.noise) io::require_between("--noise", *next.noise, NextOptions::kLeastNoise, 1);
   if (next.model_error) io::require_between("--model-error", *next.model_error, 0, 1);
-  NextModels out{{}, std::move(next)};
-  std::size_t named = 0;
-  for (std::size_t first = 0; first <= forms.size(); ++named) {
-    const std::size_t comma = std::min(forms.find(',', first), forms.size());
-    const std::string form = forms.substr(first, comma - first);
-    std::vector<std::vector<Reflectance>> models = models_of(form);
-    if (models.empty() && forms != form)
-      throw InputError("--form " + forms + ": " + form +
-                       " builds a model by itself: leave the other forms out");
-    for (std::vector<Reflectance>& model : models) {
-      if (std::ranges::find(out.models, model) != out.models.end())
-        throw InputError("--form " + forms + ": " + form + " is named twice: name each form once");
-      out.models.push_back(std::move(model));
-    }
-    first = comma + 1;
-  }
-  if (named > 1 && out.next.aim == Aim::automatic) out.next.aim = Aim::forms;
+  NextModels out{models_of(forms), std::move(next)};
+  if (forms.find(',') != forms.npos && out.next.aim == Aim::automatic) out.next.aim = Aim::forms;
   return out;
 }
 

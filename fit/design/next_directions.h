@@ -104,9 +104,8 @@ struct NextModels {
   std::vector<std::vector<Reflectance>> models;  // empty for "auto"
   NextOptions next;
 };
-// Returns the models of a list of forms separated by commas, each as models_of() takes it (fit/choice.h). If
-// two forms or more are named and no aim is given, the aim is to distinguish them. Throws InputError for an
-// unknown form, for auto in a list, and for an option out of range.
+// Returns the models of models_of() (fit/choice.h). If the text is a list and no aim is given, the aim is to
+// distinguish the forms. Throws InputError as models_of() does, and for an option out of range.
 NextModels next_models(const std::string& forms, NextOptions next);
 
 // Fits the models to the samples and chooses rows of `reach`, a table of directions, one after another; each

@@ -81,9 +81,9 @@ class CompressedCost : public ceres::CostFunction {
     return best.compressed && best.finite &&
            best.residuals.head(n).squaredNorm() <= kRounding * best.residuals.squaredNorm();
   }
-  // Takes the undamped step from a minimum, without a pass for the cost there: the step is predicted to lower
-  // the cost by less than `tolerance` of it. The cost alone places a minimum to half of its digits. No step is
-  // taken that would leave the bounds.
+  // Takes the undamped step from a minimum, without a pass for the cost there: the step is predicted to
+  // lower the cost by less than `tolerance` of it. The cost alone places a minimum to half of its digits. No
+  // step is taken that would leave the bounds.
   void take_last_step(std::vector<double>& p, std::span<const double> low, std::span<const double> high,
                       double tolerance) const {
     std::vector<double> unknowns;

@@ -218,7 +218,7 @@ void Lowering::block(Frame& frame, const spirv::Block& block, bool last) {
 
 std::optional<Slots> Lowering::kernel(const spirv::Function& function,
                                       const std::vector<Argument>& arguments) {
-  const Kernel* known = options_.kernels_by_meaning ? kernel_of(module_, function) : nullptr;
+  const Kernel* known = options_.by_meaning.contains(function.id) ? kernel_of(module_, function) : nullptr;
   if (!known) return std::nullopt;
   Slots operands;
   for (const Argument& a : arguments) operands.push_back((a.pointer ? load(*a.pointer) : a.slots).at(0));

@@ -26,9 +26,9 @@ enum class Halves { none, required, allowed };
 struct LowerOptions {
   // Global variables that are parameters; other global variables keep their initial value.
   std::set<std::string> parameters = {};
-  // Treats the library's kernels in an exported shader as the functions that they approximate, not as their
-  // operations: for scalars other than float.
-  bool kernels_by_meaning = false;
+  // Functions that are kernels of the library in an exported shader. They are treated as the functions that
+  // they approximate, not as their operations: for scalars other than float.
+  std::set<spirv::Id> by_meaning = {};
   Halves halves = Halves::none;
   std::map<std::string, Texture> textures = {};  // by the names of their variables and arguments
   std::size_t most_steps = 200'000;              // limit of the program's size

@@ -34,7 +34,7 @@ def check_tables(browser, address, tables, folder):
         assert page.evaluate("document.querySelector('#queue .first') === null")
         page.wait(is_new("ward.csv"))
         assert "ward" in text_of(page, ".pane .verdict") and page.evaluate("document.querySelector('.pane .verdict.good') !== null")
-        assert text_of(page, ".pane pre") == "brdf study ward.csv --form all", text_of(page, ".pane pre")
+        assert text_of(page, ".pane pre") == "brdf study ward.csv --form all --output studied", text_of(page, ".pane pre")
         assert frame_value(browser, page, "document.querySelectorAll('canvas[id]').length > 3 && charts.length") >= 4
         check_downloads(browser, page, folder)
         page.evaluate("(right => { right.value = '0'; right.dispatchEvent(new Event('change')); })(document.getElementById('right'))")
@@ -79,6 +79,7 @@ def check_refusals(page):
         page.wait(f"document.getElementById('refusal').textContent.includes({json.dumps(name)})")
         assert page.evaluate("document.querySelectorAll('.pane').length") == 0, "an older result stays"
         assert states(page)[-1] == "refused" and len(text_of(page, "#refusal")) > len(name) + 10, text_of(page, "#refusal")
+        assert text_of(page, "#queue li:last-child .refused") in text_of(page, "#refusal"), "the sentence is not in the queue"
     page.evaluate("(left => { left.value = '1'; left.dispatchEvent(new Event('change')); })(document.getElementById('left'))")
     page.wait(is_new("lambert.csv"))
     assert not text_of(page, "#refusal")
@@ -102,6 +103,48 @@ def check_catalogue(browser, address):
             page.wait(f"document.getElementById('link_fault').textContent.includes({json.dumps(words)})")
         page.evaluate("location.hash = '#form=ward&kd=0.1'")
         page.wait("document.getElementById('link_fault').textContent === ''")
+        assert not page.console, page.console
+
+
+def check_slider_ends(browser, address):
+    """Moves sliders to their ends: every value is possible. Unknown albedos are gaps, and no value above 1 is claimed of rounding."""
+    with opened(browser, address + "#form=oren_nayar&rho=0.5&sigma=0.3") as page:
+        page.wait("document.querySelectorAll('#plots svg').length === 2")
+        page.evaluate("(s => { s.value = s.max; s.dispatchEvent(new Event('input')); })(document.querySelectorAll('#sliders [type=range]')[1])")
+        page.wait("document.getElementById('permanent_link').value.includes('sigma=1.57079')")
+        assert page.evaluate("document.querySelectorAll('#plots svg').length") == 2, text_of(page, "#material_state")
+        page.evaluate("location.hash = '#form=ward&kd=0.5&ks=0.5&alpha_x=0.3&alpha_y=0.0001'")
+        page.wait("document.querySelector('#plots figcaption').textContent.includes('are unknown, which are gaps')")
+        page.evaluate("location.hash = '#form=phong&kd=0&ks=1&exponent=0'")
+        page.wait("document.querySelector('#plots svg').getAttribute('aria-label').includes('to 1 at')")
+        assert "reflects more light" not in text_of(page, "#plots figcaption"), text_of(page, "#plots figcaption")
+        page.evaluate("location.hash = '#form=ward_duer&kd=1&ks=1&alpha_x=0.5&alpha_y=0.5'")
+        page.wait("document.querySelector('#plots figcaption').textContent.includes('reflects more light')")
+        page.evaluate("location.hash = '#form=ward&kd=-3'")
+        page.wait("document.getElementById('link_fault').textContent !== ''")
+        page.evaluate("history.back()")
+        page.wait("document.getElementById('link_fault').textContent === ''")
+        assert not page.console, page.console
+
+
+def check_settings(browser, address, tables):
+    """Fits two chosen forms with a tolerance that is not met. Channels of other names than r, g, b keep them in the catalogue."""
+    with opened(browser, address) as page:
+        page.evaluate("""(() => {
+          document.querySelector('input[name=models][value=chosen]').click();
+          document.querySelectorAll('#forms input').forEach(box => { box.checked = ['phong', 'ward'].includes(box.value); });
+          document.getElementById('tolerance').value = '0.1';
+        })()""")
+        drop(page, ("phong_sparse.csv", (tables / "phong_sparse.csv").read_text()))
+        wait_for_states(page, "fitted, outside the tolerance")
+        command = text_of(page, ".pane pre")
+        assert command == "brdf study phong_sparse.csv --form phong,ward --tolerance 0.001 --output studied", command
+        page.evaluate("document.querySelector('input[name=models][value=all]').click(); document.getElementById('tolerance').value = ''")
+        rows = "".join(f"{t},0,{o},{phi},0.1,0.2,0.3\n" for t in (10, 50) for o in (0, 20, 40, 60) for phi in (0, 180))
+        drop(page, ("named.csv", "theta_i,phi_i,theta_o,phi_o,b,g,r\n" + rows))
+        wait_for_states(page, "fitted, outside the tolerance", "fitted")
+        page.evaluate("[...document.querySelectorAll('.pane button')].find(b => b.textContent.includes('catalogue')).click()")
+        page.wait("location.hash.startsWith('#material=')")
         assert not page.console, page.console
 
 
@@ -195,10 +238,12 @@ def main():
         for kind, address in (("disk", (built / "brdf.html").resolve().as_uri()), ("server", server.address + "index.html")):
             check_tables(browser, address, tables, folder)
             check_catalogue(browser, address)
+            check_slider_ends(browser, address)
+            check_settings(browser, address, tables)
             check_keyboard(browser, address)
             check_cancel(browser, address, large)
             check_silence(browser, address, server if kind == "server" else None, tables)
-            print(f"from the {kind}: tables, catalogue, keyboard, cancel and silence")
+            print(f"from the {kind}: tables, catalogue, sliders, settings, keyboard, cancel and silence")
         single = (built / "brdf.html").resolve().as_uri()
         check_answers(browser, single, large)
         check_look(browser, single, npm, folder)

@@ -27,7 +27,7 @@ async function main() {
     first = undefined;
     begin = process.cpuUsage();
     const answer = answerTo(JSON.stringify({do: "study", table: name, form}));
-    console.log(JSON.stringify({table: file, error: answer.error, row: answer.row, first, heap: module.HEAPU8.length,
+    console.log(JSON.stringify({table: file, error: answer.error, row: answer.row, command: answer.command, first, heap: module.HEAPU8.length,
                                 milliseconds: milliseconds(process.cpuUsage(begin))}));
   }
 }

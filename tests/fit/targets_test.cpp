@@ -48,6 +48,15 @@ TEST(TargetFit, TheyTakeNoPartInAll) {
   EXPECT_EQ(models_of("blender_principled").size(), 1u);
 }
 
+TEST(Models, AListHasEachModelOnce) {
+  EXPECT_EQ(models_of("phong,ward").size(), 2u);
+  EXPECT_EQ(models_of("lambert+phong,ward").front().size(), 2u);
+  EXPECT_EQ(models_of("all,blender_principled").size(), models_of("all").size() + 1);
+  EXPECT_TRUE(models_of("auto").empty());
+  for (const char* list : {"ward,lambert,ward", "all,ward", "auto,ward", "ward,", ",", "ward,no_form"})
+    EXPECT_THROW(models_of(list), InputError) << list;
+}
+
 TEST(TargetFit, AWeightOfOneValueIsHeldAndCannotBeMoved) {
   const Material truth = truth_of(*find_form("gltf_metallic_roughness"));
   FitOptions options;
