@@ -12,8 +12,8 @@
 namespace brdf::shader {
 
 // Sets the programs of the function for float and for the other scalars. `kernels`: the functions
-// that are the library's (shader/kernels.h). `lower` flattens the function. Returns a function with the program that
-// rounds every value that has or may have 16 bits; null if the function has no such values.
+// that are the library's (shader/kernels.h). `lower` flattens the function. Returns a function with the
+// program that rounds every value that has or may have 16 bits; null if the function has no such values.
 std::shared_ptr<Function> set_programs(Function& function, LowerOptions options,
                                        const std::set<spirv::Id>& kernels,
                                        const std::function<Program(const LowerOptions&)>& lower);

@@ -59,7 +59,7 @@ class Joint {
 
  private:
   friend std::shared_ptr<Joint> make_joint(const spirv::Module&, const spirv::Function&, const Source&,
-                                           const LowerOptions&, bool);
+                                           const LowerOptions&, const std::set<spirv::Id>&);
   friend void bind_joint(Joint&, const Function&);
   struct Part {
     Function function;

@@ -30,7 +30,7 @@ std::vector<Flattened> flattened_kernels(const spirv::Module& module) {
 // compiled once, because a compiler needs a process.
 const std::vector<Flattened>& exported_kernels() {
   static const std::vector<Flattened> kernels = [] {
-    const Material material = make_material(*find_form("lambert"));
+    const Material material = make_material(catalogue().front());
     std::vector<Flattened> out;
     for (const Source& source :
          {parse_source("kernels.glsl", io::glsl_source(material)),
@@ -52,8 +52,11 @@ bool is_same(const Program& a, const Program& b) {
     return std::ranges::equal(x.steps, y.steps, same_step) && x.end == y.end && x.condition == y.condition &&
            std::ranges::equal(x.next, y.next);
   };
-  const auto same_constant = [](const auto& x, const auto& y) {
-    return x.slot == y.slot && x.value == y.value;
+  const auto same_constant = [](const auto& x, const auto& y) {  // also if both are not a number
+    return x.slot == y.slot && (x.value == y.value || (x.value != x.value && y.value != y.value));
+  };
+  const auto same_unset = [](const Program::Undefined& x, const Program::Undefined& y) {
+    return x.slot == y.slot && x.integer == y.integer;
   };
   const auto same_input = [](const Input& x, const Input& y) {
     return x.slots == y.slots && x.integer == y.integer && x.argument == y.argument;
@@ -61,8 +64,8 @@ bool is_same(const Program& a, const Program& b) {
   return std::ranges::equal(a.stretches, b.stretches, same_stretch) &&
          std::ranges::equal(a.constants, b.constants, same_constant) &&
          std::ranges::equal(a.integer_constants, b.integer_constants, same_constant) &&
-         std::ranges::equal(a.inputs, b.inputs, same_input) && a.undefined.empty() && b.undefined.empty() &&
-         a.results == b.results;
+         std::ranges::equal(a.inputs, b.inputs, same_input) &&
+         std::ranges::equal(a.undefined, b.undefined, same_unset) && a.results == b.results;
 }
 
 }  // namespace

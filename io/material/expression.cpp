@@ -201,11 +201,10 @@ Condition::Condition(std::string_view text, std::string_view option) {
   }
 }
 
-bool Condition::holds(const std::function<double(std::string_view)>& of_name) const {
-  constexpr double kRounding = 1e-12;
+bool Condition::holds(const std::function<double(std::string_view)>& of_name, double rounding) const {
   return std::ranges::all_of(parts_, [&](const Part& part) {
     const double less = part.less.value(of_name), more = part.more.value(of_name);
-    return part.strict ? less < more : less <= more + kRounding * (1 + std::abs(more));
+    return part.strict ? less < more : less <= more + rounding * (1 + std::abs(more));
   });
 }
 

@@ -31,9 +31,9 @@ class Expression {
 class Condition {
  public:
   Condition(std::string_view text, std::string_view option);
-  // Returns whether all comparisons hold. A tolerance of 1e-12, relative and absolute, applies to <= and
-  // >=.
-  bool holds(const std::function<double(std::string_view name)>& of_name) const;
+  // Returns whether all comparisons hold. The tolerance `rounding`, relative and absolute, applies to <= and
+  // >=: numbers that people write, such as 0.7 + 0.2 + 0.1, may exceed a sum by their rounding.
+  bool holds(const std::function<double(std::string_view name)>& of_name, double rounding = 1e-12) const;
   const std::vector<std::string>& names() const { return names_; }
 
  private:

@@ -103,13 +103,14 @@ def faults_of_commands(brdf, folder, work):
 
 
 def faults_of_study_commands(brdf, folder, work):
-    """Runs the commands that the page prints for studies of a table whose name is no plain word: they have the page's result."""
+    """Runs the commands that the page prints for studies of a table whose name is no plain word: they have the page's result. A
+    study of a fit that is not usable ends with 1."""
     table = work / "-it's a table.csv"
     shutil.copy(ROOT / "data/synthetic/phong_sparse.csv", table)
     for form in ("all", "auto", "phong,ward", "oren_nayar+ward"):
         [page] = of_the_page(folder, form, [table])
         told = subprocess.run([brdf, *shlex.split(page["command"])[1:], "--json"], capture_output=True, text=True, cwd=work, check=False)
-        if told.returncode or json.loads(told.stdout)["results"][0]["statement"] != page["row"]["statement"]:
+        if told.returncode not in (0, 1) or json.loads(told.stdout)["results"][0]["statement"] != page["row"]["statement"]:
             yield f"`{page['command']}` ends with {told.returncode} and another result than the page: {told.stderr.strip()}"
         shutil.rmtree(work / "studied", ignore_errors=True)
 

@@ -41,6 +41,25 @@ TEST(OwnShader, ASoundOnePasses) {
   EXPECT_GT(finding(free.out, "energy")["value"].get<double>(), 1.5);
 }
 
+// A search that ended within the tolerance of the condition found values beyond its edge.
+TEST(OwnShader, NoWitnessLiesBeyondTheEdgeOfACondition) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl")
+      << "//: param a 0 1 0.5\n//: param b 0 1 0.25\nfloat brdf(vec3 L, vec3 V, vec3 N, float a, float b) {\n"
+         "  return 2.0*a + b > 2.0 ? 0.6 : 0.05*b;\n}\n";
+  const Outcome o = run_brdf("validate --shader s.glsl --such-that '2*a + b <= 2' --json", folder.path());
+  EXPECT_EQ(finding(o.out, "energy")["verdict"], "pass") << finding(o.out, "energy");
+}
+
+TEST(OwnShader, ValuesThatAreNoNumbersAreNotComparedSilently) {
+  io::TemporaryFolder folder;
+  std::ofstream(folder.path() / "s.glsl")
+      << "float brdf(vec3 L, vec3 V, vec3 N) { return log(-L.z * V.z) * (L.x > 0.0 ? 1.0 : -1.0); }\n";
+  const Outcome o = run_brdf("validate --shader s.glsl --json", folder.path());
+  for (const char* check : {"non_negative", "reciprocity", "isotropy", "continuity", "float"})
+    EXPECT_EQ(finding(o.out, check)["verdict"], "undecided") << finding(o.out, check);
+}
+
 TEST(OwnShader, AClampedProductIsFoundWithTheCommandThatShowsIt) {
   io::TemporaryFolder folder;
   const Outcome o =

@@ -8,6 +8,8 @@
 #include "brdf/targets.h"
 #include "io/material/glsl.h"
 #include "io/material/shader_texts.h"
+#include "shader/front/compile.h"
+#include "shader/kernels.h"
 #include "tests/shader/texts.h"
 
 namespace brdf::shader {
@@ -130,6 +132,28 @@ TEST(ExportedForm, HasTheFormsDerivatives) {
             << form.info().name << ' ' << k;
     }
   }
+}
+
+std::size_t kernels_in(const char* name, const std::string& text) {
+  return library_kernels(spirv::parse(compile(parse_source(name, text)).spirv, name)).size();
+}
+
+// A function of a kernel's name that differs from the kernel at a few values was taken for the kernel,
+// because values were compared at samples of its domain.
+TEST(ExportedForm, AKernelIsKnownByItsOperations) {
+  const Material material = make_material(*find_form("lambert"));
+  const std::string text = io::glsl_source(material);
+  EXPECT_EQ(kernels_in("x.glsl", text), 5u);
+  EXPECT_EQ(kernels_in("x.glsl", io::glsl_source(material, {.dialect = GlslDialect::es})), 5u);
+  EXPECT_EQ(kernels_in("x.hlsl", io::shader_text(material, io::ShaderLanguage::hlsl, true, "x")), 5u);
+  const std::string own = "float brdf_exp(";
+  std::string other = text;
+  const std::size_t at = other.find(own);
+  ASSERT_NE(at, other.npos);
+  other.replace(at, own.size(), "float inner(");
+  const std::size_t next = other.find("float brdf_log(");
+  other.insert(next, "float brdf_exp(float x) { return x < -14.5 ? -2.0 : inner(x); }\n");
+  EXPECT_EQ(kernels_in("x.glsl", other), 4u);
 }
 
 }  // namespace

@@ -99,9 +99,11 @@ Material Subject::restricted(Material at) const {
   if (!condition_) return at;
   const auto holds = [&](const Material& m) {
     const auto named = parameters(m);
-    return condition_->holds([&](std::string_view name) {
+    // Exactly, because a search ends at the edge: no witness may lie beyond it.
+    const auto of_name = [&](std::string_view name) {
       return std::ranges::find_if(named, [&](const auto& p) { return p.first == name; })->second;
-    });
+    };
+    return condition_->holds(of_name, 0);
   };
   if (holds(at)) return at;
   const ReflectanceInfo& f = info(*form_);
