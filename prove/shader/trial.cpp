@@ -19,8 +19,8 @@ void add_direction(Domain& d, const std::string& which, bool turns) {
   d.variables.push_back({"turn_" + which, turns ? -2.0 : 0.0, turns ? 2.0 : 0.0, Variable::Cut::middle});
 }
 
-// Returns the range of the whole numbers in a range that has whole numbers on its way to the domain's ends.
-// If it holds none, one number next to it represents it.
+// Returns the first and the last whole number of a range. A range without whole numbers makes no claim: the
+// whole number below it represents it.
 Bounds whole_within(Bounds range) {
   const double last = std::floor(range.hi);
   return {std::min(std::ceil(range.lo), last), last};
