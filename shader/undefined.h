@@ -37,41 +37,75 @@ struct UndefinedValue {
   std::array<double, 2> operands{};  // as the step read them
 };
 
+// Whether a comparison holds; of ranges of numbers, whether it may hold (prove/shader/box_steps.cpp).
+inline bool may_be_below(double x, double y) {
+  return x < y;
+}
+inline bool may_be_at_most(double x, double y) {
+  return x <= y;
+}
+inline bool may_be_nan(double x) {
+  return x != x;
+}
+
+// Returns the reason if this step on numbers gives an undefined value, or may give one for operands of
+// these ranges. This is the only list of such functions, for runs and for proofs. `number(slot)` returns an
+// operand.
+template <class Number>
+std::optional<Undefined> undefined_of_numbers(const Step& s, Number&& number) {
+  const auto if_so = [](bool is, Undefined why) { return is ? std::optional(why) : std::nullopt; };
+  const auto not_above_0 = [&](std::uint32_t slot) { return may_be_at_most(number(slot), 0.0); };
+  const auto is_0 = [&](std::uint32_t slot) {
+    return not_above_0(slot) && may_be_at_most(0.0, number(slot));
+  };
+  const auto is_nan = [&](std::uint32_t slot) { return may_be_nan(number(slot)); };
+  switch (s.op) {
+    case Op::pow:
+      return if_so(may_be_below(number(s.a), 0.0) || (is_0(s.a) && (not_above_0(s.b) || is_nan(s.b))),
+                   Undefined::pow);
+    case Op::atan2:
+      return if_so(is_0(s.a) && is_0(s.b), Undefined::atan);
+    case Op::sqrt:
+      return if_so(may_be_below(number(s.a), 0.0), Undefined::root);
+    case Op::inverse_sqrt:
+      return if_so(not_above_0(s.a), Undefined::root);
+    case Op::log:
+    case Op::log2:
+      return if_so(not_above_0(s.a), Undefined::logarithm);
+    case Op::asin:
+    case Op::acos:
+      return if_so(may_be_below(number(s.a), -1.0) || may_be_below(1.0, number(s.a)), Undefined::arc);
+    case Op::smoothstep:
+      return if_so(may_be_at_most(number(s.b), number(s.a)) || is_nan(s.a) || is_nan(s.b),
+                   Undefined::smoothstep);
+    case Op::min:
+      if (s.c > 0 && may_be_below(number(s.b), number(s.c - 1))) return Undefined::clamp;
+      [[fallthrough]];
+    case Op::max:
+      return if_so(is_nan(s.a) || is_nan(s.b), Undefined::min_max);
+    case Op::to_signed:
+      return if_so(may_be_at_most(number(s.a), -2147483649.0) || may_be_at_most(2147483648.0, number(s.a)) ||
+                       is_nan(s.a),
+                   Undefined::conversion);
+    case Op::to_unsigned:
+      return if_so(
+          may_be_at_most(number(s.a), -1.0) || may_be_at_most(4294967296.0, number(s.a)) || is_nan(s.a),
+          Undefined::conversion);
+    default:
+      return std::nullopt;
+  }
+}
+
 // Returns the reason if this step gives an undefined value for its operands. `number(slot)` and
 // `integer(slot)` return the operands.
 template <class Number, class Integer>
 std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&& integer) {
   const auto if_so = [](bool is, Undefined why) { return is ? std::optional(why) : std::nullopt; };
   switch (s.op) {
-    case Op::pow:
-      return if_so(number(s.a) < 0 || (number(s.a) == 0 && !(number(s.b) > 0)), Undefined::pow);
-    case Op::atan2:
-      return if_so(number(s.a) == 0 && number(s.b) == 0, Undefined::atan);
-    case Op::sqrt:
-      return if_so(number(s.a) < 0, Undefined::root);
-    case Op::inverse_sqrt:
-      return if_so(number(s.a) <= 0, Undefined::root);
-    case Op::log:
-    case Op::log2:
-      return if_so(number(s.a) <= 0, Undefined::logarithm);
-    case Op::asin:
-    case Op::acos:
-      return if_so(number(s.a) < -1 || number(s.a) > 1, Undefined::arc);
-    case Op::smoothstep:
-      return if_so(!(number(s.a) < number(s.b)), Undefined::smoothstep);
-    case Op::min:
-      if (s.c > 0 && number(s.c - 1) > number(s.b)) return Undefined::clamp;
-      [[fallthrough]];
-    case Op::max:
-      return if_so(number(s.a) != number(s.a) || number(s.b) != number(s.b), Undefined::min_max);
     case Op::imin:
       return if_so(s.c > 0 && std::int32_t(integer(s.c - 1)) > std::int32_t(integer(s.b)), Undefined::clamp);
     case Op::umin:
       return if_so(s.c > 0 && integer(s.c - 1) > integer(s.b), Undefined::clamp);
-    case Op::to_signed:
-      return if_so(!(number(s.a) > -2147483649.0 && number(s.a) < 2147483648.0), Undefined::conversion);
-    case Op::to_unsigned:
-      return if_so(!(number(s.a) > -1 && number(s.a) < 4294967296.0), Undefined::conversion);
     case Op::smod:  // of GLSL
       if (std::int32_t(integer(s.a)) < 0 || std::int32_t(integer(s.b)) < 0) return Undefined::remainder;
       return if_so(integer(s.b) == 0, Undefined::division);
@@ -91,7 +125,7 @@ std::optional<Undefined> undefined_step(const Step& s, Number&& number, Integer&
     case Op::index:
       return if_so(integer(s.a) > integer(s.b), Undefined::index);
     default:
-      return std::nullopt;
+      return undefined_of_numbers(s, number);
   }
 }
 

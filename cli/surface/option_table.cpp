@@ -200,6 +200,7 @@ constexpr OptionRow kTable[] = {
     {"--naive", Group::output},
     {"--embed", Group::output},
     {"--cos", Group::output},
+    {"--float", Group::output},
     {"--sigma-columns", Group::output},
     {"--probe", Group::output},
     {"--times", Group::output},

@@ -27,7 +27,7 @@ namespace {
 struct EvalCall {
   MaterialOptions material;
   std::string first, directions, output;  // `first`: the first of two positional arguments, or the only one
-  bool cosine = false, sigma = false;
+  bool cosine = false, sigma = false, in_float = false;
 };
 
 // A pipe can be read only once and is not looked into.
@@ -76,8 +76,22 @@ std::vector<double> values_of(const Material& material, const Directions<double>
   return out;
 }
 
+// The same for a shader, as single precision computes them.
+std::vector<double> float_values_of(const Material& material, const Directions<double>& d) {
+  std::vector<double> out;
+  for (std::size_t c = 0; c < material.channels.size(); ++c)
+    for (std::size_t k = 0; k < d.count; ++k) {
+      const Vec3<double> wi = d.wi(k), wo = d.wo(k);
+      const Vec3<float> i{float(wi.x), float(wi.y), float(wi.z)}, o{float(wo.x), float(wo.y), float(wo.z)};
+      float value;
+      eval_batch(material.terms.front(), c, one_pair(i, o), &value);
+      out.push_back(double(value));
+    }
+  return out;
+}
+
 // Adds the material's values as columns f or f_<channel>.
-void add_values(io::SampleTable& table, const Material& material, bool cosine) {
+void add_values(io::SampleTable& table, const Material& material, bool cosine, bool in_float) {
   if (cosine) multiply_by_cosine(table);
   const std::size_t first = table.channels.size(), count = material.channels.size();
   for (const std::string& channel : material.channels) {
@@ -89,7 +103,8 @@ void add_values(io::SampleTable& table, const Material& material, bool cosine) {
   }
   table.sigma.resize(table.channels.size());
   const DirectionArrays<double> arrays = io::unit_directions(table);
-  const std::vector<double> values = values_of(material, arrays.view(), cosine);
+  const std::vector<double> values =
+      in_float ? float_values_of(material, arrays.view()) : values_of(material, arrays.view(), cosine);
   for (std::size_t c = 0; c < count; ++c)
     std::copy_n(&values[c * table.rows()], table.rows(), table.values[first + c].begin());
 }
@@ -139,9 +154,14 @@ void add_eval(CLI::App& app) {
   verb->add_option("DIRECTIONS", options->directions,
                    "CSV with theta_i,phi_i,theta_o,phi_o in degrees (required)");
   verb->add_option("-o,--output", options->output, "CSV to write (default: stdout)");
-  verb->add_flag("--cos", options->cosine, "Print f_r cos_i instead of f_r");
-  verb->add_flag("--sigma-columns", options->sigma,
-                 "Add the standard uncertainty of every value, from the covariance of the material's fit");
+  auto* cosine = verb->add_flag("--cos", options->cosine, "Print f_r cos_i instead of f_r");
+  auto* sigma = verb->add_flag(
+      "--sigma-columns", options->sigma,
+      "Add the standard uncertainty of every value, from the covariance of the material's fit");
+  verb->add_flag("--float", options->in_float, "Print the values of single precision (of --shader)")
+      ->needs("--shader")
+      ->excludes(cosine)
+      ->excludes(sigma);
   verb->footer(
       "Exit code 1 if a value is not a finite number. All rows are written, with such values as nan, inf or "
       "-inf.\n"
@@ -156,7 +176,7 @@ void add_eval(CLI::App& app) {
     const io::MaterialFile file = choose_material_file(options->material, "eval");
     io::SampleTable table = io::read_directions(options->directions);
     const std::size_t measured = table.channels.size();
-    add_values(table, file.material, options->cosine);
+    add_values(table, file.material, options->cosine, options->in_float);
     if (options->sigma) add_sigma(table, file, measured, options->cosine);
     for (auto& field : io::provenance_fields(io::provenance())) table.metadata.push_back(std::move(field));
     const std::string_view quantity = options->cosine ? "f_r*cos_i" : "f_r";

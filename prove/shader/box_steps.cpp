@@ -21,30 +21,12 @@ Interval<B> of_unit(const Interval<B>& x) {
   return x.poisoned() ? x : cut(x, -kMost, kMost);
 }
 
-// Returns the reason why an operation on numbers of these ranges may be undefined.
+// Returns the reason why an operation on numbers of these ranges may be undefined. Poison may be any number,
+// an infinity or NaN.
 template <class B>
 std::optional<Undefined> undefined_number(const Step& s, const Way<B>& w) {
-  const auto holds_zero = [&](std::uint32_t slot) {
-    return w.numbers[slot].lo <= 0 && w.numbers[slot].hi >= 0;
-  };
-  const auto poisoned = [&](std::uint32_t slot) { return w.numbers[slot].poisoned(); };
-  switch (s.op) {
-    case Op::pow:
-      if (poisoned(s.a) || poisoned(s.b)) return std::nullopt;
-      if (w.numbers[s.a].lo < 0 || (holds_zero(s.a) && w.numbers[s.b].lo <= 0)) return Undefined::pow;
-      return std::nullopt;
-    case Op::atan2:
-      return holds_zero(s.a) && holds_zero(s.b) ? std::optional(Undefined::atan) : std::nullopt;
-    case Op::smoothstep:
-      return w.numbers[s.a].hi < w.numbers[s.b].lo ? std::nullopt : std::optional(Undefined::smoothstep);
-    case Op::min:
-      if (s.c > 0 && !(w.numbers[s.c - 1].hi <= w.numbers[s.b].lo)) return Undefined::clamp;
-      [[fallthrough]];
-    case Op::max:
-      return poisoned(s.a) || poisoned(s.b) ? std::optional(Undefined::min_max) : std::nullopt;
-    default:
-      return std::nullopt;
-  }
+  return shader::undefined_of_numbers(
+      s, [&](std::uint32_t slot) -> const Interval<B>& { return w.numbers[slot]; });
 }
 
 // Returns whether the step divides a coordinate by the length of its vector.
@@ -158,11 +140,9 @@ void BoxSteps<B>::read_texel(Way<B>& w, const Step& s) {
 template <class B>
 void BoxSteps<B>::to_integer(Way<B>& w, const Step& s) {
   const I x = w.numbers[s.a];
-  const double least = s.op == Op::to_signed ? -2147483649.0 : -1,
-               most = s.op == Op::to_signed ? 2147483648.0 : 4294967296.0;
-  const bool within = !x.poisoned() && least < x.lo && x.hi < most;
-  const std::uint32_t reason = reason_of(w, s, within ? std::nullopt : std::optional(Undefined::conversion));
-  if (!within) return w.write_integer(s.r, Whole::any(), reason);
+  const std::optional<Undefined> own = undefined_number<B>(s, w);
+  const std::uint32_t reason = reason_of(w, s, own);
+  if (own) return w.write_integer(s.r, Whole::any(), reason);
   const Whole low = Whole::of_bits(shader::detail::to_integer(x.lo, s.op)),
               high = Whole::of_bits(shader::detail::to_integer(x.hi, s.op));
   w.write_integer(s.r, low.lo <= high.lo ? Whole{low.lo, high.lo} : Whole::any(), reason);

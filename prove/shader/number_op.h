@@ -19,4 +19,35 @@ std::optional<Interval<B>> number_op(shader::Op op, const Interval<B>& a, const 
 template <class B>
 Tri compared(shader::Op op, const Interval<B>& a, const Interval<B>& b);
 
+// Whether a comparison holds for some numbers of the ranges (shader/undefined.h). Poison may be any number,
+// an infinity or NaN.
+template <class B>
+bool may_be_below(const Interval<B>& a, const Interval<B>& b) {
+  return a.lo < b.hi;
+}
+template <class B>
+bool may_be_below(const Interval<B>& a, double b) {
+  return a.lo < b;
+}
+template <class B>
+bool may_be_below(double a, const Interval<B>& b) {
+  return a < b.hi;
+}
+template <class B>
+bool may_be_at_most(const Interval<B>& a, const Interval<B>& b) {
+  return a.lo <= b.hi;
+}
+template <class B>
+bool may_be_at_most(const Interval<B>& a, double b) {
+  return a.lo <= b;
+}
+template <class B>
+bool may_be_at_most(double a, const Interval<B>& b) {
+  return a <= b.hi;
+}
+template <class B>
+bool may_be_nan(const Interval<B>& x) {
+  return x.poisoned();
+}
+
 }  // namespace brdf::prove

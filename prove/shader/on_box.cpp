@@ -6,6 +6,7 @@
 #include "prove/scalar/on_box.h"
 #include "prove/shader/box_steps.h"
 #include "prove/shader/number_op.h"
+#include "prove/shader/other_turns.h"
 #include "shader/program/operations.h"
 
 namespace brdf::prove {
@@ -29,6 +30,7 @@ class ShaderOnBox {
       : function_(f),
         program_(f.program<B>()),
         symmetry_(f.turning<B>()),
+        others_(symmetry_),
         blank_(program_),
         way_(blank_),
         steps_(program_) {}
@@ -84,7 +86,7 @@ class ShaderOnBox {
         way_.write_integer(b.slot, zero ? Whole{} : Whole{least, most});
       } else {
         way_.write(b.slot, input(b, inputs, wi, wo, h));
-        if (turns_ && across_normal(b)) way_.set_magnitude(b.slot, 1 + 8 * I::kUnit);
+        if (turns_ && across_normal(b)) OtherTurns<B>::begin(way_, b.slot);
       }
     }
   }
@@ -142,14 +144,22 @@ class ShaderOnBox {
     return {over(h.x, -1), over(h.y, -1), over(h.z, 0)};
   }
 
+  void apply_at_every_turn(Way<B>& way, const Step& s, shader::Turning turning) {
+    const auto result = OtherTurns<B>::result_of(way, s, turning);
+    steps_.apply(way, s);
+    others_.widen(way, s, turning, result);
+  }
+
   // Follows a way to its end; ways that branch off are added to `left`. Returns false if the way is too
   // long, or depends on an undefined value.
   bool follow(Way<B>& way, std::uint32_t at, std::vector<std::pair<Way<B>, std::uint32_t>>& left) {
     for (;;) {
       const shader::Stretch& stretch = program_.stretches[at];
       for (std::size_t k = 0; k < stretch.steps.size(); ++k) {
-        steps_.apply(way, stretch.steps[k]);
-        if (turns_) turn(way, stretch.steps[k], symmetry_.steps[at][k]);
+        if (turns_)
+          apply_at_every_turn(way, stretch.steps[k], symmetry_.steps[at][k]);
+        else
+          steps_.apply(way, stretch.steps[k]);
       }
       way.steps += stretch.steps.size() + 1;
       if (way.steps > kMostSteps || left.size() > std::size_t(kMostWays)) return false;
@@ -171,70 +181,11 @@ class ShaderOnBox {
     }
   }
 
-  // Widens the result for the other turns: a closing sum rounds differently there than at the requested
-  // turn.
-  void turn(Way<B>& w, const Step& s, shader::Turning turning) {
-    if (turning == shader::Turning::still || s.op > Op::less_equal_or) return;
-    if (s.op > Op::select) return compare(w, s);
-    if (turning == shader::Turning::partial) return w.set_magnitude(s.r, largest(w, s));
-    I& value = w.numbers[s.r];
-    if (value.poisoned()) return;
-    const double roundings = 0.5 * (symmetry_.depth + 0.25) * I::kUnit;
-    if (turning == shader::Turning::squares) {
-      value = I::of(std::max(value.lo * (1 - roundings) - 8 * I::kTiny, 0.0),
-                    value.hi * (1 + roundings) + 8 * I::kTiny);
-    } else if (turning == shader::Turning::pairs) {
-      const double error = roundings * std::max(w.most(s.a), w.most(s.b)) + 8 * I::kTiny;
-      // A negative end comes from a product of two signs, which was already widened by one unit.
-      const double known = value.lo < 0 ? -value.lo * I::kUnit * (1 - 4 * I::kUnit) : 0;
-      value = I::of(value.lo - std::max(error - known, 0.0), value.hi + error);
-    } else {
-      value = widened_by(value, roundings * largest(w, s) + 8 * I::kTiny);
-    }
-  }
-  // At another turn rounding may exchange two numbers that are close.
-  void compare(Way<B>& w, const Step& s) {
-    const double error = 0.5 * (symmetry_.depth + 2) * I::kUnit * (w.most(s.a) + w.most(s.b)) + 8 * I::kTiny;
-    const I a = widened_by(w.numbers[s.a], error);
-    const Tri t = compared<B>(s.op, a, w.numbers[s.b]);
-    const bool open = a.poisoned() || w.numbers[s.b].poisoned() || t == Tri::maybe;
-    if (open) w.write_integer(s.r, Whole::truth(), w.undefined_integers[s.r]);
-  }
-  // Returns a bound of the absolute value of the step's result at every turn; for sums, the bound of their
-  // terms.
-  double largest(const Way<B>& w, const Step& s) const {
-    constexpr double kUp = 1 + 16 * I::kUnit;
-    const double a = w.most(s.a), b = s.op == Op::copy || s.op == Op::neg ? 0 : w.most(s.b);
-    switch (s.op) {
-      case Op::copy:
-      case Op::neg:
-        return a;
-      case Op::add:
-      case Op::sub:
-        return (a + b) * kUp;
-      case Op::mul:
-        return a * b * kUp;
-      case Op::fma:
-        return (a * b + w.most(s.c)) * kUp;
-      case Op::div: {
-        const I& d = w.numbers[s.b];
-        const double least = d.lo > 0 ? d.lo : d.hi < 0 ? -d.hi : 0;
-        const bool unit = BoxSteps<B>::of_length(w, s);
-        return std::min(unit ? kUp : HUGE_VAL, least > 0 ? a / least * kUp : HUGE_VAL);
-      }
-      case Op::mix:
-        return (a * (1 + w.most(s.c)) + b * w.most(s.c)) * kUp;
-      case Op::select:
-        return std::max(w.most(s.b), w.most(s.c));
-      default:
-        return HUGE_VAL;
-    }
-  }
-
   const shader::Function& function_;
   std::uint64_t number_ = function_.number;
   const Program& program_;
   const shader::Symmetry& symmetry_;
+  OtherTurns<B> others_;
   Way<B> blank_, way_;
   bool turns_ = false;
   BoxSteps<B> steps_;

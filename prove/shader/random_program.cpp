@@ -122,6 +122,9 @@ constexpr Operation kUndefined[] = {
     {"smoothstep", "value += smoothstep(0.4, hit ? 0.4 : 0.9, nl);"},
     {"clamp", "value += clamp(nl, 0.5, hit ? 0.4 : 0.9);"},
     {"max", "value += max(sqrt(hit ? -1.0 : 1.0), 0.0);"},
+    {"root", "value += sqrt(hit ? -0.5 : 0.5) > 0.6 ? 0.1 : 0.2;"},
+    {"logarithm", "value += log2(hit ? 0.0 : 0.5) > -0.6 ? 0.1 : 0.2;"},
+    {"arc", "value += acos(hit ? 1.5 : 0.5) > 1.2 ? 0.1 : 0.2;"},
     {"conversion", "value += 0.001 * float(int(hit ? 3e9 : 3.0) & 7);"},
 };
 
@@ -142,6 +145,12 @@ RandomProgram planted_program(std::mt19937_64& random) {
     return {
         w.shader("  value = 1.02 - normalize(vec3(0.0, 0.0, (1.0 + 0.02 * nl) * " + scale + ")).z;\n", value),
         Planted::negative, "subnormal", true};
+  }
+  if (kind == 1) {
+    // The program is isotropic in real numbers, and nothing overflows where the light has no coordinate L.y.
+    const std::string big = "L.y * " + w.between_text(5e21, 9e21) + " * 1e18";
+    return {w.shader("  if (!(" + big + " < " + big + " + 1e36)) value = -0.1;\n", value), Planted::negative,
+            "overflow", true};
   }
   const auto [condition, hit] = thin_set(w);
   if (kind < 4)

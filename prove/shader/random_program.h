@@ -14,8 +14,8 @@ enum class Planted { nothing, negative, infinite, undefined };
 struct RandomProgram {
   std::string text;  // GLSL
   Planted planted = Planted::nothing;
-  // The place of the violation: "slab", "ball", "line", "azimuth", "subnormal", or the undefined operation
-  // and its place.
+  // The place of the violation: "slab", "ball", "line", "azimuth", "subnormal", "overflow", or the undefined
+  // operation and its place.
   std::string where;
   // The fault shows only in float, because it is a fault of rounding.
   bool float_only = false;
@@ -26,7 +26,8 @@ struct RandomProgram {
 // numbers between 0 and about 10.
 RandomProgram sound_program(std::mt19937_64& random);
 // Returns a function with one violation: in a slab, a ball, a line or a range of azimuths with a width
-// between 1e-7 and 1e-2, in the subnormal range, or by one of the operations that GLSL leaves undefined.
+// between 1e-7 and 1e-2, in the subnormal range, by an overflow at some turns of the light, or by one of the
+// operations that GLSL leaves undefined.
 RandomProgram planted_program(std::mt19937_64& random);
 
 // Returns whether a proof of this property would be false for the program.

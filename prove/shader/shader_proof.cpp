@@ -19,6 +19,7 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+constexpr long kTriedOf = 7;           // of so many open boxes, the centre of one is tried
 constexpr double kAlbedoSlack = 1e-6;  // above 1: for constants like 3.14159265
 
 // Returns the largest albedo of a few materials, integrated with an error bound.
@@ -53,19 +54,45 @@ std::string within_domain() {
   return ", for cosines from " + io::short_number(kLeastShaderCosine, 3);
 }
 
+void refute(Proof& p, Witness witness) {
+  p.verdict = Verdict::refuted;
+  p.statement = p.claim.property == Property::finite ? "f is not finite" : "f is negative";
+  p.witness = std::move(witness);
+}
+
+// Returns the limit that ended a search with open boxes, in words.
+std::string said_of_limit(long used, Clock::time_point start, const SearchOptions& search) {
+  if (used >= search.leaves)
+    return "the search ended at its limit of " + std::to_string(search.leaves) + " boxes";
+  if (seconds_since(start) > search.seconds) return "a larger --seconds continues the search";
+  return "smaller boxes do not decide it";
+}
+
+std::vector<double> centre_of(const Box& box) {
+  std::vector<double> out;
+  for (const Bounds& b : box) out.push_back((b.lo + b.hi) / 2);
+  return out;
+}
+
+// Returns a violation at the centre of an open box, or elsewhere in the domain.
+std::optional<Witness> violation(const Proof& p, const ShaderSubject& s) {
+  for (const Box& box : p.cover.left)
+    if (auto witness = fault_at(s, p.claim, centre_of(box))) return witness;
+  return fault_of(s, p.claim, *p.domain);
+}
+
 // Completes a proof by trial evaluations if the boxes do not decide.
-void by_trial(Proof& p, const ShaderSubject& s, const std::optional<shader::UndefinedValue>& may_be) {
-  const bool finite = p.claim.property == Property::finite;
-  p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " undecided";
-  if (auto witness = fault_of(s, p.claim, *p.domain)) {
-    p.verdict = Verdict::refuted;
-    p.statement = finite ? "f is not finite" : "f is negative";
-    p.witness = std::move(witness);
+void by_trial(Proof& p, const ShaderSubject& s, const std::string& limit,
+              const std::optional<shader::UndefinedValue>& may_be) {
+  p.statement =
+      std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") + " undecided: " + limit;
+  if (auto witness = violation(p, s)) {
+    refute(p, *std::move(witness));
   } else if (const auto undefined = undefined_of(s, p.claim.precision, *p.domain)) {
     p.verdict = Verdict::no_method;
     p.statement = "undefined: " + *undefined;
   } else if (may_be) {
-    p.statement += ": the value may be undefined there: " + shader::to_text(s.function(), *may_be);
+    p.statement += "; the value may be undefined there: " + shader::to_text(s.function(), *may_be);
   }
 }
 
@@ -74,6 +101,9 @@ void by_boxes(Proof& p, const ShaderSubject& s, const Options& options) {
   p.domain = s.domain(true);
   p.arithmetic = in_float ? "as rounded in float" : "as rounded in double";
   std::optional<shader::UndefinedValue> may_be;
+  std::optional<Witness> witness;
+  long open = 0;
+  const auto start = Clock::now();
   p.cover = cover(
       *p.domain,
       [&](const Box& box) {
@@ -81,13 +111,20 @@ void by_boxes(Proof& p, const ShaderSubject& s, const Options& options) {
         const ShaderBounds b =
             in_float ? shader_on_box<float>(s.function(), in) : shader_on_box<double>(s.function(), in);
         if (b.undefined) may_be = b.undefined;
+        // Every value of a box below 0 is a violation: halves of it would be open without end.
+        const bool may_be_negative = std::isfinite(b.value.lo) && b.value.lo < 0;
+        if (!witness && may_be_negative && p.claim.property == Property::non_negative &&
+            (b.value.hi < 0 || ++open % kTriedOf == 0))
+          witness = fault_at(s, p.claim, centre_of(box));
         return b.value;
       },
-      [&](Bounds b) { return settles(p.claim.property, b, 0); }, options.search);
+      [&](Bounds b) { return witness || settles(p.claim.property, b, 0); }, options.search);
   p.low = p.cover.range.lo;
   p.high = p.cover.range.hi;
+  if (witness) return refute(p, *std::move(witness));
   p.verdict = p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
-  if (p.cover.open > 0) return by_trial(p, s, may_be);
+  const long leaves = long(p.cover.nodes.size() + 1) / 2;
+  if (p.cover.open > 0) return by_trial(p, s, said_of_limit(leaves, start, options.search), may_be);
   const bool finite = p.claim.property == Property::finite;
   p.statement = (finite ? "f is finite" : "f is never below 0") + within_domain();
   if (const auto beyond = fault_of(s, p.claim, below(*p.domain)))
@@ -116,7 +153,7 @@ void energy(Proof& p, const ShaderSubject& s, const Options& options) {
   };
   const auto start = Clock::now();
   p.cover = bound_albedo(*p.domain, viewers, 1 + kAlbedoSlack, search);
-  const bool stopped = p.cover.boxes >= search.leaves || seconds_since(start) > search.seconds;
+  const std::string limit = said_of_limit(p.cover.boxes, start, search);
   p.low = witness ? witness->value : 0;
   p.high = p.cover.range.hi;
   p.verdict = refuted ? Verdict::refuted : p.cover.open == 0 ? Verdict::proved : Verdict::bounded;
@@ -132,8 +169,7 @@ void energy(Proof& p, const ShaderSubject& s, const Options& options) {
   } else {
     p.statement = std::to_string(p.cover.open) + (p.cover.open == 1 ? " box is" : " boxes are") +
                   " undecided after " + std::to_string(p.cover.boxes) +
-                  " were enclosed: the albedo may be above 1 there; " +
-                  (stopped ? "a larger --seconds continues the search" : "smaller boxes do not decide it");
+                  " were enclosed: the albedo may be above 1 there; " + limit;
     if (may_be) p.statement += "; the value may be undefined: " + shader::to_text(s.function(), *may_be);
   }
 }

@@ -19,6 +19,13 @@ void add_direction(Domain& d, const std::string& which, bool turns) {
   d.variables.push_back({"turn_" + which, turns ? -2.0 : 0.0, turns ? 2.0 : 0.0, Variable::Cut::middle});
 }
 
+// Returns the first and the last whole number of a range. A range without whole numbers makes no claim: the
+// whole number below it represents it.
+Bounds whole_within(Bounds range) {
+  const double last = std::floor(range.hi);
+  return {std::min(std::ceil(range.lo), last), last};
+}
+
 // A point of the domain as a material and a pair of directions.
 struct Trial {
   std::vector<double> at;
@@ -35,18 +42,45 @@ struct Trial {
     theta_o = theta(at[d + 2]), phi_o = 90 * at[d + 3];
     wi = io::unit_vector(theta_i, phi_i), wo = io::unit_vector(theta_o, phi_o);
   }
+  // Returns the value of every channel as the claim's scalar computes it.
+  std::vector<double> values(Precision precision) const {
+    std::vector<double> f(material.channels.size());
+    if (precision == Precision::double_type) {
+      eval(material, wi, wo, f);
+      return f;
+    }
+    const Vec3<float> i{float(wi.x), float(wi.y), float(wi.z)}, o{float(wo.x), float(wo.y), float(wo.z)};
+    for (std::size_t c = 0; c < f.size(); ++c) {
+      float value;
+      eval_batch(material.terms.front(), c, one_pair(i, o), &value);
+      f[c] = double(value);
+    }
+    return f;
+  }
   std::optional<shader::UndefinedValue> undefined(const ShaderSubject& s, Precision precision) const {
     const std::vector<double> values = s.values(std::span<const double>(at));
     return precision == Precision::float_type ? shader::undefined_value<float>(s.function(), values, wi, wo)
                                               : shader::undefined_value<double>(s.function(), values, wi, wo);
   }
-  Witness witness(const ShaderSubject& s, double value) const {
+  // Returns a witness of a violation of the claim, if the value is defined here.
+  std::optional<Witness> fault(const ShaderSubject& s, const Claim& claim) const {
+    for (const double x : values(claim.precision)) {
+      if (claim.property == Property::finite ? std::isfinite(x) : !(x < 0)) continue;
+      if (undefined(s, claim.precision)) return std::nullopt;
+      return witness(s, claim.precision, x);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Witness witness(const ShaderSubject& s, Precision precision, double value) const {
     Witness w;
     w.parameters = s.named(at);
     w.angles = {{"theta_i", theta_i}, {"phi_i", phi_i}, {"theta_o", theta_o}, {"phi_o", phi_o}};
     w.value = value;
     w.command = "printf 'theta_i,phi_i,theta_o,phi_o\\n" + io::to_text(theta_i) + "," + io::to_text(phi_i) +
-                "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words + " -";
+                "," + io::to_text(theta_o) + "," + io::to_text(phi_o) + "\\n' | brdf eval" + words +
+                (precision == Precision::float_type ? " --float -" : " -");
     return w;
   }
 };
@@ -79,6 +113,8 @@ Domain ShaderSubject::domain(bool with_viewer) const {
 ShaderInputs ShaderSubject::inputs(std::span<const Bounds> box) const {
   ShaderInputs in;
   in.values = values(box);
+  for (const shader::Parameter& p : function().parameters)
+    if (p.whole) in.values[p.first] = whole_within(in.values[p.first]);
   const std::size_t at = parameters();
   in.cos_i = box[at];
   in.turn_i = box[at + 1];
@@ -136,27 +172,37 @@ Domain below(Domain domain) {
   return domain;
 }
 
-std::optional<Witness> fault_of(const ShaderSubject& s, const Claim& claim, const Domain& domain) {
-  std::mt19937_64 e(1);
-  for (int k = 0; k < kTrials; ++k) {
-    const Trial trial(s, point_of(domain, e));
-    std::vector<double> f(trial.material.channels.size());
-    eval(trial.material, trial.wi, trial.wo, f);
-    for (const double x : f) {
-      if (claim.property == Property::finite ? std::isfinite(x) : !(x < 0)) continue;
-      if (trial.undefined(s, claim.precision)) break;
-      return trial.witness(s, x);
-    }
-  }
+namespace {
+
+// Tries the domain. If it holds a single turn of the light, because the function is isotropic in real
+// numbers, other turns are tried as well: they round differently.
+template <class Try>
+auto first_found(const Domain& domain, std::uint64_t seed, Try&& attempt)
+    -> decltype(attempt(std::vector<double>{})) {
+  Domain turned = domain;
+  bool is_one_turn = false;
+  for (Variable& v : turned.variables)
+    if (v.name == "turn_i" && v.low == v.high) is_one_turn = true, v.low = -2, v.high = 2;
+  std::mt19937_64 e(seed);
+  for (int k = 0; k < (is_one_turn ? 2 : 1) * kTrials; ++k)
+    if (auto found = attempt(point_of(k < kTrials ? domain : turned, e))) return found;
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<Witness> fault_at(const ShaderSubject& s, const Claim& claim, std::vector<double> point) {
+  return Trial(s, std::move(point)).fault(s, claim);
+}
+
+std::optional<Witness> fault_of(const ShaderSubject& s, const Claim& claim, const Domain& domain) {
+  return first_found(domain, 1, [&](std::vector<double> at) { return fault_at(s, claim, std::move(at)); });
+}
+
 std::optional<std::string> undefined_of(const ShaderSubject& s, Precision precision, const Domain& domain) {
-  std::mt19937_64 e(3);
-  for (int k = 0; k < kTrials; ++k)
-    if (const auto found = Trial(s, point_of(domain, e)).undefined(s, precision))
-      return shader::to_text(s.function(), *found);
-  return std::nullopt;
+  const auto found = first_found(
+      domain, 3, [&](std::vector<double> at) { return Trial(s, std::move(at)).undefined(s, precision); });
+  return found ? std::optional(shader::to_text(s.function(), *found)) : std::nullopt;
 }
 
 }  // namespace brdf::prove

@@ -46,7 +46,7 @@ struct ShaderSubject {
     return out;
   }
   // Returns the inputs for a box. Each component of a colour that one variable represents is anywhere in the
-  // variable's range.
+  // variable's range. Whole parameters are whole numbers, whatever the function binds them to.
   ShaderInputs inputs(std::span<const Bounds> box) const;
   // Returns the material with these parameters, in the function's order. Appends the corresponding words of
   // the command line to `said`.
@@ -60,7 +60,11 @@ std::vector<double> point_of(const Domain& domain, std::mt19937_64& e);
 // Returns the same domain for cosines below the least one, where nothing is claimed.
 Domain below(Domain domain);
 
-// Returns a direction in which f is defined and violates the claim's property (finite or non-negative).
+// Returns the point as a witness if f, in the claim's scalar, is defined there and violates the claim's
+// property (finite or non-negative).
+std::optional<Witness> fault_at(const ShaderSubject& s, const Claim& claim, std::vector<double> point);
+
+// Returns such a witness, found by trials in the domain and at every turn of the light.
 std::optional<Witness> fault_of(const ShaderSubject& s, const Claim& claim, const Domain& domain);
 
 // Returns a description of a value that the language leaves undefined.

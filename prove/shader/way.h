@@ -58,6 +58,7 @@ struct Way {
   // every turn.
   std::vector<double> magnitude;
   std::vector<bool> turns;
+  std::vector<double> underflow;  // a bound of the absolute error by underflow at every turn
   std::size_t steps = 0;
 
   // Reasons 1 and 2 are the members of Unset. Slots that are neither constants nor inputs are unwritten.
@@ -71,7 +72,8 @@ struct Way {
         undefined(p.numbers, 1),
         undefined_integers(p.integers, 1),
         magnitude(p.numbers),
-        turns(p.numbers) {
+        turns(p.numbers),
+        underflow(p.numbers) {
     for (std::uint32_t k = 0; k < p.numbers; ++k) root[k] = k;
     for (I& number : numbers) number = I::poison();
     for (const shader::Program::Constant& c : p.constants) write(c.slot, I(double(B(c.value))));
@@ -97,8 +99,10 @@ struct Way {
     root[slot] = slot;
     squares[slot] = {};
     turns[slot] = false;
+    underflow[slot] = 0;
   }
-  void set_magnitude(std::uint32_t slot, double most) {
+  // States that the number changes with the turn, and a bound of its absolute value.
+  void set_turning(std::uint32_t slot, double most) {
     magnitude[slot] = most;
     turns[slot] = true;
   }

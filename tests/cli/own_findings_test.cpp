@@ -55,6 +55,17 @@ TEST(OwnFindings, TheLightIsTurnedWhereNothingShowsThatItMayStay) {
   EXPECT_EQ(sound.exit_code, 0);
 }
 
+// The shader is isotropic in real numbers, but in float only the light at azimuth 0 has no overflow.
+TEST(OwnFindings, FloatIsJudgedAtEveryAzimuthOfTheLight) {
+  io::TemporaryFolder folder;
+  const std::string head = "float a = L.y * 3e22 * 4e21, b = L.y * 3e22 * 4e21; ";
+  const Judged infinite = judged(folder, with_body(head + "return 0.1 * p + 1e-36 * (a - b);"));
+  EXPECT_EQ(infinite.verdict.at("isotropy"), "pass");
+  EXPECT_EQ(infinite.verdict.at("float"), "fail") << infinite.statement.at("float");
+  const Judged compared = judged(folder, with_body(head + "return a < b + 1e36 ? 0.1 * p : 0.3 * p;"));
+  EXPECT_EQ(compared.verdict.at("float"), "fail") << compared.statement.at("float");
+}
+
 TEST(OwnFindings, UndefinedValuesAreTheirOwnFindingAndVoidTheOthers) {
   io::TemporaryFolder folder;
   const Judged j = judged(folder, with_body("float s; if (V.z < 0.6) s = 0.2 * p; return s;"));

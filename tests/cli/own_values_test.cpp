@@ -59,6 +59,38 @@ TEST(EvalNotFinite, FiniteValuesAreGood) {
   EXPECT_THAT(o.err, Not(HasSubstr("no finite number")));
 }
 
+TEST(EvalFloat, PrintsTheValuesOfSinglePrecision) {
+  io::TemporaryFolder folder;
+  write_text(
+      folder.path() / "small.glsl",
+      "//: param p 1 3 2\nfloat brdf(vec3 L, vec3 V, vec3 N, float p) { return (1.0 + 2e-10 * p) - 1.0 == "
+      "0.0 ? 0.25 : 0.5; }\n");
+  write_text(folder.path() / "pairs.csv", "theta_i,phi_i,theta_o,phi_o\n10,0,20,0\n");
+  const auto run = [&](const std::string& options) {
+    return run_brdf("eval --shader small.glsl " + options + " pairs.csv", folder.path());
+  };
+  EXPECT_THAT(run("").out, HasSubstr("\n10,0,20,0,0.5\n"));
+  EXPECT_THAT(run("--float").out, HasSubstr("\n10,0,20,0,0.25\n"));
+  EXPECT_EQ(run("--float --cos").exit_code, 2);
+  EXPECT_EQ(run_brdf("eval --form lambert --float pairs.csv", folder.path()).exit_code, 2);
+}
+
+// The command of a witness in float prints the value of float.
+TEST(EvalFloat, WitnessesOfProofsReproduce) {
+  io::TemporaryFolder folder;
+  write_text(
+      folder.path() / "small.glsl",
+      "//: param p 1 3 2\nfloat brdf(vec3 L, vec3 V, vec3 N, float p) { return (1.0 + 2e-10 * p) - 1.0 == "
+      "0.0 ? -0.25 : 0.5; }\n");
+  const Outcome o = run_brdf("prove --shader small.glsl --property non_negative --json", folder.path());
+  const nlohmann::json all = nlohmann::json::parse(o.out);
+  const nlohmann::json& in_float = all["results"][0];
+  ASSERT_EQ(in_float["verdict"], "refuted") << o.out;
+  EXPECT_EQ(in_float["witness"]["value"], -0.25);
+  EXPECT_THAT(std::string(in_float["witness"]["command"]), HasSubstr(" --float -"));
+  EXPECT_EQ(all["results"][1]["verdict"], "proved");
+}
+
 TEST(EvalNotFinite, IsNoMeasurement) {
   io::TemporaryFolder folder;
   write_text(folder.path() / "open.glsl", kOpen);

@@ -78,7 +78,8 @@ struct ComparedBits {
 
 }  // namespace
 
-Finding check_float(const Subject& subject, const CheckOptions& options) {
+Finding check_float(const Subject& given, const CheckOptions& options) {
+  const Subject subject = given.at_every_turn();
   const OutsideFacts* const facts = subject.outside_facts();
   const bool rounds = facts && facts->has_half_types;
   std::vector<ComparedBits> all{{rounds ? "float, with 16-bit types in half precision," : "float", "float",

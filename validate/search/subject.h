@@ -74,6 +74,14 @@ class Subject {
   std::size_t dimensions() const { return shape_dimensions_ + weight_dimensions_; }
   // Returns whether the search includes the azimuth of the light.
   bool anisotropic() const { return anisotropic_; }
+  // Returns the subject with searches that include every azimuth of the light, also if f is isotropic in real
+  // numbers: rounding, underflow and overflow differ between the azimuths.
+  Subject at_every_turn() const {
+    Subject turned = *this;
+    if (turned.outside_ && !anisotropic_) turned.outside_->all_round = true;
+    turned.anisotropic_ = true;
+    return turned;
+  }
 
   // Returns the material at a point. A form without channels of its own has one channel, "fr".
   Material at(std::span<const double> point) const;

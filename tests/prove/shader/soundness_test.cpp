@@ -43,6 +43,115 @@ TEST(SymmetryOfProofs, SoundIsotropicFunctionsStayProved) {
   }
 }
 
+// No property of these shaders may be proved; each is violated at some parameters.
+void expect_unproved(const std::string& text, std::vector<Property> properties) {
+  const auto proofs = all_proofs(text, std::move(properties));
+  EXPECT_FALSE(proofs.empty()) << text;
+  for (const Proof& p : proofs) EXPECT_NE(p.verdict, Verdict::proved) << text << "\n" << p.statement;
+}
+
+// Returns the proof of one property in one scalar.
+Proof proof_of(const std::string& text, Property property, Precision precision) {
+  for (Proof& p : all_proofs(text, {property}))
+    if (p.claim.precision == precision) return std::move(p);
+  return {};
+}
+
+// At the turn 0 the light has no coordinate along the bitangent, so that nothing underflows there.
+TEST(SymmetryOfProofs, IsNotAssumedWhereUnderflowDependsOnTheTurn) {
+  const std::string body =
+      "float brdf(vec3 L, vec3 V, vec3 N, float k, float m, float r) { float x = L.x * (k * m * r), y = L.y "
+      "* "
+      "k * m * r; return 0.2 * (x * x + y * y + L.z * L.z) - 0.18; }";
+  const std::string in_float =
+      "//: param k 4.2e-45 4.2e-45 4.2e-45\n//: param m 7e28 7e28 7e28\n//: param r 3.3986e15 3.3986e15 "
+      "3.3986e15\n";
+  EXPECT_EQ(proof_of(in_float + body, Property::non_negative, Precision::float_type).verdict,
+            Verdict::refuted);
+  EXPECT_EQ(proof_of(in_float + body, Property::non_negative, Precision::double_type).verdict,
+            Verdict::proved);
+  const std::string in_double =
+      "//: param k 1.48e-323 1.48e-323 1.48e-323\n//: param m 3e210 3e210 3e210\n//: param r 2.2489e112 "
+      "2.2489e112 2.2489e112\n";
+  EXPECT_EQ(proof_of(in_double + body, Property::non_negative, Precision::double_type).verdict,
+            Verdict::refuted);
+}
+
+TEST(SymmetryOfProofs, IsNotAssumedWhereOverflowDependsOnTheTurn) {
+  const std::string head = "float a = L.y * 3e22 * 4e21, b = L.y * 3e22 * 4e21; ";
+  EXPECT_EQ(
+      proof_of(with_body(head + "return 0.2 + 1e-36 * (a - b);"), Property::finite, Precision::float_type)
+          .verdict,
+      Verdict::refuted);
+  EXPECT_EQ(proof_of(with_body(head + "return a < b + 1e36 ? 0.2 : -0.5;"), Property::non_negative,
+                     Precision::float_type)
+                .verdict,
+            Verdict::refuted);
+  for (const Proof& p : all_proofs(with_body("float a = L.y * 3e12 * 4e11, b = L.y * 3e12 * 4e11; return 0.2 "
+                                             "+ 1e-26 * (a - b);"),
+                                   kBoth))
+    EXPECT_EQ(p.verdict, Verdict::proved) << "no number is infinite: " << p.statement;
+}
+
+TEST(UndefinedProofs, ComparisonsOfUndefinedNumbersAreUndefined) {
+  for (const char* number : {"sqrt(L.z - 0.6)", "inversesqrt(L.z - 0.6)", "log(L.z - 0.6)", "log2(L.z - 0.6)",
+                             "asin(L.z + 0.6)", "acos(L.z + 0.6)", "acos(L.z - 1.7)", "pow(L.z - 0.6, 1.5)"})
+    for (const Proof& p : all_proofs(
+             with_body("float s = " + std::string(number) + "; return s >= 0.2 ? 0.3 * p : 0.1;"), kBoth)) {
+      EXPECT_EQ(p.verdict, Verdict::no_method) << number << ": " << p.statement;
+      EXPECT_EQ(p.statement.find("undefined: line 2"), 0u) << number << ": " << p.statement;
+    }
+}
+
+TEST(FaultsInProofs, AreSoughtInTheScalarOfTheClaim) {
+  // In float the sum is 1 at every p.
+  const std::string text =
+      "//: param p 1 3 2\nfloat brdf(vec3 L, vec3 V, vec3 N, float p) { return (1.0 + 2e-10 * p) - 1.0 > 0.0 "
+      "? "
+      "-0.5 : 0.2; }";
+  EXPECT_NE(proof_of(text, Property::non_negative, Precision::float_type).verdict, Verdict::refuted);
+  EXPECT_EQ(proof_of(text, Property::non_negative, Precision::double_type).verdict, Verdict::refuted);
+  // In float the sum rounds down to 1 and is subtracted entirely.
+  const Proof p = proof_of(
+      "//: param p 1 3 2\nfloat brdf(vec3 L, vec3 V, vec3 N, float p) { return (1.0 + 2e-10 * p) - 1.0 == "
+      "0.0 ? "
+      "-0.5 : 0.2; }",
+      Property::non_negative, Precision::float_type);
+  ASSERT_EQ(p.verdict, Verdict::refuted);
+  EXPECT_EQ(p.witness->value, -0.5);
+  EXPECT_NE(p.witness->command.find(" --float -"), std::string::npos) << p.witness->command;
+}
+
+TEST(FaultsInProofs, AreSeenInBoxesThatAreNegativeThroughout) {
+  for (const Proof& p : all_proofs(
+           with_body("return abs(p - 0.3) < 0.0003 && abs(V.z - 0.62) < 0.0004 && L.z > 0.2 ? -0.4 : 0.1;"),
+           {Property::non_negative}, 10))
+    EXPECT_EQ(p.verdict, Verdict::refuted) << p.statement;
+}
+
+TEST(LimitsOfProofs, AreNamed) {
+  for (const Proof& p :
+       all_proofs(with_body("float x = p * L.z; return x - x + 1e-30;"), {Property::non_negative}, 10)) {
+    EXPECT_EQ(p.verdict, Verdict::bounded);
+    EXPECT_NE(p.statement.find("the search ended at its limit of 3000 boxes"), std::string::npos)
+        << p.statement;
+  }
+}
+
+TEST(WholeParametersInProofs, AreWholeWhateverTheyAreBoundTo) {
+  for (const Proof& p : all_proofs(
+           "//: bool a 0\nfloat brdf(vec3 L, vec3 V, vec3 N, float a) { return 0.3 - 2.0 * a * (1.0 - a); }",
+           {Property::non_negative}))
+    EXPECT_EQ(p.verdict, Verdict::proved) << p.statement;
+  for (const Proof& p :
+       all_proofs("//: param n 0 3 1\nfloat brdf(vec3 L, vec3 V, vec3 N, int n) { float x = float(n) - 1.5; "
+                  "return x * x - 0.2; }",
+                  {Property::non_negative}))
+    EXPECT_EQ(p.verdict, Verdict::proved) << p.statement;
+  expect_unproved("//: bool a 1\nfloat brdf(vec3 L, vec3 V, vec3 N, float a) { return 0.3 - 0.4 * a; }",
+                  {Property::non_negative});
+}
+
 TEST(UndefinedProofs, UndefinedValuesAreNeverProved) {
   for (const char* body :
        {"float s; if (L.z > 0.4) s = p; return s;",
@@ -84,13 +193,6 @@ TEST(SentencesOfProofs, NameTheLeastCosine) {
     EXPECT_NE(p.statement.find("for cosines from 0.001"), std::string::npos) << p.statement;
     EXPECT_NE(p.statement.find("below that f is negative"), std::string::npos) << p.statement;
   }
-}
-
-// No property of these shaders may be proved; each is violated at some parameters.
-void expect_unproved(const std::string& text, std::vector<Property> properties) {
-  const auto proofs = all_proofs(text, std::move(properties));
-  EXPECT_FALSE(proofs.empty()) << text;
-  for (const Proof& p : proofs) EXPECT_NE(p.verdict, Verdict::proved) << text << "\n" << p.statement;
 }
 
 TEST(InfiniteConstants, AreNotProvedToVanish) {
