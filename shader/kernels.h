@@ -7,9 +7,10 @@
 
 namespace brdf::shader {
 
-// Returns the functions of the module that are kernels of the library: their names are those of kernels, and
-// their operations are those of a kernel in a text that this version exports (io/material/glsl.h). A function
-// of the same name with other operations is taken as it is written. Throws InputError as lower() does.
+// Returns the functions of the module that are kernels of the library: a function with a kernel's name, and
+// with the operations that the kernel has in a text which this version exports (io/material/glsl.h). A
+// function of the same name with other operations is taken as it is written. Throws InputError as lower()
+// does.
 std::set<spirv::Id> library_kernels(const spirv::Module& module);
 
 }  // namespace brdf::shader
