@@ -19,18 +19,15 @@ class OperationTexts {
       : OperationTexts(of, everywhere, everywhere, everywhere) {}
   // The dialects of GLSL agree.
   constexpr OperationTexts(Op of, const char* glsl, const char* hlsl, const char* cpp)
-      : OperationTexts(of, glsl, glsl, hlsl, cpp) {}
-  constexpr OperationTexts(Op of, const char* glsl, const char* explorer, const char* hlsl, const char* cpp)
-      : op(of), glsl_(glsl), explorer_(explorer), hlsl_(hlsl), cpp_(cpp) {}
+      : op(of), glsl_(glsl), hlsl_(hlsl), cpp_(cpp) {}
 
   Op op;
   constexpr const char* in(io::ShaderLanguage language) const {
     switch (language) {
       case io::ShaderLanguage::glsl:
       case io::ShaderLanguage::glsl_es:
-        return glsl_;
       case io::ShaderLanguage::explorer:
-        return explorer_;
+        return glsl_;
       case io::ShaderLanguage::hlsl:
         return hlsl_;
       case io::ShaderLanguage::cpp:
@@ -40,17 +37,20 @@ class OperationTexts {
   }
 
  private:
-  const char *glsl_, *explorer_, *hlsl_, *cpp_;
+  const char *glsl_, *hlsl_, *cpp_;
 };
 
 namespace detail {
 
-// GLSL 4.10 has no packHalf2x16. The sum with 0.5 has a spacing of 2^-24, that of subnormal numbers.
-#define BRDF_HALF(ABS)                                                                                       \
-  "uintBitsToFloat((floatBitsToUint(A) & 2147483648u) | floatBitsToUint(" ABS "(A) < 6.103515625e-5 ? (" ABS \
-  "(A) + 0.5) - 0.5 : " ABS "(A) < 65520.0 ? uintBitsToFloat(((floatBitsToUint(" ABS                         \
-  "(A)) + ((floatBitsToUint(A) >> 13u) & 1u) + "                                                             \
-  "4095u) >> 13u) << 13u) : A != A ? " ABS "(A) : uintBitsToFloat(2139095040u)))"
+// Rounds as the interpreter does, where packHalf2x16 would leave the rounding to the device: multiples of
+// 2^-24 below the least normal number of half precision, 10 bits of the significand above.
+#define BRDF_HALF(ABS, ROUND)                                                                \
+  "uintBitsToFloat((floatBitsToUint(A) & 2147483648u) | floatBitsToUint(" ABS                \
+  "(A) < 6.103515625e-5 ? " ROUND "(" ABS "(A) * 16777216.0) * 5.9604644775390625e-8 : " ABS \
+  "(A) < 65520.0 ? "                                                                         \
+  "uintBitsToFloat(((floatBitsToUint(" ABS                                                   \
+  "(A)) + ((floatBitsToUint(A) >> 13u) & 1u) + 4095u) >> 13u) "                              \
+  "<< 13u) : A != A ? " ABS "(A) : uintBitsToFloat(2139095040u)))"
 
 // clang-format off
 inline constexpr OperationTexts kOperationTexts[] = {
@@ -99,8 +99,8 @@ inline constexpr OperationTexts kOperationTexts[] = {
     {Op::log1p, "brdf_log1p(A, B)"},
     {Op::erfcx, "brdf_erfcx(A)"},
     {Op::angle, "brdf_angle(A, B)"},
-    {Op::to_half, "unpackHalf2x16(packHalf2x16(vec2(A, 0.0))).x", BRDF_HALF("abs"), "f16tof32(f32tof16(A))",
-     BRDF_HALF("std::fabs")},
+    {Op::to_half, BRDF_HALF("abs", "roundEven"), BRDF_HALF("abs", "round"),
+     BRDF_HALF("std::fabs", "std::nearbyint")},
     {Op::select, "A != 0u ? B : C"},
     {Op::equal, "A == B ? 1u : 0u"},
     {Op::not_equal, "A < B || B < A ? 1u : 0u"},

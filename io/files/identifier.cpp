@@ -89,7 +89,7 @@ constexpr std::string_view kOsl =
     "uniform union unsigned v varying vector virtual void volatile volume ward while";
 
 // Words of GLSL and HLSL that are no words of C++, and the functions and variables that exported shaders use.
-constexpr std::string_view kShader =
+constexpr std::string_view kShaderWords =
     "AppendStructuredBuffer BRDF Buffer ByteAddressBuffer ConsumeStructuredBuffer INFINITY InputPatch L "
     "LineStream N NAN NULL OutputPatch PointStream RWBuffer RWByteAddressBuffer RWStructuredBuffer "
     "RWTexture1D RWTexture2D RWTexture3D SamplerState StructuredBuffer Texture1D Texture2D Texture3D "
@@ -146,7 +146,7 @@ bool is_taken_in_cpp(std::string_view word) {
 }
 
 bool is_taken_in_shaders(std::string_view word) {
-  if (has_word(kCppKeywords, word) || has_word(kShader, word)) return true;
+  if (has_word(kCppKeywords, word) || has_word(kShaderWords, word)) return true;
   for (const std::string_view begin : {"M_", "brdf_", "gl_"})
     if (word.starts_with(begin)) return true;
   return false;

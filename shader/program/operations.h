@@ -1,7 +1,7 @@
 // The table of all operations: their operands and result, and the comparison that they make. Their texts in
 // other languages are in shader/operation_texts.h. The interpreter (shader/run) and the enclosures
-// (prove/shader) have a case for each operation and no default, so that a new operation does not compile there
-// until it is handled.
+// (prove/shader) have a case for each operation and no default, so that a new operation does not compile
+// there until it is handled.
 #pragma once
 
 #include <cstddef>
