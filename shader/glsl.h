@@ -23,8 +23,8 @@ struct Wording {
 
 // Returns the functions brdf_eval_<name> and brdf_eval_cos_<name> (brdf/reflectance.h), as the text of
 // io::SpeaksLanguages. Their arguments are the function's parameters with the numbers `shape`, as floats, and
-// with the numbers `weights`, as vec3. Every operation is the interpreter's operation, except that exp, pow and
-// similar functions are the functions of the driver or of the C++ library. A loop ends after 4096 iterations.
+// with the numbers `weights`, as vec3. Every operation is the interpreter's operation, except that exp, pow
+// and similar functions are the driver's or the C++ library's. A loop ends after 4096 iterations.
 std::string glsl_of(const Function& function, const std::string& name,
                     const std::vector<std::size_t>& weights, const std::vector<std::size_t>& shape,
                     const Wording& wording);

@@ -78,7 +78,7 @@ void for_each_operation(std::size_t sets, Use&& use) {
     if (Op(op) == Op::texel) continue;
     for (std::size_t k = 0; k < sets; ++k) {
       const std::string name = "operation_" + std::to_string(op) + "_" + std::to_string(k);
-      use(operation(Op(op)), shader_of_operation(operation(Op(op)), kOperandSets[k], name), name);
+      use(Op(op), shader_of_operation(operation(Op(op)), kOperandSets[k], name), name);
     }
   }
 }

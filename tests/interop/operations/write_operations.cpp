@@ -24,8 +24,7 @@ int main(int count, char** words) {
   std::string functions, rows;
   shader::for_each_operation(
       shader::kOperandSets.size(),
-      [&](const shader::Operation&, const std::shared_ptr<const shader::ShaderReflectance>& form,
-          const std::string& name) {
+      [&](shader::Op, const std::shared_ptr<const shader::ShaderReflectance>& form, const std::string& name) {
         const Material material = form->material(form);
         functions += io::shader_text(material, io::ShaderLanguage::cpp, false, name);
         rows += "    {\"" + name + "\", [](float* f) { const auto v = " + name + "::brdf_eval_" + name +
