@@ -7,10 +7,13 @@
 
 #include "brdf/geometry.h"
 #include "io/material/glsl.h"
+#include "shader/operation_texts.h"
 #include "shader/program/operations.h"
 
 namespace brdf::shader {
 namespace {
+
+using io::ShaderLanguage;
 
 constexpr std::size_t kMostOperations = 20'000;
 constexpr std::uint32_t kLongestArray = 256;  // with a variable index
@@ -34,7 +37,10 @@ std::string integer_text(std::uint32_t value) {
   return std::to_string(value) + "u";
 }
 
-std::string filled(const char* pattern, const std::string (&operands)[3]) {
+// Returns the right side of an operation. Operands that are no names need a text in which the operation puts
+// them in parentheses.
+std::string right_side(Op op, ShaderLanguage language, const std::string (&operands)[3]) {
+  const char* const pattern = text_of(op, language);
   std::string out;
   for (const char* c = pattern; *c; ++c) {
     const bool alone = (c == pattern || !std::isalnum(static_cast<unsigned char>(c[-1]))) &&
@@ -64,7 +70,7 @@ std::string indexed(const Step& s, bool load) {
 
 // Returns a statement such as "n7 = n3 * n4;". Access to an array with a variable index becomes a chain of
 // cases.
-std::string statement(const Step& s) {
+std::string statement(const Step& s, ShaderLanguage language) {
   if (s.op == Op::load_number || s.op == Op::load_integer) return indexed(s, true);
   if (s.op == Op::store_number || s.op == Op::store_integer) return indexed(s, false);
   const Operation& o = operation(s.op);
@@ -72,7 +78,8 @@ std::string statement(const Step& s) {
   std::string operands[3];
   for (int k = 0; k < o.count(); ++k)
     operands[k] = o.reads_integer(k) ? integer_slot(slots[k]) : number_slot(slots[k]);
-  return (o.writes_integer() ? integer_slot(s.r) : number_slot(s.r)) + " = " + filled(o.glsl, operands) + ";";
+  return (o.writes_integer() ? integer_slot(s.r) : number_slot(s.r)) + " = " +
+         right_side(s.op, language, operands) + ";";
 }
 
 std::string jump(const Program& p, const Stretch& s) {
@@ -82,28 +89,46 @@ std::string jump(const Program& p, const Stretch& s) {
          integer_text(s.next[1]) + ";";
 }
 
-std::string steps_of(const Stretch& s, const std::string& indent) {
+std::string steps_of(const Stretch& s, ShaderLanguage language, const std::string& indent) {
   std::string out;
-  for (const Step& step : s.steps) out += indent + statement(step) + "\n";
+  for (const Step& step : s.steps) out += indent + statement(step, language) + "\n";
   return out;
 }
 
 // Stretches are written in their execution order. A stretch that leads back is reached through a loop over
 // all stretches.
-std::string body(const Program& p) {
-  if (p.stretches.size() == 1) return steps_of(p.stretches[0], "  ");
+std::string body(const Program& p, ShaderLanguage language) {
+  if (p.stretches.size() == 1) return steps_of(p.stretches[0], language, "  ");
   const std::string end = integer_text(std::uint32_t(p.stretches.size()));
   std::string out = "  uint at = 0u;\n";
   if (p.loops) out += "  for (int turn = 0; turn < 4096 && at != " + end + "; ++turn) {\n";
   for (std::size_t k = 0; k < p.stretches.size(); ++k)
-    out += "  if (at == " + integer_text(std::uint32_t(k)) + ") {\n" + steps_of(p.stretches[k], "    ") +
-           "    " + jump(p, p.stretches[k]) + "\n  }\n";
+    out += "  if (at == " + integer_text(std::uint32_t(k)) + ") {\n" +
+           steps_of(p.stretches[k], language, "    ") + "    " + jump(p, p.stretches[k]) + "\n  }\n";
   if (p.loops) out += "  }\n";
   return out;
 }
 
+// C++ compilers warn of variables that nothing reads.
+std::string unread_too(ShaderLanguage language) {
+  return language == ShaderLanguage::cpp ? "[[maybe_unused]] " : "";
+}
+
+std::string number_type(const Wording& w) {
+  switch (w.language) {
+    case ShaderLanguage::glsl:
+    case ShaderLanguage::explorer:
+    case ShaderLanguage::hlsl:
+      return w.precise ? "precise float " : "float ";
+    case ShaderLanguage::glsl_es:
+    case ShaderLanguage::cpp:
+      return unread_too(w.language) + "float ";
+  }
+  return "";
+}
+
 // Declares all slots, with their contents before the first step.
-std::string declarations(const Program& p, bool precise) {
+std::string declarations(const Program& p, const Wording& w) {
   std::set<std::uint32_t> numbers(p.results.begin(), p.results.end()), integers;
   for (const Stretch& s : p.stretches) {
     if (s.end == End::branch) integers.insert(s.condition);
@@ -120,9 +145,9 @@ std::string declarations(const Program& p, bool precise) {
   for (const Input& input : p.inputs)
     for (const std::uint32_t slot : input.slots) (input.integer ? integers : numbers).insert(slot);
   std::string out;
-  const std::string type = precise ? "  precise float " : "  float ";
-  for (const std::uint32_t slot : numbers) out += type + number_slot(slot) + " = 0.0;\n";
-  for (const std::uint32_t slot : integers) out += "  uint " + integer_slot(slot) + " = 0u;\n";
+  for (const std::uint32_t slot : numbers) out += "  " + number_type(w) + number_slot(slot) + " = 0.0;\n";
+  for (const std::uint32_t slot : integers)
+    out += "  " + unread_too(w.language) + "uint " + integer_slot(slot) + " = 0u;\n";
   for (const Program::Constant& c : p.constants)
     if (numbers.contains(c.slot)) out += "  " + number_slot(c.slot) + " = " + number_text(c.value) + ";\n";
   for (const Program::IntegerConstant& c : p.integer_constants)
@@ -149,7 +174,11 @@ std::string axis(Axis a) {
 }
 
 // Assigns the inputs. The parameters' value number k is called v<k>.
-std::string inputs(const Function& f) {
+std::string inputs(const Function& f, ShaderLanguage language) {
+  const auto whole = [&](const std::string& value) {
+    const std::string rounded = right_side(Op::floor, language, {value + " + 0.5"});
+    return right_side(Op::to_signed, language, {rounded});
+  };
   std::string out;
   for (const Binding& b : f.bindings) {
     std::string value = b.from == Binding::From::one ? "1.0" : "0.0";
@@ -162,18 +191,20 @@ std::string inputs(const Function& f) {
     else if (b.from != Binding::From::value)
       out += "  " + integer_slot(b.slot) + (b.from == Binding::From::one ? " = 1u;\n" : " = 0u;\n");
     else
-      out += "  " + integer_slot(b.slot) + " = " +
-             (b.boolean ? value + " >= 0.5 ? 1u : 0u" : "uint(int(floor(" + value + " + 0.5)))") + ";\n";
+      out += "  " + integer_slot(b.slot) + " = " + (b.boolean ? value + " >= 0.5 ? 1u : 0u" : whole(value)) +
+             ";\n";
   }
   return out;
 }
 
 // Writes vec3 brdf_run_<name>(wi, wo, v0, v1, ...), which gives the value that the function returns.
-std::string run_function(const Function& f, const std::string& name, bool precise) {
+std::string run_function(const Function& f, const std::string& name, const Wording& w) {
   std::string text = "vec3 brdf_run_" + name + "(vec3 wi, vec3 wo";
-  for (std::size_t k = 0; k < f.values; ++k) text += ", float v" + std::to_string(k);
-  text += ") {\n  vec3 h = wi + wo;\n  h = h / sqrt(h.x * h.x + h.y * h.y + h.z * h.z);\n" +
-          declarations(f.as_written, precise) + inputs(f) + body(f.as_written);
+  for (std::size_t k = 0; k < f.values; ++k)
+    text += ", " + unread_too(w.language) + "float v" + std::to_string(k);
+  text += ") {\n  vec3 h = wi + wo;\n  h = h / " +
+          right_side(Op::sqrt, w.language, {"h.x * h.x + h.y * h.y + h.z * h.z"}) + ";\n" +
+          declarations(f.as_written, w) + inputs(f, w.language) + body(f.as_written, w.language);
   const std::vector<std::uint32_t>& r = f.as_written.results;
   const auto result = [&](std::size_t c) { return number_slot(r[std::min(c, r.size() - 1)]); };
   return text + "  return vec3(" + result(0) + ", " + result(1) + ", " + result(2) + ");\n}\n";
@@ -195,24 +226,24 @@ std::string glsl_obstacle(const Function& f) {
 }
 
 std::string glsl_of(const Function& f, const std::string& name, const std::vector<std::size_t>& weights,
-                    const std::vector<std::size_t>& shape, const GlslOptions& options) {
-  std::string text = run_function(f, name, options.marks_precise());
+                    const std::vector<std::size_t>& shape, const Wording& wording) {
+  std::string text = run_function(f, name, wording);
+  const std::vector<std::string>& names = wording.arguments;
   std::string arguments = "vec3 wi, vec3 wo";
-  for (std::size_t k = 0; k < shape.size(); ++k) arguments += ", float s" + std::to_string(k);
-  for (std::size_t k = 0; k < weights.size(); ++k) arguments += ", vec3 w" + std::to_string(k);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    arguments += (k < shape.size() ? ", float " : ", vec3 ") + names[k];
   bool all_colours = true;
   for (const std::size_t k : weights) all_colours = all_colours && f.parameters[k].colour;
   // A number that is a weight may differ from channel to channel. In this case each channel has a run of
   // its own.
   const auto call = [&](const std::string& component) {
     std::vector<std::string> values(f.values, "0.0");
-    for (std::size_t k = 0; k < shape.size(); ++k)
-      values[f.parameters[shape[k]].first] = "s" + std::to_string(k);
+    for (std::size_t k = 0; k < shape.size(); ++k) values[f.parameters[shape[k]].first] = names[k];
     for (std::size_t k = 0; k < weights.size(); ++k) {
       const Parameter& p = f.parameters[weights[k]];
       for (std::size_t c = 0; c < (p.colour ? 3u : 1u); ++c)
         values[p.first + c] =
-            "w" + std::to_string(k) + (component.empty() ? std::string(".") + "rgb"[c] : component);
+            names[shape.size() + k] + (component.empty() ? std::string(".") + "rgb"[c] : component);
     }
     std::string words = "brdf_run_" + name + "(wi, wo";
     for (const std::string& v : values) words += ", " + v;
@@ -221,8 +252,9 @@ std::string glsl_of(const Function& f, const std::string& name, const std::vecto
   const std::string value = weights.empty() || all_colours
                                 ? call("")
                                 : "vec3(" + call(".r") + ", " + call(".g") + ", " + call(".b") + ")";
-  const std::string least = number_text(kMinCosine<float>), cos_i = "max(wi.z, " + least + ")",
-                    cos_o = "max(wo.z, " + least + ")";
+  const std::string least = number_text(kMinCosine<float>),
+                    cos_i = "(" + right_side(Op::max, wording.language, {"wi.z", least}) + ")",
+                    cos_o = "(" + right_side(Op::max, wording.language, {"wo.z", least}) + ")";
   for (const bool cosine : {false, true}) {
     std::string factor;
     if (f.returns == Returns::f && cosine) factor = " * " + cos_i;

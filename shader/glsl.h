@@ -1,11 +1,11 @@
-// Writes a shader's function as GLSL, from its flattened program, so that the renderer can draw a shader of
-// any source language.
+// Writes a shader's function as text, from its flattened program, so that the renderer can draw a shader of
+// any source language, and that it can be exported in other languages.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "brdf/reflectance.h"
+#include "io/material/shader_language.h"
 #include "shader/function.h"
 
 namespace brdf::shader {
@@ -15,12 +15,18 @@ namespace brdf::shader {
 // cannot be written.
 std::string glsl_obstacle(const Function& function);
 
-// Returns the functions brdf_eval_<name> and brdf_eval_cos_<name> (brdf/reflectance.h). Their arguments are
-// the function's parameters with the numbers `shape`, as floats, and with the numbers `weights`, as vec3.
-// Every operation is the interpreter's operation, except that exp, pow and similar functions are the
-// driver's functions. A loop ends after 4096 iterations.
+struct Wording {
+  io::ShaderLanguage language = io::ShaderLanguage::glsl;
+  bool precise = true;                      // marks numbers as `precise` if the language has the word
+  std::vector<std::string> arguments = {};  // io::argument_names() of the tables
+};
+
+// Returns the functions brdf_eval_<name> and brdf_eval_cos_<name> (brdf/reflectance.h), as the text of
+// io::SpeaksLanguages. Their arguments are the function's parameters with the numbers `shape`, as floats, and
+// with the numbers `weights`, as vec3. Every operation is the interpreter's operation, except that exp, pow
+// and similar functions are the driver's or the C++ library's. A loop ends after 4096 iterations.
 std::string glsl_of(const Function& function, const std::string& name,
                     const std::vector<std::size_t>& weights, const std::vector<std::size_t>& shape,
-                    const GlslOptions& options);
+                    const Wording& wording);
 
 }  // namespace brdf::shader

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/files/error.h"
+#include "io/files/identifier.h"
 #include "io/files/numbers.h"
 #include "io/files/text.h"
 #include "shader/dependence.h"
@@ -11,14 +12,6 @@
 
 namespace brdf::shader {
 namespace {
-
-// Returns an identifier made from the name of the file.
-std::string identifier(const std::string& file) {
-  std::string out = std::filesystem::path(file).stem().string();
-  for (char& c : out)
-    if (!((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'))) c = '_';
-  return out.empty() || (out[0] >= '0' && out[0] <= '9') ? "shader_" + out : out;
-}
 
 // Throws InputError if a direction is missing and an argument of three numbers may be it: the argument's
 // components affect one channel together, and no line declares it as a colour.
@@ -54,7 +47,9 @@ void split_colours(Function& function) {
 }  // namespace
 
 ShaderReflectance::ShaderReflectance(Function function, std::optional<ShaderOrigin> origin)
-    : function_(std::move(function)), origin_(std::move(origin)), name_(identifier(function_.source.name)) {
+    : function_(std::move(function)),
+      origin_(std::move(origin)),
+      name_(io::identifier(std::filesystem::path(function_.source.name).stem().string())) {
   try {
     find_tables();
   } catch (const EndlessLoop& loop) {
@@ -143,7 +138,15 @@ std::vector<ReflectanceModel::TableWeight> ShaderReflectance::weights_of(
 }
 
 std::string ShaderReflectance::glsl(const GlslOptions& options) const {
-  return glsl_of(function_, name_, weights_, shape_, options);
+  const bool es = options.dialect == GlslDialect::es;
+  return glsl_of(function_, name_, weights_, shape_,
+                 {es ? io::ShaderLanguage::glsl_es : io::ShaderLanguage::glsl, options.precise,
+                  io::argument_names(shape_table_, weight_table_)});
+}
+
+std::string ShaderReflectance::functions_in(io::ShaderLanguage language) const {
+  return glsl_of(function_, name_, weights_, shape_,
+                 {language, true, io::argument_names(shape_table_, weight_table_)});
 }
 
 Material ShaderReflectance::material(std::shared_ptr<const ShaderReflectance> self) const {

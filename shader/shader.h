@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/material/shader_language.h"
 #include "shader/function.h"
 #include "shader/origin.h"
 
@@ -19,7 +20,7 @@ namespace brdf::shader {
 // Colours are weights. If f is linear in some parameters (determined by evaluation), these are weights,
 // too, and the reflectance has lobes and can be fitted. All other parameters are its shape. Evaluation
 // throws InputError with the line if a loop does not end.
-class ShaderReflectance final : public ReflectanceModel {
+class ShaderReflectance final : public ReflectanceModel, public io::SpeaksLanguages {
  public:
   explicit ShaderReflectance(Function function, std::optional<ShaderOrigin> origin = {});
 
@@ -41,6 +42,7 @@ class ShaderReflectance final : public ReflectanceModel {
                 const LobeRows& out) const override;
   std::vector<TableWeight> weights_of(std::span<const double> lobe_weights) const override;
   std::string glsl(const GlslOptions& options) const override;
+  std::string functions_in(io::ShaderLanguage language) const override;
 
   // Returns the function's values for a channel's parameters, in the function's order.
   template <class T>

@@ -57,12 +57,13 @@ void write(const ExportCall& o, const std::string& text) {
 }
 
 // Returns the name of the exported material: the value of --name, or the material's own name, or the name of
-// its file or form.
+// its file, shader or form.
 std::string exported_name(const ExportCall& o, const io::MaterialFile& file) {
   if (!o.name.empty()) return o.name;
   if (!file.name.empty()) return file.name;
-  return o.material.form.empty() ? std::filesystem::path(o.material.material).stem().string()
-                                 : o.material.form;
+  if (!o.material.form.empty()) return o.material.form;
+  const std::string& shader = o.material.shader.file;
+  return std::filesystem::path(shader.empty() ? o.material.material : shader).stem().string();
 }
 
 void check_measured(const ExportCall& o) {

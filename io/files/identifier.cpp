@@ -88,7 +88,34 @@ constexpr std::string_view kOsl =
     "short signed sizeof static string struct surface switch template this throw time true try typedef u "
     "uniform union unsigned v varying vector virtual void volatile volume ward while";
 
+// Words of GLSL and HLSL that are no words of C++, and the functions and variables that exported shaders use.
+constexpr std::string_view kShaderWords =
+    "AppendStructuredBuffer BRDF Buffer ByteAddressBuffer ConsumeStructuredBuffer INFINITY InputPatch L "
+    "LineStream N NAN NULL OutputPatch PointStream RWBuffer RWByteAddressBuffer RWStructuredBuffer "
+    "RWTexture1D RWTexture2D RWTexture3D SamplerState StructuredBuffer Texture1D Texture2D Texture3D "
+    "TextureCube TriangleStream V X Y abs acos active all any asfloat asin asint asuint atan atan2 "
+    "atomic_uint attribute buffer bvec2 bvec3 bvec4 cast cbuffer ceil centroid clamp clip coherent "
+    "column_major "
+    "common cos cosh cross ddx ddy degrees discard dmat2 dmat3 dmat4 dot double2 double3 double4 dvec2 dvec3 "
+    "dvec4 "
+    "dword exp exp2 external f16tof32 f32tof16 filter fixed flat float1 float2 float3 float4 "
+    "floatBitsToUint floor fma fmod frac fract groupshared half half2 half3 half4 highp hvec2 hvec3 hvec4 "
+    "iimage2D image2D in inout input int1 int2 int3 int4 interface invariant inverse inversesqrt isampler2D "
+    "isinf isnan ivec2 ivec3 ivec4 layout length lerp linear line lineadj log log2 lowp mad main mat2 mat3 "
+    "mat4 "
+    "matrix max mediump min mix mod modf mul nointerpolation noise noperspective normalize out "
+    "output packHalf2x16 packoffset partition pass patch pixelfragment pixelshader point pow precise "
+    "precision "
+    "radians rcp readonly reflect refract resource restrict round roundEven row_major rsqrt sample "
+    "sampler sampler1D sampler2D sampler3D samplerCube sampler_state saturate shared sign sin sincos sinh "
+    "smooth smoothstep snorm sqrt stateblock stateblock_state step string subroutine superp tan tanh tbuffer "
+    "technique technique10 technique11 texture texture1D texture2D texture3D textureCube transpose triangle "
+    "triangleadj trunc uimage2D uint uint1 uint2 uint3 uint4 uintBitsToFloat uniform unorm unpackHalf2x16 "
+    "usampler2D uvec2 uvec3 uvec4 varying vec2 vec3 vec4 vector vertexfragment vertexshader wi wo "
+    "writeonly";
+
 bool has_word(std::string_view words, std::string_view word) {
+  if (word.empty()) return false;
   for (std::size_t at = 0; (at = words.find(word, at)) != words.npos; at += word.size()) {
     const std::size_t end = at + word.size();
     if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
@@ -118,6 +145,27 @@ bool is_taken_in_cpp(std::string_view word) {
   return false;
 }
 
+bool is_taken_in_shaders(std::string_view word) {
+  if (has_word(kCppKeywords, word) || has_word(kShaderWords, word)) return true;
+  for (const std::string_view begin : {"M_", "brdf_", "gl_"})
+    if (word.starts_with(begin)) return true;
+  return false;
+}
+
+bool is_taken(std::string_view word, NameIn in) {
+  switch (in) {
+    case NameIn::file:
+      return false;
+    case NameIn::cpp:
+      return is_taken_in_cpp(word);
+    case NameIn::osl:
+      return has_word(kOsl, word);
+    case NameIn::argument:
+      return is_taken_in_shaders(word);
+  }
+  return false;
+}
+
 // Replaces every character other than a letter or a digit by an underscore, and runs of underscores by one.
 std::string with_plain_characters(const std::string& name) {
   std::string out;
@@ -132,11 +180,11 @@ std::string with_plain_characters(const std::string& name) {
 
 std::string identifier(const std::string& name, NameIn in) {
   const std::string plain = with_plain_characters(name);
-  const bool taken =
-      (in == NameIn::cpp && is_taken_in_cpp(plain)) || (in == NameIn::osl && has_word(kOsl, plain));
-  if (plain.empty() || plain == "_") return "material";
-  if (plain[0] == '_') return "material" + plain;
-  return taken || std::isdigit(static_cast<unsigned char>(plain[0])) ? "material_" + plain : plain;
+  const std::string kind = in == NameIn::argument ? "argument" : "material";
+  if (plain.empty() || plain == "_") return kind;
+  if (plain[0] == '_') return kind + plain;
+  return is_taken(plain, in) || std::isdigit(static_cast<unsigned char>(plain[0])) ? kind + "_" + plain
+                                                                                   : plain;
 }
 
 }  // namespace brdf::io

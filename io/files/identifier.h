@@ -5,13 +5,13 @@
 
 namespace brdf::io {
 
-// The context of the name: a file format without keywords (the name may also follow a prefix), or an
-// identifier of C++ or OSL.
-enum class NameIn { file, cpp, osl };
+// The context of the name: a file format without keywords (the name may also follow a prefix), an identifier
+// of C++ or OSL, or an argument of a function that is written as GLSL, HLSL and C++.
+enum class NameIn { file, cpp, osl, argument };
 
 // Returns a name of letters, digits and single underscores that does not begin with a digit. Other
-// characters become underscores. An empty name becomes "material". The name is prefixed with "material_"
-// (or "material" if it begins with an underscore) in these cases:
+// characters become underscores. An empty name becomes "material" ("argument" for an argument). The name is
+// prefixed with "material_", or "argument_", without the underscore if it begins with one, in these cases:
 // - it begins with a digit, or with an underscore, which is reserved in C++ and refused by Mitsuba as an
 //   id;
 // - it has another meaning in the language or in the exported text. These are the keywords and, in C++,

@@ -11,9 +11,17 @@
 #include "io/files/identifier.h"
 #include "io/files/provenance.h"
 #include "io/files/text.h"
+#include "io/material/shader_language.h"
 
 namespace brdf::io {
 namespace {
+
+// Returns the values of a weight in all channels, in the channels' order.
+std::vector<double> channels_of(const Term& term, std::size_t weight) {
+  std::vector<double> values;
+  for (const std::vector<double>& set : term.weights) values.push_back(set[weight]);
+  return values;
+}
 
 // Returns one parameter of the red, green and blue channels as a vec3.
 std::string glsl_vector(const Term& term, const ChannelColours& colours, std::size_t parameter) {
@@ -69,9 +77,30 @@ std::string material_function(const Material& given, const std::string& function
   return text + "  return f;\n}\n";
 }
 
-// Returns the library's kernels written with GLSL's own functions. brdf_erfcx, which GLSL lacks, is kept,
-// and so are the functions that the forms use themselves.
-std::string builtin_kernels(const GlslOptions& options) {
+ShaderLanguage language_of(const GlslContent& content) {
+  const bool es = content.dialect == GlslDialect::es;
+  return content.translated.value_or(es ? ShaderLanguage::glsl_es : ShaderLanguage::glsl);
+}
+
+// Returns the name of the arc tangent of a sine and a cosine. In GLSL the arc tangent of one number has the
+// same name.
+std::string angle_function(ShaderLanguage language) {
+  switch (language) {
+    case ShaderLanguage::glsl:
+    case ShaderLanguage::glsl_es:
+    case ShaderLanguage::explorer:
+      return "atan";
+    case ShaderLanguage::hlsl:
+      return "atan2";
+    case ShaderLanguage::cpp:
+      return "std::atan2";
+  }
+  return "";
+}
+
+// Returns the library's kernels written with the language's own functions. brdf_erfcx, which GLSL lacks, is
+// kept, and so are the functions that the forms use themselves.
+std::string builtin_kernels(const GlslOptions& options, ShaderLanguage language) {
   const std::string own = glsl_kernels(options);
   const std::size_t begin = own.find("float brdf_erfcx("), end = own.find("float brdf_angle(");
   return own.substr(0, own.find("float brdf_exp(")) +
@@ -79,22 +108,40 @@ std::string builtin_kernels(const GlslOptions& options) {
          "float brdf_log(float x) {\n  return log(x);\n}\n"
          "float brdf_log1p(float x, float rest) {\n  float u = 1.0 + x;\n"
          "  return u == 1.0 ? x + rest : log(u) * (x / (u - 1.0)) + rest / u;\n}\n" +
-         own.substr(begin, end - begin) +
-         "float brdf_angle(float sine, float cosine) {\n  return atan(sine, cosine);\n}\n";
+         own.substr(begin, end - begin) + "float brdf_angle(float sine, float cosine) {\n  return " +
+         angle_function(language) + "(sine, cosine);\n}\n";
+}
+
+// Returns the words after a parameter's name: the range, the default, and its meaning. A default that differs
+// between the channels is a colour's, whose range is from 0 to 1 or to its largest component.
+std::string declared(const ParameterInfo& p, const std::string& name,
+                     const std::vector<double>& of_channels) {
+  const bool colour = std::ranges::any_of(of_channels, [&](double x) { return x != of_channels[0]; });
+  std::string text = (colour ? "//: color " : "//: param ") + name;
+  if (colour)
+    for (std::size_t c = 0; c < 3; ++c) text += " " + to_text(of_channels[c]);
+  else
+    text += " " + to_text(p.min) + " " + to_text(p.max) + " " +
+            to_text(of_channels.empty() ? p.initial : of_channels[0]);
+  return text + (p.log_scale ? " log" : "") + " role " + std::string(name_of(p.role)) + "\n";
 }
 
 // Returns the annotations that `--shader` reads: the function, and the ranges of its parameters if it has
-// parameters.
-std::string annotations(const Material& material, const std::string& function) {
-  if (!function.empty()) return "//: entry " + function + "(wi, wo)\n";
+// parameters. A .brdf file has no such line for the function, because its function BRDF() passes the sliders
+// on.
+std::string annotations(const Material& material, const std::string& function, ShaderLanguage language) {
+  const auto entry = [&](const std::string& name) {
+    return language == ShaderLanguage::explorer ? "" : "//: entry " + name + "(wi, wo)\n";
+  };
+  if (!function.empty()) return entry(function);
   if (material.terms.size() != 1) return "";
-  const ReflectanceInfo& form = info(material.terms.front().form);
-  std::string text = "//: entry brdf_eval_" + std::string(form.name) + "(wi, wo)\n";
-  for (const auto table : {form.shape, form.weights})
-    for (const ParameterInfo& p : table)
-      text += "//: param " + std::string(p.name) + " " + to_text(p.min) + " " + to_text(p.max) + " " +
-              to_text(p.initial) + (p.log_scale ? " log" : "") + " role " + std::string(name_of(p.role)) +
-              "\n";
+  const Term& term = material.terms.front();
+  const ReflectanceInfo& form = info(term.form);
+  const std::vector<std::string> names = argument_names(form.shape, form.weights);
+  std::string text = entry("brdf_eval_" + std::string(form.name));
+  for (std::size_t k = 0; k < form.shape.size(); ++k) text += declared(form.shape[k], names[k], {});
+  for (std::size_t k = 0; k < form.weights.size(); ++k)
+    text += declared(form.weights[k], names[form.shape.size() + k], channels_of(term, k));
   for (const Violation& v : form.violations)
     text += "//: violates " + std::string(v.check) + " at " + to_text(v.theta) + " " +
             std::string(v.statement) + "\n";
@@ -145,19 +192,21 @@ std::string glsl_number(double value) {
 
 GlslParts glsl_parts(const Material& material, const GlslContent& content) {
   const GlslOptions options{.dialect = content.dialect};
+  const ShaderLanguage language = language_of(content);
   const bool named = content.guarded || !content.name.empty();
   const std::string function =
       content.material ? "brdf_material" + (named ? "_" + identifier(content.name) : "") : "";
   GlslParts parts;
   parts.head = "// Written by brdf " BRDF_VERSION ": " + provenance().command +
                "\n// Unit vectors in the local frame: normal +z, tangent +x; values are f_r in 1/sr.\n" +
-               annotations(material, function);
-  parts.kernels = content.builtin_kernels ? builtin_kernels(options) : glsl_kernels(options);
+               annotations(material, function, language);
+  parts.kernels = content.builtin_kernels ? builtin_kernels(options, language) : glsl_kernels(options);
   for (const Term& term : material.terms) {
     const std::string name(info(term.form).name);
     if (std::ranges::any_of(parts.forms, [&](const auto& form) { return form.first == name; })) continue;
     if (!info(term.form).has_glsl) throw InputError(name + " cannot be written as GLSL");
-    parts.forms.emplace_back(name, term.form->glsl(options));
+    const auto* speaks = dynamic_cast<const SpeaksLanguages*>(&*term.form);
+    parts.forms.emplace_back(name, speaks ? speaks->functions_in(language) : term.form->glsl(options));
   }
   if (content.material) parts.material = material_function(material, function);
   return parts;

@@ -1,11 +1,13 @@
 // Writes materials as shader source (GLSL 4.50 for Vulkan, GLSL ES 3.00 for WebGL 2).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "brdf/material.h"
+#include "io/material/shader_language.h"
 
 namespace brdf::io {
 
@@ -26,6 +28,8 @@ struct GlslContent {
   // first text. Each material has its own function; as long as there is only one material, brdf_material
   // also refers to it.
   bool guarded = false;
+  // The language into which the text is translated afterwards (io/material/shader_texts.h).
+  std::optional<ShaderLanguage> translated = {};
 };
 
 // The parts from which a source is assembled.

@@ -3,6 +3,7 @@
 #include "io/files/identifier.h"
 #include "io/files/text.h"
 #include "io/material/glsl.h"
+#include "io/material/shader_language.h"
 #include "io/material/shader_words.h"
 
 namespace brdf::io {
@@ -14,17 +15,17 @@ std::string hlsl(std::string text) {
     if (word == "vec3") return "float3";
     if (word == "floatBitsToUint") return "asuint";
     if (word == "uintBitsToFloat") return "asfloat";
-    if (word == "atan") return "atan2";  // atan is only used with a sine and a cosine
     return word;
   });
 }
 
 // Returns the line of a slider: type, name and range.
-std::string slider(const ParameterInfo& p, bool weight, const std::vector<double>& of_channels) {
+std::string slider(const ParameterInfo& p, const std::string& name, bool weight,
+                   const std::vector<double>& of_channels) {
   if (!weight)
-    return "float " + std::string(p.name) + " " + to_text(usual_min(p)) + " " + to_text(p.usual_max) + " " +
+    return "float " + name + " " + to_text(usual_min(p)) + " " + to_text(p.usual_max) + " " +
            to_text(of_channels[0]) + "\n";
-  std::string line = "color " + std::string(p.name);
+  std::string line = "color " + name;
   for (std::size_t c = 0; c < 3; ++c) line += " " + to_text(of_channels[of_channels.size() == 1 ? 0 : c]);
   return line + "\n";
 }
@@ -35,12 +36,14 @@ std::string explorer(const Material& material, const std::string& functions, boo
     const Term& term = material.terms[0];
     const ReflectanceInfo& form = info(term.form);
     call = "brdf_eval_" + std::string(form.name) + "(wi, wo";
+    const std::vector<std::string> names = argument_names(form.shape, form.weights);
     const auto add = [&](const ParameterInfo& p, std::size_t k, bool weight,
                          const std::vector<std::vector<double>>& sets) {
       std::vector<double> values;
       for (const std::vector<double>& set : sets) values.push_back(set[k]);
-      sliders += slider(p, weight, values);
-      call += ", " + std::string(p.name);
+      const std::string& name = names[weight ? form.shape.size() + k : k];
+      sliders += slider(p, name, weight, values);
+      call += ", " + name;
     };
     for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, false, term.shape);
     for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, true, term.weights);
@@ -93,21 +96,25 @@ struct vec3 {
   explicit vec3(float all) : vec3(all, all, all) {}
   vec3& operator+=(const vec3& v) { x += v.x; y += v.y; z += v.z; return *this; }
 };
+inline vec3 operator+(const vec3& a, const vec3& b) { return vec3(a.x + b.x, a.y + b.y, a.z + b.z); }
+inline vec3 operator*(const vec3& v, float s) { return vec3(v.x * s, v.y * s, v.z * s); }
+inline vec3 operator/(const vec3& v, float s) { return vec3(v.x / s, v.y / s, v.z / s); }
+inline float dot(const vec3& a, const vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline float clamp(float x, float least, float most) { return most < x ? most : x < least ? least : x; }
 inline uint floatBitsToUint(float x) { uint bits; std::memcpy(&bits, &x, 4); return bits; }
 inline float uintBitsToFloat(uint bits) { float x; std::memcpy(&x, &bits, 4); return x; }
 )";
 
 // Names from the namespace that the headers share. They are imported one by one, because a using-directive
 // would make them ambiguous if the user has a vec3 of their own.
-constexpr std::string_view kShared[]{"uint",      "vec3",     "floatBitsToUint", "uintBitsToFloat",
-                                     "brdf_exp",  "brdf_log", "brdf_log1p",      "brdf_erfcx",
-                                     "brdf_angle"};
+constexpr std::string_view kShared[]{
+    "uint",     "vec3",     "clamp",      "floatBitsToUint", "uintBitsToFloat",
+    "brdf_exp", "brdf_log", "brdf_log1p", "brdf_erfcx",      "brdf_angle"};
 
 // Converts functions to C++: they become inline, keep their arithmetic unchanged, and use float literals.
 std::string as_cpp(const std::string& text) {
   const std::string plain = with_words(text, [](std::string word) -> std::string {
     if (word == "precise") return "const";
-    if (word == "atan") return "std::atan2";  // atan is only used with a sine and a cosine
     if (word == "exp" || word == "log" || word == "sqrt") return "std::" + word;
     const bool number = std::isdigit(static_cast<unsigned char>(word[0]));
     return number && word.find_first_of(".e") != word.npos ? word + "f" : word;
@@ -131,8 +138,10 @@ std::string as_cpp(const std::string& text) {
 // functions instead of the library's kernels.
 std::string cpp_text(const Material& material, bool with_material, const std::string& given,
                      bool builtin_kernels) {
-  const GlslParts parts =
-      glsl_parts(material, {.material = with_material, .whole = false, .builtin_kernels = builtin_kernels});
+  const GlslParts parts = glsl_parts(material, {.material = with_material,
+                                                .whole = false,
+                                                .builtin_kernels = builtin_kernels,
+                                                .translated = ShaderLanguage::cpp});
   const std::string kernels = kTypes + as_cpp(parts.kernels), number = text_number(kernels),
                     shared = "brdf_kernels_" + number, name = identifier(given, NameIn::cpp);
   std::string functions;
@@ -157,8 +166,15 @@ std::string cpp_text(const Material& material, bool with_material, const std::st
 
 std::string shader_text(const Material& material, ShaderLanguage language, bool with_material,
                         const std::string& name, bool builtin_kernels) {
-  GlslContent content{.material = with_material, .whole = false, .builtin_kernels = builtin_kernels};
+  GlslContent content{.material = with_material,
+                      .whole = false,
+                      .dialect = language == ShaderLanguage::glsl_es ? GlslDialect::es : GlslDialect::vulkan,
+                      .builtin_kernels = builtin_kernels,
+                      .translated = language};
   switch (language) {
+    case ShaderLanguage::glsl:
+    case ShaderLanguage::glsl_es:
+      return glsl_source(material, content);
     case ShaderLanguage::hlsl:
       content.name = name;
       content.guarded = true;

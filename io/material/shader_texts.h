@@ -5,14 +5,9 @@
 #include <string>
 
 #include "brdf/material.h"
+#include "io/material/shader_language.h"
 
 namespace brdf::io {
-
-enum class ShaderLanguage {
-  hlsl,      // shader model 5: `precise`, asuint and asfloat
-  cpp,       // C++17 in float, a header
-  explorer,  // a .brdf file: parameters as sliders, vec3 BRDF(L, V, N, X, Y)
-};
 
 // Returns the functions of the forms and, if `with_material`, the function brdf_material(wi, wo) with the
 // parameters of `material`. Without it, a file of the Explorer has sliders for the parameters. `name` is

@@ -7,11 +7,12 @@
 
 namespace brdf::io {
 
-// Replaces every word outside comments by the result of `change`. Numbers and members (f.r) count as words.
+// Replaces every word outside comments by the result of `change`. Numbers, members (f.r) and names of a
+// namespace (std::exp) count as words.
 template <class Change>
 std::string with_words(const std::string& text, Change&& change) {
   const auto in_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' || c == ':';
   };
   std::string out;
   for (std::size_t k = 0; k < text.size();) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # ctest: interop.shaders label=interop timeout=3600 needs=plain @brdf@ @here@/shaders
 # ctest: exports.few_shaders label=exports needs=plain @brdf@ @here@/few_shaders --few
-"""shaders_test.py BRDF FOLDER [--few]: every form and target compiles in every language, with both kinds of kernels, whole and
+"""shaders_test.py BRDF FOLDER [--few]: every form and target, and a shader, compile in every language, with both kinds of kernels, whole and
 to be included, as a form and as a material: GLSL by glslc, glslangValidator and spirv-cross, GLSL ES 3.00 and BRDF Explorer's by
 glslangValidator, HLSL by glslc and glslangValidator, C++ by g++ and clang++ with warnings as errors. Every form's HLSL, run on the
 Vulkan device, has the library's float values: not a bit differs on a software driver. No name that C++ has for itself gets into
@@ -51,21 +51,28 @@ def shader(exporter, to, include, as_material, words):
     return text if to == "glsl-es" and not include or to == "glsl" and not include else user_of(to, text, **call)
 
 
+def subjects(models):
+    """Returns the options of every subject, with a setting that makes a material of it. The last is a shader whose operations and
+    parameters the languages spell differently."""
+    for model in models:
+        weight = next(iter(model["parameters"]))
+        yield ["--form", model["form"]], f"{weight['name']}={weight['default']}"
+    yield ["--shader", pathlib.Path(__file__).resolve().parent / "languages" / "kinds.glsl"], "rough=0.5"
+
+
 def compile_all(exporter, models):
     """Compiles the exports of every language with all kernels, with --include, and of forms and materials. Returns the number of texts,
     and the number of texts that do not compile."""
     compiled = failed = 0
-    for model in models:
-        weight = next(iter(model["parameters"]))
+    for subject, setting in subjects(models):
         for to, kernels, as_material in itertools.product(LANGUAGES, ("own", "builtin"), (False, True)):
             for include in ((False, True) if to.startswith("glsl") else (False,)):
-                words = ["--form", model["form"], "--kernels", kernels]
-                words += ["--set", f"{weight['name']}={weight['default']}"] if as_material else []
+                words = [*subject, "--kernels", kernels, *(["--set", setting] if as_material else [])]
                 wrong = wrong_with(to, shader(exporter, to, include, as_material, words), exporter)
                 compiled += 1
                 if wrong:
                     failed += 1
-                    print(f"{' '.join(words)} --to {to}{' --include' if include else ''}: {wrong}")
+                    print(f"{' '.join(map(str, words))} --to {to}{' --include' if include else ''}: {wrong}")
     return compiled, failed
 
 
@@ -120,7 +127,7 @@ def main():
     models = [m for m in catalogue["forms"] + catalogue["targets"] if not few or m["form"] in FEW]
     compiled, failed = compile_all(exporter, models)
     print(f"{compiled} texts by {', '.join(['glslc', *cpp_compilers()])} and what else is here, {failed} do not compile")
-    assert compiled == 28 * len(models) and len(models) >= (3 if few else 30)
+    assert compiled == 28 * (len(models) + 1) and len(models) >= (3 if few else 30)
     if not few:
         failed += names_are_free(exporter)
         failed += prove(exporter, [m["form"] for m in catalogue["forms"]])
