@@ -169,7 +169,8 @@ void add_eval(CLI::App& app) {
       "          brdf eval fitted.json --cos directions.csv\n"
       "          brdf eval fitted.json --sigma-columns directions.csv\n"
       "          brdf eval --shader ggx.glsl --entry \"ggx(L, V, N, alpha)\" --param alpha=0.01:1:0.3:log "
-      "--returns f directions.csv");
+      "--returns f directions.csv\n"
+      "          brdf eval --shader ggx.glsl --float directions.csv");
   on_run(*verb, [options] {
     settle_arguments(*options);
     io::check_targets({{"-o", options->output}});
