@@ -1,6 +1,7 @@
 #include "shader/kernels.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "brdf/any_form.h"
@@ -18,6 +19,15 @@ struct Flattened {
   Op kernel;
   Program program;
 };
+
+// Returns std::nullopt for a function that no reflectance can call: it may be left uncalled.
+std::optional<Program> flattened(const spirv::Module& module, const spirv::Function& function) {
+  try {
+    return lower(module, function);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
 
 std::vector<Flattened> flattened_kernels(const spirv::Module& module) {
   std::vector<Flattened> out;
@@ -73,9 +83,9 @@ bool is_same(const Program& a, const Program& b) {
 std::set<spirv::Id> library_kernels(const spirv::Module& module) {
   std::set<spirv::Id> out;
   for (const NamedKernel& named : kernels_of(module)) {
-    const Program program = lower(module, *named.function);
-    if (std::ranges::any_of(exported_kernels(), [&](const Flattened& known) {
-          return known.kernel == named.op && is_same(known.program, program);
+    const std::optional<Program> program = flattened(module, *named.function);
+    if (program && std::ranges::any_of(exported_kernels(), [&](const Flattened& known) {
+          return known.kernel == named.op && is_same(known.program, *program);
         }))
       out.insert(named.function->id);
   }

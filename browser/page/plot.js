@@ -17,9 +17,9 @@ const pathOf = (points) => points.map((point, k) => point === null ? ""
   : (k > 0 && points[k - 1] !== null ? "L" : "M") + point[0].toFixed(1) + " " + point[1].toFixed(1)).join("");
 
 // Sentences on the values of curves that the plot cannot show as they are.
-const unknownOf = (values, places) => {
+const unknownOf = (values) => {
   const unknown = values.filter((value) => value === null).length;
-  return (unknown > 0 ? `; ${unknown} of ${values.length} ${places} are unknown, which are gaps` : "")
+  return (unknown > 0 ? `; ${unknown} of ${values.length} values are unknown, which are gaps` : "")
     + (values.some((value) => value !== null && value < 0) ? "; values below 0 are drawn at 0" : "");
 };
 
@@ -29,7 +29,7 @@ const label = (x, y, anchor, text) => inSvg("text", { x, y, "text-anchor": ancho
 const albedoPlot = ({ theta, albedo, above_one: aboveOne }, channels) => {
   const left = 42, right = kWidth - 12, top = 12, bottom = kHeight - 34;
   const all = albedo.flat(), known = all.filter((value) => value !== null);
-  const most = Math.max(...known, 0), end = Math.max(1, Math.ceil(10 * most) / 10);
+  const most = Math.max(...known), end = Math.max(1, Math.ceil(10 * most) / 10);
   const x = (degrees) => left + (right - left) * degrees / 90, y = (value) => bottom - (bottom - top) * Math.max(value, 0) / end;
   const step = Math.max(1, Math.ceil(albedo.length / kMostCurves)), drawn = albedo.map((_, k) => k).filter((k) => k % step === 0);
   const colours = drawn.map((_, place) => colourOf(place, drawn.length));
@@ -42,7 +42,7 @@ const albedoPlot = ({ theta, albedo, above_one: aboveOne }, channels) => {
     ...drawn.map((k, place) => inSvg("path", { class: "curve", stroke: colours[place], d: pathOf(curve(k)) })),
   ];
   const energy = aboveOne ? "; above 1, the material reflects more light than arrives" : "";
-  const note = `albedo against the angle of incidence${energy}${unknownOf(all, "values")}`
+  const note = `albedo against the angle of incidence${energy}${unknownOf(all)}`
     + (step > 1 ? `; ${drawn.length} of ${albedo.length} channels are drawn` : "");
   const range = known.length > 0 ? `Albedo from ${shown(Math.min(...known), 3)} to ${shown(most, 3)}` : "No albedo is known";
   return figureOf("Albedo", `${range} at ${theta.length} angles of incidence from ${theta[0]} to ${theta[theta.length - 1]} degrees${energy}.`,
@@ -67,8 +67,9 @@ const lobePlot = ({ lobes }) => {
     inSvg("line", { class: "grid", x1: cx, x2: cx, y1: cy, y2: cy - reach }),
     ...[-90, -45, 0, 45, 90].map((t) => label(...at(t, 1.05), kAnchors[Math.sign(t) + 1], Math.abs(t) + "\u00b0")),
     ...lobes.map((lobe, k) => ray(lobe.theta_i, k)), ...lobes.map((lobe, k) => inSvg("path", { class: "curve", stroke: colours[k], d: pathOf(curve(lobe)) }))];
-  const peaks = lobes.map((lobe) => `${shown(Math.max(...lobe.f_cos), 3)} at ${lobe.theta_i} degrees`).join(", ");
+  const peakOf = (values) => values.length > 0 ? shown(Math.max(...values), 3) : "unknown";
+  const peaks = lobes.map((lobe) => `${peakOf(lobe.f_cos.filter((value) => value !== null))} at ${lobe.theta_i} degrees`).join(", ");
   return figureOf("Lobe in the plane of incidence", `Largest value of f cos: ${peaks} of incidence.`, shapes,
     keysOf(lobes.map((lobe) => `incidence ${lobe.theta_i}\u00b0`), colours),
-    `f cos \u03b8, mean of the channels${unknownOf(all, "values")}; the radius is the cube root, and the outer circle is ${shown(most, 3)} 1/sr; dashed: the light`);
+    `f cos \u03b8, mean of the channels${unknownOf(all)}; the radius is the cube root, and the outer circle is ${shown(most, 3)} 1/sr; dashed: the light`);
 };

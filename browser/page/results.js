@@ -85,7 +85,7 @@ class Results {
     const { name, row, command, assumptions, files } = entry;
     const facts = [["form", row.form], ["measurements", row.rows.toLocaleString("en")], ["median error", percent(row.median_relative_error)],
       ["left-out error", percent(row.cross_validated_error)]];
-    if (row.within_tolerance !== null) facts.push([`tolerance of ${percent(row.tolerance)}`, row.within_tolerance ? "kept" : "exceeded"]);
+    if (row.within_tolerance !== null) facts.push([`tolerance of ${shown(100 * row.tolerance, 6)} %`, row.within_tolerance ? "kept" : "exceeded"]);
     const remarks = [...assumptions, ...row.warnings];
     const number = this.finished.indexOf(entry) + 1;
     const frame = make("iframe", { title: `Report on ${name}`, sandbox: "allow-scripts allow-popups allow-modals allow-downloads" });

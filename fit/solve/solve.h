@@ -41,7 +41,8 @@ struct SolveOptions {
 
 struct Solution {
   std::vector<double> p;
-  double cost = 0;
+  double cost =
+      0;  // at the last evaluated point, from which a last step of less than its rounding leads to p
   Termination termination = Termination::failed;
   std::string message;        // the message of the solver
   std::vector<int> at_bound;  // [parameter]: -1 held at its lower bound, 1 at its upper, 0 free
@@ -56,7 +57,8 @@ std::vector<int> hold_at_bounds(const NormalEquations& n, std::vector<double>& p
 // Minimises by Levenberg-Marquardt (Ceres). The solver sees p + 1 residuals that have the same cost,
 // gradient and Gauss-Newton matrix as the samples (Cholesky). Ceres stops early if a bound is active, and
 // reports convergence. Therefore parameters at a bound that the cost pushes against are held there, and the
-// others are solved again, until the set does not change.
+// others are solved again, until the set does not change. A converged solution takes one undamped step more,
+// without a pass, unless it would leave the bounds.
 Solution solve(const Objective& objective, std::span<const double> start, std::span<const double> low,
                std::span<const double> high, const SolveOptions& options);
 

@@ -36,6 +36,7 @@ def check_tables(browser, address, tables, folder):
         assert "ward" in text_of(page, ".pane .verdict") and page.evaluate("document.querySelector('.pane .verdict.good') !== null")
         assert text_of(page, ".pane pre") == "brdf study ward.csv --form all --output studied", text_of(page, ".pane pre")
         assert frame_value(browser, page, "document.querySelectorAll('canvas[id]').length > 3 && charts.length") >= 4
+        assert frame_value(browser, page, "document.body.textContent.includes('No lobes: this build has no renderer')")
         check_downloads(browser, page, folder)
         page.evaluate("(right => { right.value = '0'; right.dispatchEvent(new Event('change')); })(document.getElementById('right'))")
         assert page.evaluate("[...document.querySelectorAll('.pane h3')].map(h => h.textContent)") == ["ward.csv", "phong_sparse.csv"]
@@ -120,6 +121,8 @@ def check_slider_ends(browser, address):
         assert "reflects more light" not in text_of(page, "#plots figcaption"), text_of(page, "#plots figcaption")
         page.evaluate("location.hash = '#form=ward_duer&kd=1&ks=1&alpha_x=0.5&alpha_y=0.5'")
         page.wait("document.querySelector('#plots figcaption').textContent.includes('reflects more light')")
+        page.evaluate("location.hash = '#form=matt_2&w000=0&w111=-0.5'")
+        page.wait("document.querySelector('#plots figcaption').textContent.includes('values below 0 are drawn at 0')")
         page.evaluate("location.hash = '#form=ward&kd=-3'")
         page.wait("document.getElementById('link_fault').textContent !== ''")
         page.evaluate("history.back()")

@@ -154,6 +154,10 @@ TEST(ExportedForm, AKernelIsKnownByItsOperations) {
   const std::size_t next = other.find("float brdf_log(");
   other.insert(next, "float brdf_exp(float x) { return x < -14.5 ? -2.0 : inner(x); }\n");
   EXPECT_EQ(kernels_in("x.glsl", other), 4u);
+  EXPECT_EQ(kernels_in("x.glsl",
+                       "float brdf_log(float x) { return dFdx(x); }\n"  // nothing calls it
+                       "float brdf(vec3 L, vec3 V, vec3 N) { return 0.1; }\n"),
+            0u);
 }
 
 }  // namespace

@@ -117,6 +117,7 @@ TEST_F(StudyOfFiles, APageTellsItsStoryInAReadersOrder) {
   EXPECT_THAT(page, Not(HasSubstr("No pictures: ")));
   const std::size_t lobes = page.find(">Lobes: fitted (surface) and measured (dots)<");
   EXPECT_EQ(lobes != std::string::npos, has_lobes());
+  EXPECT_EQ(page.find("No lobes: ") == std::string::npos, has_lobes());
   EXPECT_LT(std::min(lobes, sphere), page.find(">Residuals of the fit<"));
   for (const char* outside : {"http://", "https://", "file://", "src=\"/"})
     EXPECT_THAT(page, Not(HasSubstr(outside))) << outside;
