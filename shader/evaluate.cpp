@@ -85,7 +85,7 @@ void ShaderReflectance::endless(const EndlessLoop& loop) const {
   for (const Parameter& p : function_.parameters)
     if (p.first < loop.values.size())
       input.push_back(p.name + "=" + io::short_number(loop.values[p.first], 4));
-  throw InputError(where + ": this loop does not end: more than " + std::to_string(kMostStepsRun) +
+  throw InputError(where + ": this loop may not end: it was stopped after " + std::to_string(kMostStepsRun) +
                    " operations in one evaluation (" + line_of_text(function_.source.text, loop.line) +
                    "), for " + io::joined(input));
 }

@@ -35,7 +35,7 @@ double in_half(const Function& function, std::span<const double> values, const V
     return evaluate<float>(*function.in_half, runner, narrow, single(wi), single(wo), component);
   } catch (const EndlessLoop& loop) {
     throw InputError(function.source.name + (loop.line > 0 ? ":" + std::to_string(loop.line) : "") +
-                     ": in half precision this loop does not end: more than " +
+                     ": in half precision this loop may not end: it was stopped after " +
                      std::to_string(kMostStepsRun) + " operations in one evaluation");
   }
 }

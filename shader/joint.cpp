@@ -68,7 +68,7 @@ std::vector<T> values_for(std::span<const double> values, const std::vector<long
 
 [[noreturn]] void refuse_endless(const Function& f, const EndlessLoop& loop) {
   throw InputError(f.source.name + (loop.line > 0 ? ":" + std::to_string(loop.line) : "") + ": " + f.entry +
-                   ": this loop does not end: more than " + std::to_string(kMostStepsRun) +
+                   ": this loop may not end: it was stopped after " + std::to_string(kMostStepsRun) +
                    " operations in one evaluation");
 }
 

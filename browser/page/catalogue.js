@@ -11,6 +11,9 @@ const scaleOf = ({ low, high }) => {
   };
 };
 
+// The family stands beside the name unless both are the same words.
+const titleOf = ({ name, title }) => title && name !== title.toLowerCase().replace(/\W/g, "_") ? `${name} (${title})` : name;
+
 class Catalogue {
   chosen = null;  // {form, parameters} or {material}
   files = [];
@@ -27,7 +30,7 @@ class Catalogue {
     if (this.forms) return;
     this.forms = forms;
     byId("form").replaceChildren(make("option", { value: "", hidden: true }, "a fitted material"),
-      ...forms.map((form) => make("option", { value: form.name }, form.title ? `${form.name}: ${form.title}` : form.name)));
+      ...forms.map((form) => make("option", { value: form.name }, titleOf(form))));
     byId("form").disabled = false;
     this.choose(this.start((forms.find((form) => form.name === "ward") ?? forms[0]).name), false);
     this.follow();

@@ -40,9 +40,11 @@ const copyButton = (what, text) => {
   return button;
 };
 
-// Returns a list of links that download these files: [{name, blob, url}].
-const downloads = (files) => make("ul", { className: "downloads", "aria-label": "Downloads" }, ...files.map(({ name, label, blob, url }) =>
-  make("li", {}, make("a", { href: url, download: name }, label ?? name), " ", make("span", { className: "note" }, size(blob.size)))));
+// Returns a list of links that download these files: [{name, blob, url}]. A saved file has `prefix` before its name, so that the files
+// of two tables can lie in one folder.
+const downloads = (files, prefix = "") => make("ul", { className: "downloads", "aria-label": "Downloads" }, ...files.map(({ name, label, blob, url }) =>
+  make("li", {}, make("a", { href: url, download: prefix + name, "data-file": name }, label ?? name), " ",
+    make("span", { className: "note" }, size(blob.size)))));
 
 const kTypes = { html: "text/html", json: "application/json", gltf: "model/gltf+json", png: "image/png", glsl: "text/plain" };
 

@@ -17,6 +17,7 @@ class Engine {
   changed = () => {};  // called when a question begins or ends
   loaded = () => {};   // called with the answer to "about" at each start
   failed = () => {};   // called with a sentence if the program cannot be started
+  fault = "";          // the sentence, from then on the answer to every question
 
   async load() {
     const [glue, worker, wasm] = await Promise.all(["brdf.js", "worker.js", "brdf.wasm"].map(part));
@@ -48,9 +49,15 @@ class Engine {
       this.restart({ answer: { error: sentence }, files: [] });
     } else {
       this.worker.terminate();
-      this.failed("The program could not be started: " + stopped);
+      this.fail("The program could not be started: " + stopped);
     }
     this.next();
+  }
+
+  fail(sentence) {
+    this.fault = sentence;
+    this.failed(sentence);
+    for (const { resolve } of this.line.splice(0)) resolve({ answer: { error: sentence }, files: [] });
   }
 
   end(result) {
@@ -79,7 +86,8 @@ class Engine {
   // Returns a question {request, file, begun, progress, fitted} with `answered`, a promise of {answer, files} or {cancelled: true}.
   ask(question) {
     question.answered = new Promise((resolve) => { question.resolve = resolve; });
-    this.line.push(question);
+    if (this.fault) question.resolve({ answer: { error: this.fault }, files: [] });
+    else this.line.push(question);
     this.next();
     return question;
   }

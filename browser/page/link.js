@@ -39,9 +39,12 @@ const catalogueIn = (words, forms) => {
 
 // Returns the material of a fragment, null if it holds no material; throws a LinkFault with a sentence.
 const chosenIn = (fragment, forms) => {
-  const words = Object.fromEntries(new URLSearchParams(fragment.slice(1)));
+  if (!fragment.includes("=")) return null;
+  const given = [...new URLSearchParams(fragment.slice(1))], words = Object.fromEntries(given);
+  const twice = given.find(([key], k) => given.findIndex(([other]) => other === key) !== k);
+  if (twice) throw new LinkFault(`The link states ${twice[0]} twice.`);
   if ("form" in words) return catalogueIn(words, forms);
-  if (!("material" in words)) return null;
+  if (!("material" in words)) throw new LinkFault("A link begins with #form= or #material=, in small letters.");
   try {
     const material = JSON.parse(fromBase64Url(words.material));
     if (material && typeof material === "object" && !Array.isArray(material)) return { material };

@@ -69,7 +69,7 @@ const main = async () => {
   try {
     await Promise.all([engine.load(), addExamples(queue)]);
   } catch (fault) {
-    return engine.failed("The program could not be loaded: " + fault.message);
+    return engine.fail("The program could not be loaded: " + fault.message);
   }
   // From here on the browser refuses every request of the page and of its workers.
   document.head.append(make("meta", { httpEquiv: "Content-Security-Policy", content: "connect-src 'none'" }));

@@ -21,7 +21,9 @@ class Queue {
   constructor(engine, results) {
     Object.assign(this, { engine, results });
     byId("cancel").addEventListener("click", () => {
-      if (engine.current?.file) engine.cancel(engine.current);
+      if (!engine.current?.file) return;
+      engine.cancel(engine.current);
+      byId("files").focus();  // the button is hidden now
     });
   }
 

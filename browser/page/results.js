@@ -1,19 +1,26 @@
 // Finished results: one shown, or two next to each other.
 
-// Runs within the frame of a report, which has no files and no address of its own: links to files ask this page for a download.
-const followLinks = () => addEventListener("click", (event) => {
-  const link = event.target.closest("a[href]"), address = link?.getAttribute("href");
-  if (!link || link.download || /^[a-z]+:/.test(address)) return;
-  event.preventDefault();
-  if (address.startsWith("#")) document.getElementById(address.slice(1))?.scrollIntoView();
-  else parent.postMessage({ download: decodeURIComponent(address) }, "*");
-});
+// Runs within the frame of a report, which has no files and no address of its own: links to files ask this page for a download. The
+// page learns the height of the whole report, which it needs for printing.
+const joinPage = () => {
+  addEventListener("click", (event) => {
+    const link = event.target.closest("a[href]"), address = link?.getAttribute("href");
+    if (!link || link.download || /^[a-z]+:/.test(address)) return;
+    event.preventDefault();
+    if (address.startsWith("#")) document.getElementById(address.slice(1))?.scrollIntoView();
+    else parent.postMessage({ download: decodeURIComponent(address) }, "*");
+  });
+  new ResizeObserver(() => parent.postMessage({ height: document.body.scrollHeight }, "*")).observe(document.body);
+};
 
 const inOrder = (files) => {
   const first = ["index.html", "material.json", "material.glsl", "fit.json"], place = ({ name }) => first.includes(name) ? first.indexOf(name) : first.length;
   return [...files].sort((a, b) => place(a) - place(b))
     .map((file) => file.name === "index.html" ? { ...file, label: "report (index.html)" } : file);
 };
+
+// ward_ for ward.csv
+const prefixOf = ({ name }) => name.replace(/\.[^.]*$/, "") + "_";
 
 const reportOf = ({ files }) => files.find(({ name }) => name === "index.html");
 
@@ -26,8 +33,10 @@ class Results {
     Object.assign(this, { inCatalogue, linkOf, asGltf });
     for (const select of [byId("left"), byId("right")]) select.addEventListener("change", () => this.show());
     addEventListener("message", ({ source, data }) => {
-      const pane = [...document.querySelectorAll(".pane")].find((p) => p.querySelector("iframe")?.contentWindow === source);
-      if (typeof data?.download === "string") pane?.querySelector(`.downloads a[download="${CSS.escape(data.download)}"]`)?.click();
+      const frame = [...document.querySelectorAll(".pane iframe")].find(({ contentWindow }) => contentWindow === source);
+      if (typeof data?.download === "string")
+        frame?.closest(".pane").querySelector(`.downloads a[data-file="${CSS.escape(data.download)}"]`)?.click();
+      if (data?.height > 0) frame?.style.setProperty("--height", `${Math.ceil(data.height)}px`);
     });
   }
 
@@ -97,7 +106,7 @@ class Results {
       ...(row.next ? [make("p", { className: "next" }, "Next: ", row.next)] : []),
       make("p", { className: "note" }, "The same study with the installed program:"),
       make("div", { className: "command" }, make("pre", {}, command), copyButton("command", () => command)),
-      downloads(inOrder(files)));
+      downloads(inOrder(files), prefixOf(entry)));
     pane.entry = entry;
     this.addMaterial(pane, entry);
     pane.append(frame);
@@ -107,7 +116,7 @@ class Results {
 
   async load(frame, report) {
     if (!report) return frame.remove();
-    frame.srcdoc = await report.blob.text() + "<script>(" + followLinks + ")()<\/script>";
+    frame.srcdoc = await report.blob.text() + "<script>(" + joinPage + ")()<\/script>";
   }
 
   async addMaterial(pane, entry) {
@@ -135,7 +144,7 @@ class Results {
       }
       const made = withAddresses(files);
       entry.files.push(...made);
-      note.replaceChildren(`glTF holds the material as: ${answer.statement}. The same with the installed program: ${answer.command}`, downloads(made));
+      note.replaceChildren(`glTF holds the material as: ${answer.statement}. The same with the installed program: ${answer.command}`, downloads(made, prefixOf(entry)));
     });
     return button;
   }

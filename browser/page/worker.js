@@ -23,7 +23,13 @@ const outputs = (names = []) => names.map((name, k) => {
   return { name, data: program.HEAPU8.slice(begin, begin + program._brdf_size(k)).buffer };
 });
 
+// The addresses of the program have 32 bits, and a fit needs several times the size of its table.
+const kMostBytes = 1e9;
+
+const tooLarge = (file) => `${file.name}: the file has ${file.size} bytes, more than the memory of the page can hold; use the installed program`;
+
 const put = async (file) => {
+  if (file.size > kMostBytes) return tooLarge(file);
   let bytes;
   try {
     bytes = new Uint8Array(await file.arrayBuffer());
@@ -32,7 +38,7 @@ const put = async (file) => {
   }
   const name = textToProgram(file.name), place = program._brdf_put(name, bytes.length);
   program._free(name);
-  if (!place && bytes.length) return file.name + ": the file has " + bytes.length + " bytes, more than the memory of the page can hold";
+  if (!place && bytes.length) return tooLarge(file);
   program.HEAPU8.set(bytes, place);
   return "";
 };

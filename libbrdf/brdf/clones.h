@@ -3,6 +3,13 @@
 
 #include <cstddef>
 
+// Attribute of a function that writes a text: only its size counts, in the page for browsers.
+#ifdef __clang__
+#define BRDF_SMALL [[clang::minsize]]
+#else
+#define BRDF_SMALL
+#endif
+
 // The library needs macros here because an attribute cannot be named in any other way. `flatten` inlines the
 // functions that a loop calls into the clones; without it the loops are 8 times slower. clang rejects
 // target_clones combined with flatten; the code is correct there, but slow. Under the sanitizers the macro

@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "brdf/clones.h"
 #include "brdf/form.h"
 #include "brdf/reflectance.h"
 #include "brdf/sampling.h"
@@ -175,7 +176,7 @@ std::string glsl_shape() {
 }
 
 template <Form F>
-std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
+BRDF_SMALL std::string glsl_of(F form, bool cosine, const GlslOptions& options) {
   using Weights = typename F::template Weights<Traced>;
   using Shape = typename F::template Shape<Traced>;
   Trace trace(options.dialect);

@@ -38,6 +38,7 @@ def check_tables(browser, address, tables, folder):
         assert frame_value(browser, page, "document.querySelectorAll('canvas[id]').length > 3 && charts.length") >= 4
         assert frame_value(browser, page, "document.body.textContent.includes('No lobes: this build has no renderer')")
         check_downloads(browser, page, folder)
+        check_paper(page)
         page.evaluate("(right => { right.value = '0'; right.dispatchEvent(new Event('change')); })(document.getElementById('right'))")
         assert page.evaluate("[...document.querySelectorAll('.pane h3')].map(h => h.textContent)") == ["ward.csv", "phong_sparse.csv"]
         check_link_of_fit(browser, page, address)
@@ -51,13 +52,23 @@ def check_downloads(browser, page, folder):
     shutil.rmtree(saved, ignore_errors=True)
     saved.mkdir(parents=True)
     browser.ask("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(saved))
-    page.evaluate("document.querySelector('.pane .downloads a[download=\"material.json\"]').click()")
+    page.evaluate("document.querySelector('.pane .downloads a[data-file=\"material.json\"]').click()")
     frame_value(browser, page, "(link => { link.click(); return true; })(document.querySelector('a[href=\"material.glsl\"]'))")
     deadline = time.monotonic() + 20
-    while not all((saved / name).exists() for name in ("material.json", "material.glsl")):
+    while not all((saved / name).exists() for name in ("ward_material.json", "ward_material.glsl")):
         assert time.monotonic() < deadline, list(saved.iterdir())
         time.sleep(0.1)
-    assert json.loads((saved / "material.json").read_text())["form"] == "ward"
+    assert json.loads((saved / "ward_material.json").read_text())["form"] == "ward"
+
+
+def check_paper(page):
+    """On paper the report is shown whole: its frame is as high as its text, which is higher than a screen."""
+    height = "document.querySelector('.pane iframe').clientHeight"
+    page.wait("parseInt(document.querySelector('.pane iframe').style.getPropertyValue('--height')) > 2000")
+    on_screen = page.evaluate(height)
+    page.ask("Emulation.setEmulatedMedia", media="print")
+    assert page.evaluate(height) > 2000 > on_screen, (page.evaluate(height), on_screen)
+    page.ask("Emulation.setEmulatedMedia", media="")
 
 
 def check_link_of_fit(browser, page, address):
@@ -99,7 +110,8 @@ def check_catalogue(browser, address):
         page.wait("document.querySelectorAll('#plots figure:first-child .curve').length === 3")
         assert "kd=0.4,0.4,0.4" in page.evaluate("decodeURIComponent(location.hash)")
         for link, words in (("#form=wardd", 'no form "wardd"'), ("#form=ward&kd=x", "kd=x is not a number"), ("#form=ward&kd=-1", "kd is -1"),
-                            ("#form=ward&colour=1", 'no parameter "colour"'), ("#material=e30x!", "cut off")):
+                            ("#form=ward&colour=1", 'no parameter "colour"'), ("#FORM=ward", "begins with #form="),
+                            ("#form=ward&kd=0.1&kd=0.2", "states kd twice"), ("#material=e30x!", "cut off")):
             page.evaluate(f"location.hash = {json.dumps(link)}")
             page.wait(f"document.getElementById('link_fault').textContent.includes({json.dumps(words)})")
         page.evaluate("location.hash = '#form=ward&kd=0.1'")
@@ -179,9 +191,35 @@ def check_cancel(browser, address, large):
         page.evaluate("document.getElementById('channels').click()")
         page.wait("document.getElementById('material_state').textContent.includes('wait')")
         page.evaluate("document.getElementById('cancel').click()")
+        assert page.evaluate("document.activeElement.id") == "files"
         wait_for_states(page, "cancelled", "fitted")
         page.wait("document.querySelectorAll('#plots figure:first-child .curve').length === 3")
         assert text_of(page, "#material_state") == "" and not page.console, page.console
+
+
+def check_too_large(browser, address):
+    """A file beyond the memory of the page is refused before it is read, with its size."""
+    with opened(browser, address) as page:
+        page.evaluate("""(() => { const part = new Blob([new Uint8Array(2 ** 26)]), data = new DataTransfer();
+          data.items.add(new File(Array(16).fill(part), "huge.csv"));
+          document.body.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true})); })()""")
+        wait_for_states(page, "refused")
+        assert "has 1073741824 bytes, more than the memory" in text_of(page, "#refusal"), text_of(page, "#refusal")
+
+
+def check_without_program(browser, built, folder):
+    """A server that lacks a part of the program: a table that waits and a table that comes later are refused with the reason."""
+    lacking = folder / "lacking"
+    shutil.rmtree(lacking, ignore_errors=True)
+    shutil.copytree(built / "site", lacking, ignore=shutil.ignore_patterns("brdf.wasm"))
+    server = Server(lacking)
+    with browser.open(server.address + "index.html") as page:
+        drop(page, ("early.csv", "text"))
+        wait_for_states(page, "refused")
+        drop(page, ("late.csv", "text"))
+        wait_for_states(page, "refused", "refused")
+        assert "brdf.wasm: the server answers 404" in text_of(page, "#queue li:last-child .refused"), text_of(page, "#queue")
+    server.close()
 
 
 def check_answers(browser, address, large):
@@ -250,6 +288,8 @@ def main():
             print(f"from the {kind}: tables, catalogue, sliders, settings, keyboard, cancel and silence")
         single = (built / "brdf.html").resolve().as_uri()
         check_answers(browser, single, large)
+        check_too_large(browser, single)
+        check_without_program(browser, built, folder)
         check_look(browser, single, npm, folder)
     server.close()
 

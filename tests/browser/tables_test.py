@@ -47,8 +47,8 @@ def dropped(page, table, folder):
     drop(page, (table.name, table.read_text()))
     page.wait(f"{STATES}.length === {before + 1} && /^(fitted|refused)/.test({STATES}.at(-1))")
     page.wait(f"document.querySelector('.pane h3')?.textContent === {json.dumps(table.name)}")
-    page.evaluate("document.querySelector('.pane .downloads a[download=\"material.json\"]').click()")
-    saved, deadline = folder / "material.json", time.monotonic() + 60
+    page.evaluate("document.querySelector('.pane .downloads a[data-file=\"material.json\"]').click()")
+    saved, deadline = folder / f"{table.stem}_material.json", time.monotonic() + 60
     while not (saved.exists() and saved.stat().st_size and not list(folder.glob("*.part"))):
         assert time.monotonic() < deadline, list(folder.iterdir())
         time.sleep(0.05)
