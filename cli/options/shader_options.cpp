@@ -9,6 +9,7 @@
 #include "io/files/text.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/comparisons.h"
 #include "shader/front/languages.h"
 #include "shader/half_precision.h"
 #include "shader/in_more_digits.h"
@@ -110,7 +111,13 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
           in_half(model),
           model->function().half_unknown,
           model->function().has_half_types,
-          shader::sampler_of(model)};
+          shader::sampler_of(model),
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo, const auto& look) {
+            shader::for_each_comparison(
+                model->function(), model->values_of(at.terms.front().values(0)), wi, wo,
+                [&](const shader::MetComparison& c) { look(c.number, c.line, c.holds, c.surplus); });
+          },
+          [model](std::uint32_t line) { return shader::line_of_text(model->function().source.text, line); }};
 }
 
 }  // namespace

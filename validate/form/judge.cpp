@@ -6,6 +6,7 @@
 #include "io/files/parallel.h"
 #include "validate/form/checks.h"
 #include "validate/form/outside_checks.h"
+#include "validate/form/rare_branches.h"
 #include "validate/joint/judge_sampler.h"
 
 namespace brdf::validate {
@@ -127,8 +128,14 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
     return k;
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
-  for (std::size_t s = 0; s < subjects.size(); ++s)
-    apply_voids(subjects[s], std::span(findings).subspan(s * kCount, kCount));
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    const std::span own = std::span(findings).subspan(s * kCount, kCount);
+    apply_voids(subjects[s], own);
+    Budget budget(options.seconds);
+    CheckOptions within = options;
+    within.budget = &budget;
+    apply_rare_branches(subjects[s], within, own);
+  }
   std::vector<Finding> out;
   for (std::size_t k = 0; k < findings.size(); ++k)
     if (applies(k)) out.push_back(std::move(findings[k]));
