@@ -189,9 +189,10 @@ std::string sentence_of(const Subject& subject, const RareBranch& b) {
                                      (facts.text_of_line ? facts.text_of_line(b.line) : std::string()) + "`: "
                                : std::string();
   return line + "a comparison " + (b.holds ? "holds" : "does not hold") + " at " + std::to_string(b.met) +
-         " of " + std::to_string(b.looked) + " pairs that are spread evenly, and there f is " +
-         io::short_number(b.inside, 3) + " against " + io::short_number(b.beside, 3) + " /sr beside it" +
-         (b.leads_to_unseen ? ", in code that is executed nowhere else" : "");
+         " of " + std::to_string(b.looked) +
+         " pairs that are spread evenly, but a search found where it does" + (b.holds ? "" : " not") +
+         ": f is " + io::short_number(b.inside, 3) + " against " + io::short_number(b.beside, 3) +
+         " /sr beside it" + (b.leads_to_unseen ? ", in code that is executed nowhere else" : "");
 }
 
 }  // namespace
