@@ -96,7 +96,7 @@ void ShaderReflectance::find_tables() {
     if (!note.empty()) function_.notes.push_back(note);
   if (!same_in_all_channels(function_)) channels_ = {"r", "g", "b"};
   for (const KnownViolation& v : function_.source.violations)
-    violations_.push_back({v.check, v.statement, "", v.theta, 0});
+    violations_.push_back({v.check, v.statement, "", v.theta, v.most});
   info_.violations = violations_;
   info_.name = name_;
   info_.family = "shader";

@@ -9,6 +9,7 @@
 #include "io/files/text.h"
 #ifdef BRDF_HAS_SHADER
 #include "shader/blame.h"
+#include "shader/comparisons.h"
 #include "shader/front/languages.h"
 #include "shader/half_precision.h"
 #include "shader/in_more_digits.h"
@@ -86,6 +87,20 @@ std::function<std::vector<double>(const Material&, const Vec3<double>&, const Ve
   };
 }
 
+using LookAtComparison =
+    std::function<void(std::uint32_t number, std::uint32_t line, bool holds, double surplus)>;
+
+// An evaluation that does not end has the comparisons up to its end; other checks report it.
+void for_each_comparison(const shader::ShaderReflectance& model, const Material& at, const Vec3<double>& wi,
+                         const Vec3<double>& wo, const LookAtComparison& look) {
+  try {
+    shader::for_each_comparison(
+        model.function(), model.values_of(at.terms.front().values(0)), wi, wo,
+        [&](const shader::MetComparison& c) { look(c.number, c.line, c.holds, c.surplus); });
+  } catch (const shader::EndlessLoop&) {
+  }
+}
+
 LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, std::string words) {
   return {Reflectance(model),
           model->material(model),
@@ -110,7 +125,10 @@ LoadedShader described(std::shared_ptr<const shader::ShaderReflectance> model, s
           in_half(model),
           model->function().half_unknown,
           model->function().has_half_types,
-          shader::sampler_of(model)};
+          shader::sampler_of(model),
+          [model](const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+                  const LookAtComparison& look) { for_each_comparison(*model, at, wi, wo, look); },
+          [model](std::uint32_t line) { return shader::line_of_text(model->function().source.text, line); }};
 }
 
 }  // namespace

@@ -72,6 +72,12 @@ struct LoadedShader {
   std::string half_unknown;
   bool has_half_types = false;
   std::shared_ptr<const DirectionSampler> sampler;  // of the same file; null if it has none
+  // The comparisons of an evaluation, and the text of a line (validate/search/subject.h).
+  std::function<void(
+      const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+      const std::function<void(std::uint32_t number, std::uint32_t line, bool holds, double surplus)>& look)>
+      for_each_comparison;
+  std::function<std::string(std::uint32_t line)> text_of_line;
 };
 
 // Returns true if --shader is given. Checks the options and throws as load() does.

@@ -203,10 +203,15 @@ GlslParts glsl_parts(const Material& material, const GlslContent& content) {
   parts.kernels = content.builtin_kernels ? builtin_kernels(options, language) : glsl_kernels(options);
   for (const Term& term : material.terms) {
     const std::string name(info(term.form).name);
-    if (std::ranges::any_of(parts.forms, [&](const auto& form) { return form.first == name; })) continue;
     if (!info(term.form).has_glsl) throw InputError(name + " cannot be written as GLSL");
     const auto* speaks = dynamic_cast<const SpeaksLanguages*>(&*term.form);
-    parts.forms.emplace_back(name, speaks ? speaks->functions_in(language) : term.form->glsl(options));
+    const std::string functions = speaks ? speaks->functions_in(language) : term.form->glsl(options);
+    const auto same = std::ranges::find_if(parts.forms, [&](const auto& form) { return form.first == name; });
+    if (same == parts.forms.end())
+      parts.forms.emplace_back(name, functions);
+    else if (same->second != functions)
+      throw InputError("two terms have different functions with the name " + name +
+                       ", which one shader cannot have: give one of the files another name");
   }
   if (content.material) parts.material = material_function(material, function);
   return parts;

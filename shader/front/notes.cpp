@@ -54,14 +54,18 @@ void check(const Declared& p, const std::string& where) {
     throw InputError(where + p.name + ": a log scale needs values above 0");
 }
 
-// Reads "CHECK STATEMENT" or "CHECK at THETA STATEMENT".
+// Reads "CHECK [up to VALUE] [at THETA] STATEMENT".
 KnownViolation read_violation(std::span<const std::string_view> words, std::uint32_t line,
                               const std::string& where) {
   if (words.empty())
     throw InputError(where +
                      "violates must be followed by the name of a check, such as energy or reciprocity");
-  KnownViolation v{std::string(words[0]), "", 0, line};
+  KnownViolation v{std::string(words[0]), "", 0, 0, line};
   words = words.subspan(1);
+  if (words.size() > 2 && words[0] == "up" && words[1] == "to") {
+    v.most = number_of(words[2], where);
+    words = words.subspan(3);
+  }
   if (words.size() > 1 && words[0] == "at") {
     v.theta = number_of(words[1], where);
     words = words.subspan(2);

@@ -35,6 +35,7 @@ struct Declared {
 struct KnownViolation {
   std::string check, statement;
   double theta = 0;  // degrees: the violation occurs at this angle at the latest
+  double most = 0;   // the value of the check that is known, 0: not stated
   std::uint32_t line = 0;
 };
 

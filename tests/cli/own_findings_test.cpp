@@ -66,6 +66,42 @@ TEST(OwnFindings, FloatIsJudgedAtEveryAzimuthOfTheLight) {
   EXPECT_EQ(compared.verdict.at("float"), "fail") << compared.statement.at("float");
 }
 
+TEST(OwnFindings, SignsAreJudgedAtEveryAzimuthOfTheLight) {
+  io::TemporaryFolder folder;
+  // Isotropic in real numbers; a and b overflow unless the light is at azimuth 0.
+  const std::string head = "float a = 1e30 * L.y; for (int k = 0; k < 200; ++k) a *= 1e30; ";
+  const Judged j = judged(folder, with_body(head + "return a < a + 1e30 ? 0.1 * p : -0.2;"));
+  EXPECT_EQ(j.verdict.at("non_negative"), "fail") << j.statement.at("non_negative");
+}
+
+// A ridge of 2e-5 in a coordinate of the half vector is seen by no search, but its condition is.
+TEST(OwnFindings, ABranchThatTheSearchesHardlyMeetVoidsTheirFindings) {
+  io::TemporaryFolder folder;
+  const auto with_ridge = [&](const std::string& inside) {
+    return judged(folder, with_body("vec3 H = normalize(L + V); float f = 0.3 * p / 3.14159265;\n"
+                                    "if (abs(H.x - 0.3721) < 1e-5) " +
+                                    inside + "\nreturn f;"));
+  };
+  const Judged bright = with_ridge("f *= 1e6;");
+  for (const char* check : {"energy", "reciprocity", "continuity"}) {
+    EXPECT_EQ(bright.verdict.at(check), "undecided") << check << ": " << bright.statement.at(check);
+    EXPECT_THAT(bright.statement.at(check), HasSubstr("line 3, `if (abs(H.x - 0.3721) < 1e-5)")) << check;
+  }
+  EXPECT_EQ(with_ridge("f = -f;").verdict.at("non_negative"), "fail");
+  EXPECT_EQ(with_ridge("f /= L.z - L.z;").verdict.at("finite"), "fail");
+  // Both conditions hold at a few directions only, and the second is met only where the first holds.
+  EXPECT_EQ(with_ridge("if (abs(H.y - 0.1) < 1e-5) f *= 1e9;").verdict.at("energy"), "undecided");
+  // A branch that changes nothing visible decides nothing, nor does a guard.
+  EXPECT_EQ(with_ridge("f *= 1.0001;").verdict.at("energy"), "pass");
+  const Judged guarded =
+      judged(folder,
+             with_body("if (L.z <= 0.0 || V.z <= 0.0) return 0.0; vec3 H = normalize(L + V); float s = 1.0 - "
+                       "H.z * H.z;\nif (s < 1e-7) s = 1e-7; if (s > 2.0) return 1e9;\n"
+                       "return p * (0.2 + 0.1 * sqrt(s));"));
+  for (const char* check : {"energy", "non_negative", "reciprocity", "continuity", "float"})
+    EXPECT_EQ(guarded.verdict.at(check), "pass") << check << ": " << guarded.statement.at(check);
+}
+
 TEST(OwnFindings, UndefinedValuesAreTheirOwnFindingAndVoidTheOthers) {
   io::TemporaryFolder folder;
   const Judged j = judged(folder, with_body("float s; if (V.z < 0.6) s = 0.2 * p; return s;"));
@@ -139,7 +175,7 @@ TEST(OwnFindings, EnergyOfCodeThatIsNotReciprocalIsToldForBothDirections) {
   io::TemporaryFolder folder;
   const Judged j = judged(folder, with_body("return p * 1.5 * V.z / 3.14159265;"));
   EXPECT_EQ(j.verdict.at("energy"), "fail");
-  EXPECT_THAT(j.statement.at("energy"), HasSubstr("at fixed incidence: directional albedo at most 1"));
+  EXPECT_THAT(j.statement.at("energy"), HasSubstr("at fixed incidence: largest directional albedo found: 1"));
   EXPECT_THAT(j.statement.at("energy"),
               HasSubstr("at fixed viewing direction: directional albedo up to 1.5"));
   EXPECT_THAT(judged(folder, with_body("return 0.002 * p;")).statement.at("energy"),

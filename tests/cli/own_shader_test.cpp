@@ -177,6 +177,32 @@ TEST(OwnShader, ThatTurnsWithItsTangentIsJudged) {
   EXPECT_NEAR(finding(o.out, "energy")["value"].get<double>(), 0.3 * 3.14159265, 1e-3);
 }
 
+TEST(OwnShader, ADeclaredViolationHasAValueAndAnAngle) {
+  io::TemporaryFolder folder;
+  const auto energy_with = [&](const std::string& declaration, const std::string& value) {
+    std::ofstream(folder.path() / "s.glsl") << "//: violates energy" + declaration +
+                                                   "\nfloat brdf(vec3 L, vec3 V, vec3 N) { return " + value +
+                                                   "; }\n";
+    return finding(run_brdf("validate --shader s.glsl --json", folder.path()).out, "energy");
+  };
+  const std::string twice = "2.0 / 3.14159265";
+  EXPECT_EQ(energy_with(" up to 2", twice)["verdict"], "known_violation");
+  const auto worse = energy_with(" up to 1.99 too bright", twice);
+  EXPECT_EQ(worse["verdict"], "fail");
+  EXPECT_THAT(worse["statement"].get<std::string>(),
+              HasSubstr("; worse than declared up to 1.99: too bright"));
+  const auto any = energy_with("", twice);
+  EXPECT_EQ(any["verdict"], "known_violation");
+  EXPECT_THAT(any["statement"].get<std::string>(),
+              HasSubstr("without a value, so that any violation is a known"));
+  // Too much light from 80 degrees on: at 85 as declared, but not at 70.
+  const std::string grazing = "(L.z < 0.17 && V.z < 0.17 ? 30.0 : 0.3)";
+  EXPECT_EQ(energy_with(" at 85", grazing)["verdict"], "known_violation");
+  const auto later = energy_with(" at 70", grazing);
+  EXPECT_EQ(later["verdict"], "fail");
+  EXPECT_THAT(later["statement"].get<std::string>(), HasSubstr("not up to the angle that is declared at 70"));
+}
+
 TEST(OwnShader, IsDrawnAsItIsEvaluated) {
   io::TemporaryFolder folder;
   std::ofstream(folder.path() / "many.glsl")

@@ -44,6 +44,27 @@ Vec3<double> somewhere(Random& random) {
   return direction(degrees(random.uniform(0, 92)), degrees(random.uniform(0, 360)));
 }
 
+TEST(Exported, TwoShadersOfOneNameAreNotOneFunction) {
+  const auto dim = shader_of("float brdf(vec3 L, vec3 V) { return 0.1; }", {}, "x.glsl"),
+             bright = shader_of("float brdf(vec3 L, vec3 V) { return 0.2; }", {}, "x.glsl"),
+             other = shader_of("float brdf(vec3 L, vec3 V) { return 0.2; }", {}, "y.glsl");
+  const auto exported_with = [&](const std::shared_ptr<const ShaderReflectance>& second) {
+    Material sum = dim->material(dim);
+    sum.terms.push_back(second->material(second).terms.front());
+    return io::glsl_source(sum);
+  };
+  EXPECT_NE(exported_with(dim).find("brdf_eval_x"), std::string::npos);
+  EXPECT_NE(exported_with(other).find("brdf_eval_y"), std::string::npos);
+  try {
+    exported_with(bright);
+    ADD_FAILURE() << "one of the two functions is lost";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("two terms have different functions with the name x"),
+              std::string::npos)
+        << e.what();
+  }
+}
+
 constexpr std::size_t kPairs = 300;
 
 // Returns pairs of directions, every second pair near the mirror direction.

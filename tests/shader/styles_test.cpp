@@ -207,6 +207,12 @@ TEST(Style, KnownViolationsAreDeclared) {
   EXPECT_EQ(shader->info().violations[0].check, "energy");
   EXPECT_EQ(shader->info().violations[0].theta, 80);
   EXPECT_EQ(shader->info().violations[0].statement, "twice what arrives");
+  EXPECT_EQ(shader->info().violations[0].value, 0);
+  const auto stated =
+      shader_of("//: violates energy up to 2.1 at 80 bright\nfloat brdf(vec3 L, vec3 V) { return 0.7; }");
+  EXPECT_EQ(stated->info().violations[0].value, 2.1);
+  EXPECT_EQ(stated->info().violations[0].theta, 80);
+  EXPECT_EQ(stated->info().violations[0].statement, "bright");
   EXPECT_THAT(refusal("//: violates\nfloat brdf(vec3 L, vec3 V) { return 0.7; }"),
               HasSubstr("violates must be followed by the name of a check"));
 }

@@ -241,6 +241,95 @@ TEST(Sampler, DirectionsOutOfRange) {
   EXPECT_THAT(judged(infinite).at("sample_range").statement, HasSubstr("the end of their range"));
 }
 
+// Fewer than one sample in a thousand.
+constexpr double kSeldom = 5e-4;
+
+TEST(Sampler, AFewSamplesOutOfRangeAreAFinding) {
+  HalfCosine sampler;
+  double cosine = 0.3;
+  sampler.at_last = [&cosine](Draw& d, std::span<const double> u) {
+    if (u[1] > kSeldom) return;
+    const double rho = std::sqrt(1 - cosine * cosine);
+    d.wi = {rho, 0, -cosine};
+  };
+  const auto below = judged(sampler).at("sample_range");
+  EXPECT_EQ(below.outcome, Outcome::fail);
+  EXPECT_THAT(below.statement, testing::ContainsRegex("^[0-9]+ of [0-9]+ samples lie below the horizon"));
+  // Directions at the horizon may be rounded; the sentence states how many are.
+  cosine = 5e-7;
+  const auto rounded = judged(sampler).at("sample_range");
+  EXPECT_EQ(rounded.outcome, Outcome::pass) << rounded.statement;
+  EXPECT_THAT(
+      rounded.statement,
+      testing::ContainsRegex(", but for [1-9][0-9]* with a cosine down to -5e-07, which is rounding"));
+  cosine = 2e-6;
+  EXPECT_EQ(judged(sampler).at("sample_range").outcome, Outcome::fail);
+  EXPECT_THAT(judged(HalfCosine()).at("sample_range").statement, testing::Not(HasSubstr("but for")));
+  HalfCosine longer;
+  longer.at_last = [](Draw& d, std::span<const double> u) { d.wi.x *= u[1] < kSeldom ? 1.01 : 1; };
+  EXPECT_THAT(judged(longer).at("sample_range").statement, HasSubstr("length"));
+}
+
+TEST(Sampler, AFewWrongDensitiesAndValuesAreAFinding) {
+  HalfCosine sampler;
+  sampler.at_last = [](Draw& d, std::span<const double> u) {
+    if (u[1] < kSeldom) d.pdf *= 1.5, d.values[0][0] *= 2;
+  };
+  const auto found = judged(sampler);
+  EXPECT_EQ(found.at("density_match").outcome, Outcome::fail);
+  EXPECT_THAT(found.at("density_match").statement,
+              testing::ContainsRegex("differ at [0-9]+ of [0-9]+ samples, by up to 33.3 %"));
+  EXPECT_EQ(found.at("sample_value").outcome, Outcome::fail);
+  EXPECT_THAT(found.at("sample_value").statement, HasSubstr("with differences up to 50 %"));
+  EXPECT_THAT(judged(HalfCosine()).at("density_match").statement, testing::Not(HasSubstr("but for")));
+}
+
+// The density differs at the very directions of some samples, but not a rounding further: as a function does
+// at an edge.
+TEST(Sampler, DifferencesByRoundingOfTheDirectionAreCounted) {
+  HalfCosine sampler;
+  const auto right = sampler.density_of;
+  std::set<double> heights;
+  sampler.at_last = [&](Draw& d, std::span<const double> u) {
+    if (u[1] < kSeldom) heights.insert(d.wi.z);
+  };
+  sampler.returned = right;
+  sampler.density_of = [&](const Vec3<double>& w) { return right(w) * (heights.contains(w.z) ? 1.5 : 1); };
+  const Finding match = judged(sampler).at("density_match");
+  EXPECT_EQ(match.outcome, Outcome::pass) << match.statement;
+  EXPECT_THAT(match.statement, testing::ContainsRegex(", but for [1-9][0-9]* that differ by up to 33.3 %, as "
+                                                      "much as rounding of the direction"));
+}
+
+TEST(Sampler, AThinHoleOfTheDensityIsFound) {
+  // Only the density has the hole: samples lie in it.
+  HalfCosine sampler;
+  sampler.change().gives_pdf = false;
+  const auto right = sampler.density_of;
+  double half_width = 1e-3;
+  const auto in_hole = [&half_width](const Vec3<double>& w) { return std::abs(w.z - 0.5) < half_width; };
+  sampler.returned = right;
+  sampler.density_of = [&](const Vec3<double>& w) { return in_hole(w) ? 0 : right(w); };
+  const auto hole = judged(sampler);
+  for (const char* check : {"density_mass", "sample_distribution", "density_support"}) {
+    EXPECT_EQ(hole.at(check).outcome, Outcome::fail) << check << ": " << hole.at(check).statement;
+    EXPECT_THAT(hole.at(check).statement, HasSubstr("the density is 0 at")) << check;
+  }
+  // The sampler leaves the hole out, too: light is lost there.
+  sampler.at_last = [&](Draw& d, std::span<const double>) { d.valid = !in_hole(d.wi); };
+  const auto both = judged(sampler);
+  EXPECT_EQ(both.at("density_support").outcome, Outcome::fail);
+  // 2 z dz = 0.2 % of a Lambertian surface; the largest of six estimates of 130 directions each.
+  EXPECT_GT(both.at("density_support").value, 0.002);
+  EXPECT_LT(both.at("density_support").value, 0.0026);
+  // A hole that may be missed is in the bound of the sentence, which is not "at most".
+  half_width = 1e-6;
+  const auto thin = judged(sampler).at("density_support");
+  EXPECT_EQ(thin.outcome, Outcome::pass);
+  EXPECT_THAT(thin.statement, HasSubstr("a hole of 0.021 % of the projected hemisphere would be found"));
+  EXPECT_THAT(thin.statement, testing::Not(HasSubstr("at most")));
+}
+
 TEST(Sampler, WithoutAFunctionACheckIsUndecided) {
   HalfCosine only_density;
   only_density.change().draws = only_density.change().gives_pdf = false;

@@ -224,7 +224,7 @@ class EnergySearch {
     if (!worst.is_known()) return unknown(std::move(finding), best.value);
     const std::string size = io::short_number(worst.value, 7) + " (+-" + io::short_number(worst.bound, 2) +
                              ") up to " + io::to_text(options_.max_theta) + " degrees";
-    finding.conclude(!above, "directional albedo at most " + size, "directional albedo up to " + size);
+    finding.conclude(!above, "largest directional albedo found: " + size, "directional albedo up to " + size);
     if (!above && !(worst.bound < kTooWide)) {
       finding.outcome = Outcome::undecided;
       finding.statement = "the largest albedo that was found is not known accurately enough: " + size;
@@ -323,7 +323,7 @@ Finding check_energy(const Subject& subject, const CheckOptions& options) {
   finding.evaluations += equal.evaluations;
   const ReflectanceInfo& f = info(*subject.of_form());
   const std::size_t told = f.weights.size() + std::size_t(f.axes().along);  // weights come first
-  finding.statement += "; with equal widths at most " + io::short_number(equal.value, 5) + " (" +
+  finding.statement += "; the largest with equal widths " + io::short_number(equal.value, 5) + " (" +
                        tied_name(f) + " " + io::short_number(equal.witness->parameters[told].second, 3) +
                        ", " + io::to_text(float(equal.witness->angles.front().second)) + " degrees)";
   return finding;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "io/files/error.h"
@@ -6,6 +7,7 @@
 #include "io/files/parallel.h"
 #include "validate/form/checks.h"
 #include "validate/form/outside_checks.h"
+#include "validate/form/rare_branches.h"
 #include "validate/joint/judge_sampler.h"
 
 namespace brdf::validate {
@@ -53,6 +55,47 @@ bool inside(const Violation& v, const CheckOptions& options) {
   return v.check != "energy" || v.theta <= options.max_theta;
 }
 
+// Returns whether the found value is a worse violation than the declared one. A declaration without a value,
+// and the catalogue's, whose value belongs to one witness, permit any.
+bool is_worse(const Finding& finding, const Violation& declared, const Subject& subject) {
+  constexpr double kRounded = 1e-3;  // declared values have few digits
+  if (!subject.is_outside() || declared.value == 0) return false;
+  const double beyond = declared.value < 0 ? declared.value - finding.value : finding.value - declared.value;
+  return !(beyond <= kRounded * std::abs(declared.value));
+}
+
+// Returns whether energy is conserved up to the angle at which outside code declares the violation.
+bool is_later(const Finding& finding, const Violation& declared, const Subject& subject,
+              const CheckOptions& options) {
+  if (!subject.is_outside() || finding.check != "energy" || !(declared.theta > 0)) return false;
+  CheckOptions up_to = options;
+  up_to.max_theta = declared.theta;
+  if (declared.theta >= options.max_theta) return false;
+  const auto check = [&](const CheckOptions& own) { return check_energy(subject, own); };
+  return within_seconds(up_to, check).outcome == Outcome::pass;
+}
+
+// The sentence on a violation that outside code declares.
+std::string declared_text(const Violation& v) {
+  return "declared" + (v.value != 0 ? " up to " + io::short_number(v.value) : "") +
+         (v.theta > 0 ? " at " + io::short_number(v.theta) + " degrees" : "") +
+         (v.statement.empty() ? "" : ": " + std::string(v.statement)) +
+         (v.value != 0 ? "" : " (without a value, so that any violation is a known one)");
+}
+
+void judge_found(Finding& finding, const Violation& declared, const Subject& subject,
+                 const CheckOptions& options) {
+  finding.outcome = Outcome::known_violation;
+  if (!subject.is_outside()) return;
+  const bool worse = is_worse(finding, declared, subject),
+             later = is_later(finding, declared, subject, options);
+  if (worse || later) finding.outcome = Outcome::fail;
+  finding.statement += (worse   ? "; worse than "
+                        : later ? "; but not up to the angle that is "
+                                : "; ") +
+                       declared_text(declared);
+}
+
 void judge(Finding& finding, const Subject& subject, const CheckOptions& options) {
   if (!subject.of_form() || finding.outcome == Outcome::not_applicable ||
       finding.outcome == Outcome::undecided)
@@ -62,7 +105,7 @@ void judge(Finding& finding, const Subject& subject, const CheckOptions& options
       std::ranges::find_if(declared, [&](const Violation& v) { return v.check == finding.check; });
   if (found == declared.end()) return;
   if (finding.outcome == Outcome::fail) {
-    finding.outcome = Outcome::known_violation;
+    judge_found(finding, *found, subject, options);
   } else if (inside(*found, options)) {
     finding.outcome = Outcome::fail;
     finding.statement = "a declared violation was not found: " + std::string(found->statement);
@@ -127,8 +170,14 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
     return k;
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
-  for (std::size_t s = 0; s < subjects.size(); ++s)
-    apply_voids(subjects[s], std::span(findings).subspan(s * kCount, kCount));
+  for (std::size_t s = 0; s < subjects.size(); ++s) {
+    const std::span own = std::span(findings).subspan(s * kCount, kCount);
+    apply_voids(subjects[s], own);
+    Budget budget(options.seconds);
+    CheckOptions within = options;
+    within.budget = &budget;
+    apply_rare_branches(subjects[s], within, own);
+  }
   std::vector<Finding> out;
   for (std::size_t k = 0; k < findings.size(); ++k)
     if (applies(k)) out.push_back(std::move(findings[k]));

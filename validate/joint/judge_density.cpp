@@ -11,6 +11,7 @@ namespace brdf::validate {
 namespace {
 
 constexpr double kLeastExpected = 25;
+constexpr double kSurely = 300;  // minus the decimal logarithm of the least probability that is distinguished
 
 }  // namespace
 
@@ -37,14 +38,19 @@ void SamplerJudge::judge_mass(const Trio& trio, const Integrals& in, long all, l
                       " of the samples are lost; there is no sampler to count them";
     return;
   }
+  const double lost_share = std::clamp(1 - in.mass, 0.0, 1.0), z = two_sided_quantile(level_);
+  power_[mass] = std::max(power_[mass], kMassBound + in.mass_error +
+                                            z * std::sqrt(lost_share * (1 - lost_share) / double(all)) +
+                                            z * z / double(all));
   // The lost samples follow a binomial distribution; the error of the integral widens it.
   const double expected = double(all) * std::clamp(1 - in.mass, 0.0, 1.0),
                slack = double(all) * in.mass_error;
   double probability = 1;
   if (double(lost) < expected - slack || double(lost) > expected + slack) {
     const double nearest = double(lost) < expected ? expected - slack : expected + slack;
-    const double z = (double(lost) - nearest) / std::sqrt(nearest * (1 - nearest / double(all)) + 1e-300);
-    probability = nearest < 400 ? poisson_two_sided(double(lost), nearest) : two_sided_tail(z);
+    const double errors =
+        (double(lost) - nearest) / std::sqrt(nearest * (1 - nearest / double(all)) + 1e-300);
+    probability = nearest < 400 ? poisson_two_sided(double(lost), nearest) : two_sided_tail(errors);
   }
   if (in.mass_error > 1e-3) {
     mass_unknown_ = integral + ": the integral is not accurate enough";
@@ -55,6 +61,15 @@ void SamplerJudge::judge_mass(const Trio& trio, const Integrals& in, long all, l
           integral + ", but " + io::percent(1 - double(lost) / double(all), 4) + " of " +
               std::to_string(all) + " samples are directions above the horizon" + cause,
           trio);
+}
+
+void SamplerJudge::judge_impossible(const Trio& trio, const ComparedDraws& draws) {
+  if (draws.differing == 0) return;
+  const std::string text = "the density is 0 at the directions of " + std::to_string(draws.differing) +
+                           " of " + std::to_string(draws.compared) + " samples";
+  findings_[distribution].value = std::max(findings_[distribution].value, kSurely);
+  worse(distribution, kSurely, "the samples do not follow the density: " + text, trio, &draws.wi, draws.u);
+  if (draws.share() > kMassBound) worse(mass, draws.share(), text, trio, &draws.wi, draws.u);
 }
 
 double SamplerJudge::threshold(int degrees) const {

@@ -13,6 +13,13 @@ namespace {
 constexpr double kEnough = kMassBound / 4;  // of the integral of a density
 constexpr double kPower = 1.2816;           // standard deviations for a probability of 90 %
 
+// The samples that differ, as a share, or as a count if they are few.
+std::string share_text(const ComparedDraws& draws) {
+  constexpr long kFew = 100;
+  if (draws.differing >= kFew) return io::percent(draws.share()) + " of the samples";
+  return std::to_string(draws.differing) + " of " + std::to_string(draws.compared) + " samples";
+}
+
 }  // namespace
 
 void SamplerJudge::judge_draws(const Trio& trio, std::size_t k, const Cells& cells,
@@ -64,35 +71,48 @@ bool SamplerJudge::looks_different(const Integrals& in, const std::vector<long>&
 void SamplerJudge::judge_points(const Trio& trio, const Pointwise& p) {
   compared_[match] += p.density.compared;
   compared_[value] += p.value.compared;
-  compared_[range] += p.length.compared;
-  if (p.density.share() > kFewDraws) {
+  keep_exceptions(match, p.density);
+  keep_exceptions(value, p.value);
+  judge_ranges(trio, p);
+  judge_impossible(trio, p.impossible);
+  if (p.density.differing > 0) {
     const std::string cause = cause_of(trio, p.returned);
     const bool all_differ = p.density.share() > 0.95;
     worse(
         match, p.density.share(),
         "the density that " + facts_.sampler_name + " returns and " + facts_.density_name + " differ at " +
-            io::percent(p.density.share()) + " of the samples, by up to " + io::percent(p.density.worst) +
+            share_text(p.density) + ", by up to " + io::percent(p.density.worst) +
             (cause.empty() ? ""
                            : (all_differ ? "; " : "; at these samples ") + facts_.density_name + " " + cause),
         trio, &p.density.wi, p.density.u);
   }
-  if (p.value.share() > kFewDraws) worse(value, p.value.share(), value_text(p), trio, &p.value.wi, p.value.u);
-  if (p.value.share() > kFewDraws && cause_.empty() && lacks_cosine(p))
-    cause_of_value_ = value_name() + no_cosine_text();
-  if (p.not_finite.share() > 0)
+  if (p.value.differing == 0) return;
+  worse(value, p.value.share(), value_text(p), trio, &p.value.wi, p.value.u);
+  if (cause_.empty() && lacks_cosine(p)) cause_of_value_ = value_name() + no_cosine_text();
+}
+
+void SamplerJudge::keep_exceptions(Place place, const ComparedDraws& draws) {
+  exceptions_[place] += draws.explained;
+  largest_exception_[place] = std::max(largest_exception_[place], draws.worst_explained);
+}
+
+void SamplerJudge::judge_ranges(const Trio& trio, const Pointwise& p) {
+  compared_[range] += p.length.compared;
+  lost_below_ += p.lost_below;
+  keep_exceptions(range, p.below);
+  if (p.not_finite.differing > 0)
     worse(range, 3 + p.not_finite.share(),
-          "the direction, the density or the value is not finite at " + io::percent(p.not_finite.share()) +
-              " of the samples",
-          trio, &p.not_finite.wi, p.not_finite.u);
-  if (p.length.share() > kFewDraws)
+          "the direction, the density or the value is not finite at " + share_text(p.not_finite), trio,
+          &p.not_finite.wi, p.not_finite.u);
+  if (p.length.differing > 0)
     worse(range, 2 + p.length.share(),
-          "the length of the direction differs from 1 by up to " + io::short_number(p.length.worst), trio,
-          &p.length.wi, p.length.u);
-  if (p.below.share() > kFewDraws)
+          "the length of the direction differs from 1 by up to " + io::short_number(p.length.worst) +
+              ", at " + share_text(p.length),
+          trio, &p.length.wi, p.length.u);
+  if (p.below.differing > 0)
     worse(range, 1 + p.below.share(),
-          io::percent(p.below.share()) +
-              " of the samples lie below the horizon and keep a density above 0 (" + degrees_text(trio.at()) +
-              ")",
+          share_text(p.below) + " lie below the horizon and keep a density above 0 (" +
+              degrees_text(trio.at()) + ")",
           trio, &p.below.wi, p.below.u);
 }
 
@@ -114,8 +134,7 @@ std::string SamplerJudge::value_name() const {
 std::string SamplerJudge::value_text(const Pointwise& p) const {
   const std::string name = value_name();
   std::string text = name + " is not " + std::string(name_of(quantities_.of[0])) + " at " +
-                     io::percent(p.value.share()) + " of the samples, with differences up to " +
-                     io::percent(p.value.worst);
+                     share_text(p.value) + ", with differences up to " + io::percent(p.value.worst);
   if (lacks_cosine(p)) return text + "; " + name + no_cosine_text();
   for (const auto& [kind, count] : p.fits)
     if (kind != quantities_.of[0] && double(count) > 0.99 * double(p.value.compared))

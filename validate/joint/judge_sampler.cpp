@@ -73,7 +73,7 @@ void SamplerJudge::one_case(std::size_t k) {
   if (facts_.has_density) {
     integrals = integrals_of(trio, cells, pilot, kTolerance, most_evaluations());
     findings_[mass].evaluations += integrals->evaluations;
-    judge_support(trio, *integrals);
+    judge_support(trio, *integrals, k);
   }
   std::vector<DensityRow> rows;
   if (facts_.draws && has_pdf()) rows = judge_jacobian(trio, k);
@@ -85,9 +85,10 @@ void SamplerJudge::one_case(std::size_t k) {
   if (facts_.draws) judge_single(trio, k);
 }
 
-void SamplerJudge::judge_support(const Trio& trio, const Integrals& integrals) {
+void SamplerJudge::judge_support(const Trio& trio, const Integrals& integrals, std::size_t k) {
   if (!facts_.has_eval) return;
   ++done_[support];
+  judge_holes(trio, holes_of(trio, seed(k) + 63));
   for (std::size_t c = 0; c < trio.channels() && c < 3; ++c) {
     if (!(integrals.albedo[c] > 0)) continue;
     const double share = integrals.without_density[c] / integrals.albedo[c];
@@ -101,6 +102,23 @@ void SamplerJudge::judge_support(const Trio& trio, const Integrals& integrals) {
   }
 }
 
+void SamplerJudge::judge_holes(const Trio& trio, const Holes& holes) {
+  constexpr long kEnoughDark = 10;  // fewer do not show the share of the albedo
+  findings_[support].evaluations += kHoleDirections;
+  findings_[support].value = std::max(findings_[support].value, holes.share);
+  supported_ += holes.directions;
+  dark_ += holes.dark;
+  if (!(holes.share > kLostAlbedo)) return;
+  const std::string text =
+      "the density is 0 at " + std::to_string(holes.dark) + " of " + std::to_string(holes.directions) +
+      " directions with f cos_i above 0, which reflect about " + io::percent(holes.share, 2) +
+      " of the albedo; f cos_i is up to " + io::short_number(holes.brightest_value) + " /sr";
+  if (holes.dark < kEnoughDark)
+    support_unknown_ = text + ": they are too few to show their part of the albedo";
+  else
+    worse(support, holes.share, text + " at the direction named", trio, &holes.brightest);
+}
+
 std::vector<DensityRow> SamplerJudge::judge_jacobian(const Trio& trio, std::size_t k) {
   const JacobianRows found = jacobian_rows(trio, full_ ? 256 : 48, seed(k) + 5);
   probes_ += found.probes;
@@ -111,10 +129,14 @@ std::vector<DensityRow> SamplerJudge::judge_jacobian(const Trio& trio, std::size
   const DensityRow* at = nullptr;
   for (const DensityRow& row : found.rows) {
     const double difference = std::abs(row.claimed / row.truth - 1);
-    wrong += !(difference <= kJacobianBound);
-    largest_ratio_error_ = std::max(largest_ratio_error_, difference);
+    const bool is_wrong = !(difference <= kJacobianBound);
+    wrong += is_wrong;
+    if (!is_wrong) largest_ratio_error_ = std::max(largest_ratio_error_, difference);
     if (!(difference <= worst)) worst = difference, at = &row;
   }
+  exceptions_[jacobian] += wrong;
+  largest_exception_[jacobian] = std::max(largest_exception_[jacobian], worst);
+  findings_[jacobian].value = std::max(findings_[jacobian].value, worst);
   // A single row may be one at which a lobe was not found.
   if (wrong >= 3) {
     const std::string cause = cause_of(trio, found.rows);
@@ -147,7 +169,9 @@ void SamplerJudge::judge_single(const Trio& trio, std::size_t k) {
   branches_ += s.branches;
   const double share = s.difference.share();
   findings_[single].value = std::max(findings_[single].value, share);
-  if (share > kFewDraws)
+  exceptions_[single] += s.difference.differing;
+  largest_exception_[single] = std::max(largest_exception_[single], s.difference.worst);
+  if (share > kFewDraws || s.not_finite > 0)
     worse(single, share,
           (s.not_finite > 0 ? "in float the result is not finite, or" : std::string("float and double")) +
               std::string(s.not_finite > 0 ? " differs from double" : " differ") + " by more than 1 % at " +

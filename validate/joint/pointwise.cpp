@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/files/numbers.h"
+#include "validate/joint/rounded_direction.h"
 
 namespace brdf::validate {
 namespace {
@@ -11,6 +12,9 @@ namespace {
 constexpr double kNearlyZero = 1e-10;  // values below this are compared in absolute terms
 constexpr double kUnit = 1e-5;         // of the length of a direction
 constexpr double kVisible = 0.01;      // between float and double
+// A cosine below 0 by less than this is the rounding of a direction at the horizon, in float.
+constexpr double kAtHorizon = 1e-6;
+constexpr long kMostExamined = 4096;  // differences of a case; more are not called rounding
 
 double relative(double a, double b) {
   if (!std::isfinite(a) || !std::isfinite(b)) return a == b ? 0 : HUGE_VAL;
@@ -61,6 +65,11 @@ void ComparedDraws::add(double difference, double bound, const Vec3<double>& at,
   worst = difference;
   wi = at;
   u.assign(numbers.begin(), numbers.end());
+}
+
+void ComparedDraws::add_explained(double difference) {
+  ++compared, ++explained;
+  worst_explained = std::max(worst_explained, difference);
 }
 
 Quantities quantities_of(const Trio& trio, std::uint64_t seed) {
@@ -120,22 +129,56 @@ void compare_draws(const Trio& trio, const Quantities& quantities, std::span<con
     for (std::size_t j = 0; j < facts.values.size(); ++j)
       for (const double x : draw.values[j]) dark = dark && x == 0;
     const bool is_below = draw.valid && draw.wi.z < 0 && (facts.gives_pdf ? draw.pdf > 0 : !dark);
-    out.below.add(is_below, 0, draw.wi, numbers);
+    out.lost_below += draw.valid && draw.wi.z < 0 && !is_below;
+    if (is_below && draw.wi.z > -kAtHorizon)
+      out.below.add_explained(-draw.wi.z);
+    else
+      out.below.add(is_below ? -draw.wi.z : 0, 0, draw.wi, numbers);
     if (!counts(facts, draw)) continue;
+    std::optional<RoundedDirection> rounded;  // found only if there is a difference
+    const auto is_rounding = [&](double returned, const auto& value_at) {
+      if (!rounded && ++out.examined > kMostExamined) return false;
+      if (!rounded) rounded.emplace(trio, draw.wi);
+      return rounded->explains(returned, value_at);
+    };
+    if (facts.has_density) {
+      const bool is_dark = density[k] <= 0;
+      const auto has_density = [](const RoundedDirection& r, std::size_t n) {
+        return double(r.density(n) > 0);
+      };
+      if (is_dark && is_rounding(1, has_density))
+        out.impossible.add_explained(1);
+      else
+        out.impossible.add(is_dark, 0, draw.wi, numbers);
+    }
     if (facts.gives_pdf && facts.has_density) {
       const double difference = relative(draw.pdf, density[k]);
-      out.density.add(difference, kSameValue, draw.wi, numbers);
-      if (difference > kSameValue && out.returned.size() < 256)
-        out.returned.push_back({draw.wi, density[k], draw.pdf, {}});
+      if (difference > kSameValue &&
+          is_rounding(draw.pdf, [](const RoundedDirection& r, std::size_t n) { return r.density(n); })) {
+        out.density.add_explained(difference);
+      } else {
+        out.density.add(difference, kSameValue, draw.wi, numbers);
+        if (difference > kSameValue && out.returned.size() < 256)
+          out.returned.push_back({draw.wi, density[k], draw.pdf, {}});
+      }
     }
     const double pdf = facts.gives_pdf ? draw.pdf : facts.has_density ? density[k] : std::nan("");
     for (std::size_t j = 0; facts.has_eval && j < facts.values.size(); ++j) {
-      double worst = 0;
-      for (std::size_t c = 0; c < std::min<std::size_t>(trio.channels(), 3); ++c)
-        worst = std::max(worst, relative(draw.values[j][c],
-                                         quantity(quantities.of[j], f[c * wi.size() + k], draw.wi.z, pdf)));
       if (std::isnan(pdf) && quantities.of[j] == SampleValue::weight) continue;
-      out.value.add(worst, kSameValue, draw.wi, numbers);
+      double worst = 0, worst_rounded = 0;
+      for (std::size_t c = 0; c < std::min<std::size_t>(trio.channels(), 3); ++c) {
+        const double difference =
+            relative(draw.values[j][c], quantity(quantities.of[j], f[c * wi.size() + k], draw.wi.z, pdf));
+        const auto expected_at = [&](const RoundedDirection& r, std::size_t n) {
+          return quantity(quantities.of[j], r.f(c, n), r.wi(n).z, facts.gives_pdf ? pdf : r.density(n));
+        };
+        const bool rounding = difference > kSameValue && is_rounding(draw.values[j][c], expected_at);
+        (rounding ? worst_rounded : worst) = std::max(rounding ? worst_rounded : worst, difference);
+      }
+      if (worst_rounded > worst && worst <= kSameValue)
+        out.value.add_explained(worst_rounded);
+      else
+        out.value.add(worst, kSameValue, draw.wi, numbers);
       if (j > 0) continue;
       const double expected = quantity(quantities.of[0], f[k], draw.wi.z, pdf);
       out.without_cosine += relative(draw.values[0][0], expected / draw.wi.z) <= kSameValue;

@@ -34,10 +34,7 @@ void SamplerJudge::conclude() {
   const std::string at_level = ", level " + io::short_number(level_, 2) + " each";
   findings_[mass].bound = kMassBound;
   conclude_one(mass, facts_.has_density && mass_unknown_.empty() && done_[mass] > 0,
-               mass_unknown_.empty() ? no_density : mass_unknown_,
-               (facts_.draws ? "the integral of the density is 1 minus the share of lost samples, in "
-                             : "the density integrates to 1 in ") +
-                   cases + "; quadrature to " + io::short_number(largest_mass_error_, 2));
+               mass_unknown_.empty() ? no_density : mass_unknown_, mass_text());
   findings_[match].bound = kSameValue;
   conclude_one(match, compared_[match] > 0,
                !facts_.draws         ? no_sampler
@@ -45,7 +42,7 @@ void SamplerJudge::conclude() {
                : !facts_.gives_pdf   ? facts_.sampler_name + " returns no density to compare"
                                      : "no sample could be compared",
                "the density that " + facts_.sampler_name + " returns equals " + facts_.density_name + " at " +
-                   std::to_string(compared_[match]) + " samples");
+                   std::to_string(compared_[match]) + " samples" + exceptions_text(match));
   findings_[value].bound = kSameValue;
   conclude_one(value, compared_[value] > 0,
                !facts_.draws           ? no_sampler
@@ -55,17 +52,13 @@ void SamplerJudge::conclude() {
                values_text());
   const bool jacobian_looked = decided_ >= 16 && decided_ * 3 >= probes_;
   findings_[jacobian].bound = kJacobianBound;
-  findings_[jacobian].value = largest_ratio_error_;
   conclude_one(jacobian, jacobian_looked,
                !facts_.draws ? no_sampler
                : !has_pdf()
                    ? no_density
                    : "only " + std::to_string(decided_) + " of " + std::to_string(probes_) +
                          " directions could be judged" + (jacobian_why_.empty() ? "" : ": " + jacobian_why_),
-               "the density equals the density of the samples at " + std::to_string(decided_) + " of " +
-                   std::to_string(probes_) + " directions, to " +
-                   io::short_number(std::max(largest_ratio_error_, 1e-8), 2) + "; an error above " +
-                   io::percent(kJacobianBound) + " at a twentieth of these directions would be found");
+               jacobian_text());
   findings_[distribution].bound = -std::log10(level_);
   conclude_one(distribution, done_[distribution] == long(cases_.size()),
                !facts_.draws         ? no_sampler
@@ -81,21 +74,20 @@ void SamplerJudge::conclude() {
                "the mean of the weights is the albedo in " + cases + at_level + "; a constant error of " +
                    io::percent(power_[mean], 2) + " would be found" + noise_text());
   findings_[support].bound = kLostAlbedo;
-  conclude_one(support, done_[support] > 0, facts_.has_density ? facts_.no_eval : no_density,
-               "the density is above 0 wherever f cos_i is, except for " +
-                   io::percent(findings_[support].value, 2) + " of the albedo at most");
+  conclude_one(support, done_[support] > 0 && support_unknown_.empty(),
+               !facts_.has_density        ? no_density
+               : support_unknown_.empty() ? facts_.no_eval
+                                          : support_unknown_,
+               support_text());
   conclude_one(range, compared_[range] > 0,
                facts_.draws ? std::string("no sample above the horizon was drawn") : no_sampler,
-               "directions have unit length and lie above the horizon, at " +
-                   std::to_string(compared_[range]) + " samples and " + std::to_string(combinations_) +
-                   " combinations of the random numbers 0, 1/2, 1 - 2^-24 and 1");
+               range_text());
   findings_[single].bound = kFewDraws;
   conclude_one(single, compared_[single] > 0,
                !facts_.draws      ? no_sampler
                : !facts_.in_float ? facts_.sampler_name + " is available in double precision only"
                                   : "no sample above the horizon was drawn",
-               "float and double agree within 1 % at " + std::to_string(compared_[single]) + " samples; " +
-                   std::to_string(branches_) + " next to a boundary took another branch");
+               single_text());
   if (!facts_.half_unknown.empty() && findings_[single].outcome == Outcome::pass) {
     findings_[single].outcome = Outcome::undecided;
     findings_[single].statement += "; " + facts_.half_unknown;
@@ -111,13 +103,75 @@ void SamplerJudge::conclude() {
       }
 }
 
+std::string SamplerJudge::exceptions_text(Place place) const {
+  if (exceptions_[place] == 0) return "";
+  return ", but for " + std::to_string(exceptions_[place]) + " that differ by up to " +
+         io::percent(largest_exception_[place]) + ", as much as rounding of the direction changes the value";
+}
+
+std::string SamplerJudge::mass_text() const {
+  std::string text = (facts_.draws ? "the integral of the density is 1 minus the share of lost samples, in "
+                                   : "the density integrates to 1 in ") +
+                     std::to_string(cases_.size()) + " cases, by quadrature with an estimated error of " +
+                     io::short_number(largest_mass_error_, 2) + " at " +
+                     std::to_string(findings_[mass].evaluations) + " directions";
+  if (facts_.draws) text += "; a difference of " + io::percent(power_[mass], 2) + " would be found";
+  return text;
+}
+
+std::string SamplerJudge::support_text() const {
+  const std::string dark =
+      dark_ == 0 ? "all " + std::to_string(supported_) + " directions"
+                 : "all but " + std::to_string(dark_) + " of " + std::to_string(supported_) + " directions";
+  return "the density is above 0 at " + dark +
+         " with f cos_i above 0, which are spread by the cosine; a hole of " +
+         io::percent(least_hole(kFalseAlarm), 2) + " of the projected hemisphere would be found" +
+         (findings_[support].value > 0
+              ? "; about " + io::percent(findings_[support].value, 2) + " of the albedo has a density of 0"
+              : "");
+}
+
+std::string SamplerJudge::range_text() const {
+  std::string text = "directions have unit length and lie above the horizon, at " +
+                     std::to_string(compared_[range]) + " samples and " + std::to_string(combinations_) +
+                     " combinations of the random numbers 0, 1/2, 1 - 2^-24 and 1";
+  if (exceptions_[range] > 0)
+    text += ", but for " + std::to_string(exceptions_[range]) + " with a cosine down to -" +
+            io::short_number(largest_exception_[range], 2) + ", which is rounding";
+  if (lost_below_ > 0)
+    text += "; " + std::to_string(lost_below_) + " samples below the horizon count as lost";
+  return text;
+}
+
+std::string SamplerJudge::jacobian_text() const {
+  std::string text = "the density equals the density of the samples at " +
+                     std::to_string(decided_ - exceptions_[jacobian]) + " of " + std::to_string(probes_) +
+                     " directions, to " + io::short_number(std::max(largest_ratio_error_, 1e-8), 2);
+  if (exceptions_[jacobian] > 0)
+    text += ", but differs by up to " + io::percent(largest_exception_[jacobian]) + " at " +
+            std::to_string(exceptions_[jacobian]) +
+            ", to which other random numbers may lead that were not found";
+  return text + "; an error above " + io::percent(kJacobianBound) +
+         " at a twentieth of these directions would be found";
+}
+
+std::string SamplerJudge::single_text() const {
+  std::string text = "float and double agree within 1 % at " +
+                     std::to_string(compared_[single] - branches_ - exceptions_[single]) + " of " +
+                     std::to_string(compared_[single]) + " samples; ";
+  if (exceptions_[single] > 0)
+    text += std::to_string(exceptions_[single]) + " differ by up to " +
+            io::percent(largest_exception_[single]) + "; ";
+  return text + std::to_string(branches_) + " next to a boundary took another branch";
+}
+
 std::string SamplerJudge::values_text() const {
   std::string text;
   for (std::size_t k = 0; k < quantities_.of.size(); ++k)  // empty without a sampler
     text += (k ? " and " : "") +
             (facts_.values[k].name.empty() ? "the returned value" : facts_.values[k].name) + " is " +
             std::string(name_of(quantities_.of[k]));
-  return text + " at " + std::to_string(compared_[value]) + " comparisons" +
+  return text + " at " + std::to_string(compared_[value]) + " comparisons" + exceptions_text(value) +
          (quantities_.announced.empty() ? "" : "; " + quantities_.announced);
 }
 

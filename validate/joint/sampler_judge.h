@@ -9,6 +9,7 @@
 #include "validate/joint/catalogue_noise.h"
 #include "validate/joint/cells.h"
 #include "validate/joint/density_cause.h"
+#include "validate/joint/holes.h"
 #include "validate/joint/jacobian.h"
 #include "validate/joint/judge_sampler.h"
 #include "validate/joint/pointwise.h"
@@ -54,7 +55,9 @@ class SamplerJudge {
   void worse(Place place, double severity, const std::string& text, const Trio& trio,
              const Vec3<double>* wi = nullptr, std::span<const double> u = {});
   void one_case(std::size_t k);
-  void judge_support(const Trio& trio, const Integrals& integrals);
+  void judge_support(const Trio& trio, const Integrals& integrals, std::size_t k);
+  void judge_holes(const Trio& trio, const Holes& holes);
+  void judge_impossible(const Trio& trio, const ComparedDraws& draws);
   std::vector<DensityRow> judge_jacobian(const Trio& trio, std::size_t k);
   void judge_mass(const Trio& trio, const Integrals& in, long all, long lost,
                   const std::vector<DensityRow>& rows);
@@ -67,6 +70,8 @@ class SamplerJudge {
   static bool looks_different(const Integrals& in, const std::vector<long>& observed, long lost,
                               std::size_t all);
   void judge_points(const Trio& trio, const Pointwise& p);
+  void judge_ranges(const Trio& trio, const Pointwise& p);
+  void keep_exceptions(Place place, const ComparedDraws& draws);
 
   // Returns whether the first value is the quotient f / pdf in the place of the weight.
   bool lacks_cosine(const Pointwise& p) const;
@@ -91,6 +96,13 @@ class SamplerJudge {
   std::string with_reasons(std::string text) const;
   void conclude();
   std::string values_text() const;
+  // The clause on differences that rounding explains; empty without such differences.
+  std::string exceptions_text(Place place) const;
+  std::string range_text() const;
+  std::string mass_text() const;
+  std::string support_text() const;
+  std::string jacobian_text() const;
+  std::string single_text() const;
 
   // Samples per pixel for a noise of 1 %.
   std::string noise_text() const;
@@ -109,12 +121,17 @@ class SamplerJudge {
   std::array<Worst, places> worst_;
   std::array<long, places> done_{}, compared_{};
   std::array<double, places> power_{};
-  long probes_ = 0, decided_ = 0, branches_ = 0;
+  // Samples that differ without failing the check, and the largest of these differences.
+  std::array<long, places> exceptions_{};
+  std::array<double, places> largest_exception_{};
+  long probes_ = 0, decided_ = 0, branches_ = 0, lost_below_ = 0;
   int combinations_ = 0;
   CatalogueNoise best_;
   double largest_mass_error_ = 0, largest_ratio_error_ = 0, noise_ = 0, largest_weight_ = 0;
   std::string cause_, cause_of_value_;  // of the running case: a constant differs from case to case
-  std::string jacobian_why_, mass_unknown_, distribution_why_, mean_why_;
+  // Directions at which density_support looked, and directions without a density among them.
+  long supported_ = 0, dark_ = 0;
+  std::string jacobian_why_, mass_unknown_, support_unknown_, distribution_why_, mean_why_;
 };
 
 // The words about the viewing direction of a case.

@@ -49,6 +49,13 @@ struct OutsideFacts {
   bool has_half_types = false;  // float itself rounds values to half precision
   // The sampler and the density that the code has for its reflectance; null if the code has neither.
   std::shared_ptr<const DirectionSampler> sampler = {};
+  // Calls look() for each comparison that an evaluation of f makes. `number`: of the comparison; `line`: of
+  // the source; `surplus`: above 0 where it holds, below 0 elsewhere, and 0 at the boundary.
+  std::function<void(
+      const Material& at, const Vec3<double>& wi, const Vec3<double>& wo,
+      const std::function<void(std::uint32_t number, std::uint32_t line, bool holds, double surplus)>& look)>
+      for_each_comparison = {};
+  std::function<std::string(std::uint32_t line)> text_of_line = {};  // of the source
 };
 
 struct Jump;

@@ -156,7 +156,7 @@ TEST(Outside, AFormOfOnesOwnIsJudgedByEveryCheckThatItHasFactsFor) {
             (Names{"albedo", "normalisation", "white_furnace"}));
   EXPECT_NEAR(found.at("energy").value, 1, 1e-6);
   ASSERT_TRUE(found.at("energy").tied);
-  EXPECT_NE(found.at("energy").statement.find("with equal widths at most 1 (warp "), std::string::npos)
+  EXPECT_NE(found.at("energy").statement.find("the largest with equal widths 1 (warp "), std::string::npos)
       << found.at("energy").statement;
 }
 
@@ -172,6 +172,22 @@ TEST(Outside, ValuesAloneAreJudgedAndWhatTheyLackIsNamed) {
 
 TEST(Outside, AKnownWidthIsSampledByTheCosine) {
   EXPECT_EQ(judged(lambda(matt, Role::width)).at("sampling").outcome, Outcome::pass);
+}
+
+// A narrow peak that no sample meets has no part in the variance of the samples.
+TEST(Outside, SamplesThatMissANarrowPeakDecideNothing) {
+  const auto with_peak = [](double height) {
+    return lambda(
+        [height](double weight, double, const Vec3<double>& wi, const Vec3<double>& wo) {
+          const double x = wi.x + wo.x, y = wi.y + wo.y;
+          return weight * (0.5 / kPi + height * std::exp(-4e5 * (x * x + y * y)));
+        },
+        Role::width);
+  };
+  const Finding missed = judged(with_peak(100)).at("sampling");
+  EXPECT_EQ(missed.outcome, Outcome::undecided) << missed.statement;
+  EXPECT_NE(missed.statement.find("may have missed a narrow part of the albedo"), std::string::npos);
+  EXPECT_EQ(judged(with_peak(0)).at("sampling").outcome, Outcome::pass);
 }
 
 TEST(Outside, ViolationsOfValuesAloneAreFound) {
@@ -197,6 +213,44 @@ TEST(Outside, DerivativesOfLobesAreJudged) {
   const Finding wrong = derivatives(0.126);
   EXPECT_EQ(wrong.outcome, Outcome::fail);
   EXPECT_NEAR(wrong.value, 0.001 / 0.126, 1e-9);  // relative to the stated derivative
+}
+
+// One lobe of 1e6 + (1 + sharpness)/8 - 1e6: finite differences show the rounding of the sum alone.
+class Cancelled final : public Lambda {
+ public:
+  explicit Cancelled(double stated)
+      : Lambda([](double weight, double sharpness, const auto&, const auto&) {
+          return weight * value(sharpness);
+        }),
+        stated_(stated) {
+    info_.differentiable = true;
+    info_.lobes = lobes_;
+  }
+  void lobes(std::span<const double> shape, Partial partial, const Directions<double>& d,
+             const LobeRows& out) const override {
+    for (std::size_t i = 0; i < d.count; ++i) {
+      out.data[i] = value(shape[0]);
+      if (partial != Partial::none) out.data[out.stride + i] = stated_;
+    }
+  }
+
+ private:
+  static double value(double sharpness) {
+    volatile double sum = 1e6 + (1 + sharpness) / 8;
+    return sum - 1e6;
+  }
+  double stated_;
+  std::array<LobeWeight, 1> lobes_{};
+};
+
+TEST(Outside, DifferencesThatAreRoundingAreNoReference) {
+  const auto derivatives = [](double stated) {
+    return judged(Reflectance(std::make_shared<const Cancelled>(stated))).at("derivatives");
+  };
+  const Finding right = derivatives(0.125);
+  EXPECT_EQ(right.outcome, Outcome::pass) << right.value << right.statement;
+  EXPECT_NE(right.statement.find("more the differences are no reference"), std::string::npos);
+  EXPECT_EQ(derivatives(0.126).outcome, Outcome::fail);  // more than rounding
 }
 
 TEST(Outside, WeightsThatShareTheLightNeverExceedIt) {
