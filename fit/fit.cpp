@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "fit/candidates.h"
 #include "fit/stepwise.h"
 #include "io/files/error.h"
+#include "io/files/numbers.h"
 #include "io/files/parallel.h"
 
 namespace brdf::fit {
@@ -79,6 +81,23 @@ void refit_all(const FitData& data, const FitOptions& options, const RefitSoluti
   io::parallel_for(all.size(), refit_model, options.threads);
 }
 
+// Returns why the residuals of a form refute the noise: residuals hold all of the noise, so a noise far above
+// them is the shape of a lobe between rows that are too far apart. Empty if no form refutes it.
+std::string refutation(const std::vector<Solved>& all, const FitData& data, double noise) {
+  constexpr double kShape = 2, kChance = 2.4;  // as in sheet::Scatter::decisive
+  constexpr double kFewest = 12;
+  for (const Solved& s : all) {
+    const double values = double(data.rows() * data.channels.size()),
+                 free = values - double(s.fit.parameters),
+                 ratio = s.fit.lack_of_fit.residual_over_scatter.value_or(HUGE_VAL);
+    if (!s.fit.solved() || free < kFewest) continue;
+    if (kShape * ratio * std::sqrt(values / free) * (1 + kChance / std::sqrt(free)) < 1)
+      return "the residuals of " + s.fit.form + ", " + io::percent(ratio * noise) + ", refute a noise of " +
+             io::percent(noise);
+  }
+  return {};
+}
+
 constexpr const char* kChooses = "--form auto: cannot be used with --bootstrap; name a form";
 
 }  // namespace
@@ -119,7 +138,7 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
   Candidates out;
   FitResult& result = out.about;
   result.noise_floor = p.scatter();
-  result.channel_noise = p.noise.channels;
+  result.channel_noise = p.noise.neighbours.channels;
   result.metric = p.metric;
   result.rows = data.rows();
   result.beyond_max_theta = data.beyond_max_theta;
@@ -127,7 +146,19 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
   result.channels = data.channels;
   result.groups = data.groups;
   out.all = fit_models(data, models, options, result.noise_floor, progress);
+  std::optional<double> least = p.least_scatter();
+  while (result.noise_floor) {
+    const std::string refuted = refutation(out.all, data, *result.noise_floor);
+    if (refuted.empty()) break;
+    result.refuted_noise = refuted;
+    // The next lower estimate takes its place, if there is one.
+    const bool has_lower = least && *least < *result.noise_floor;
+    result.noise_floor = has_lower ? least : std::nullopt;
+    least = result.noise_floor;
+    out.all = fit_models(data, models, options, result.noise_floor, progress);
+  }
   const Context about{result.noise_floor,
+                      least,
                       p.interpolated,
                       data.groups.held_out,
                       data.groups.groups.size(),
@@ -194,7 +225,7 @@ RefitSolutions solve_refits(const io::SampleTable& table, const std::vector<std:
   for (std::size_t k = 0; k < models.size(); ++k) {
     const std::size_t begins = std::max(first, k * of_each), ends = std::min(end, (k + 1) * of_each);
     if (begins >= ends) continue;
-    const std::vector<Solved> all = fit_models(p.data, {models[k]}, p.options, p.noise.value, {});
+    const std::vector<Solved> all = fit_models(p.data, {models[k]}, p.options, p.noise.neighbours.value, {});
     const Solved& s = all.front();
     RefitSolutions part(ends - begins);
     if (s.fit.solved()) {

@@ -4,7 +4,6 @@
 #include "fit/assess/result.h"
 #include "fit/model/data.h"
 #include "fit/model/options.h"
-#include "io/samples/noise.h"
 #include "sheet/scatter.h"
 
 namespace brdf::fit {
@@ -13,19 +12,14 @@ namespace brdf::fit {
 struct Prepared {
   FitOptions options;  // with the metric that was chosen
   FitData data;
-  io::Noise noise;
+  sheet::Scatter noise;  // with the neighbours' noise of the rows to fit
   MetricChoice metric;
-  // Agreement of rows that a symmetry makes equal, if their deviation exceeds the noise; otherwise null.
-  const sheet::Agreement* agreement = nullptr;
-
   bool interpolated = false;  // the noise is that of an instrument's software, which interpolated rows
 
-  // Returns the relative noise of one value, the larger of the two estimates. Returns std::nullopt if
-  // neither is known.
-  std::optional<double> scatter() const {
-    if (agreement && agreement->value > noise.value.value_or(0)) return agreement->value;
-    return noise.value;
-  }
+  // Return the relative noise of one value, and the part of it that is known to be noise; std::nullopt if it
+  // is not known. See sheet::Scatter.
+  std::optional<double> scatter() const { return noise.value(!options.anisotropic); }
+  std::optional<double> least_scatter() const { return noise.least(!options.anisotropic); }
 };
 
 // Prepares the table for fits: selects the rows, estimates the noise, and chooses the metric if the options

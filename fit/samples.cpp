@@ -30,7 +30,8 @@ Prepared prepared(const Samples& samples, const FitOptions& asked) {
   FitOptions options = asked;
   if (samples.budget) options.budget = samples.budget;
   Prepared out = prepared(samples.table, options);
-  out.agreement = samples.sheet.scatter.largest(samples.sheet.scatter.is_isotropic && !asked.anisotropic);
+  out.noise.agreements = samples.sheet.scatter.agreements;
+  out.noise.isotropy = samples.sheet.scatter.isotropy;
   out.interpolated = samples.sheet.has_failed("invented");
   return out;
 }

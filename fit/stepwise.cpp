@@ -276,6 +276,10 @@ class Stepwise {
     for (const Solved& s : found.all)
       if (s.fit.solved() && (loss_scale_ == 0 || s.fit.loss_scale < loss_scale_))
         loss_scale_ = s.fit.loss_scale;
+    if (!found.about.refuted_noise.empty()) {
+      result_.noise_floor = found.about.noise_floor;
+      result_.refuted_noise = found.about.refuted_noise;
+    }
     if (result_.channels.empty()) result_ = std::move(found.about);
     return std::move(found.all);
   }

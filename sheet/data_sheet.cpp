@@ -140,7 +140,7 @@ DataSheet sheet_of_scans(const io::SampleTable& t, const SheetOptions& options) 
   evidence.causes = causes_of(view, evidence.pairs);
   evidence.scatter =
       scatter_of(view, evidence.neighbours, evidence.causes.found ? std::vector<Pair>{} : evidence.pairs,
-                 !evidence.turns.is_anisotropic());
+                 evidence.turns.isotropy());
   evidence.albedo = albedos(view, evidence.scatter.value());
   for (const Check& check : checks()) sheet.findings.push_back(check.run(evidence));
   sheet.scatter = std::move(evidence.scatter);

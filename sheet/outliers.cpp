@@ -371,7 +371,7 @@ Finding outliers(const Evidence& e) {
                           "not checked in tables of more than " + std::to_string(kMostRows) + " rows");
   if (!has_light(t)) return not_applicable(t.source, "outliers", "no value is above 0");
   constexpr double kHides = 0.7;  // a factor of two, below which no value counts as an outlier
-  if (const double noise = e.scatter.value().value_or(0); noise > kHides)
+  if (const double noise = e.scatter.least().value_or(0); noise > kHides)
     return undecided(t, "outliers", "the noise of " + io::percent(noise, 2) + " hides outliers");
   if (!has_neighbours(view)) return not_applicable(t.source, "outliers", "no row has neighbours");
   const HalfNeighbours of_half = near_half_vector(t);

@@ -93,30 +93,47 @@ void add_interpolated(const View& view, const std::vector<Pair>& pairs, Scatter&
   s.agreements.push_back({"reciprocal", 1.4826 * io::median(std::move(sure)) / std::sqrt(2.0), count, true});
 }
 
-}  // namespace
-
-const Agreement* Scatter::largest(bool isotropic) const {
-  // The relative error of a standard deviation from n pairs is 1.2/sqrt(n). The margin is twice that, so
-  // that the largest of several is not due to chance.
-  constexpr double kChance = 2.4;
-  const auto is_more = [&](const Agreement& a) {
-    return a.value > neighbours.value.value_or(0) * (1 + kChance / std::sqrt(double(a.count)));
-  };
-  const Agreement* found = nullptr;
-  for (const Agreement& a : agreements)
-    if ((isotropic || !a.needs_isotropy) && is_more(a) && (!found || a.value > found->value)) found = &a;
-  return found;
+// The relative error of a standard deviation from n pairs is 1.2/sqrt(n). The margin is twice that, so that
+// the largest of several is not due to chance.
+double by_chance(const Agreement& a) {
+  return 1 + 2.4 / std::sqrt(double(a.count));
 }
 
-std::optional<double> Scatter::value(bool isotropic) const {
-  if (const Agreement* const a = largest(isotropic)) return a->value;
+}  // namespace
+
+const Agreement* Scatter::decisive(bool may_be_isotropic) const {
+  constexpr double kShape = 2;  // the neighbours' noise is known within a factor of 1.5
+  const double about = neighbours.value.value_or(0);
+  const bool counts = may_be_isotropic && isotropy != Isotropy::refuted;
+  const Agreement *largest = nullptr, *smallest = nullptr;
+  for (const Agreement& a : agreements) {
+    const double chance = by_chance(a);
+    if (a.needs_isotropy && about > kShape * chance * a.value && (!smallest || a.value < smallest->value))
+      smallest = &a;
+    if ((counts || !a.needs_isotropy) && a.value > about * chance && (!largest || a.value > largest->value))
+      largest = &a;
+  }
+  return smallest ? smallest : largest;
+}
+
+std::optional<double> Scatter::value(bool may_be_isotropic) const {
+  if (const Agreement* const a = decisive(may_be_isotropic)) return a->value;
   return neighbours.value;
 }
 
+std::optional<double> Scatter::least(bool may_be_isotropic) const {
+  constexpr double kMost = 0.2;  // larger differences of symmetric rows are no noise of an instrument
+  const Agreement* const a = decisive(may_be_isotropic);
+  if (!a || !a->needs_isotropy || isotropy == Isotropy::seen || a->value < neighbours.value.value_or(0))
+    return value(may_be_isotropic);
+  if (neighbours.value) return neighbours.value;
+  return a->value > kMost ? std::nullopt : std::optional(a->value);
+}
+
 Scatter scatter_of(const View& view, io::Noise neighbours, const std::vector<Pair>& pairs,
-                   bool is_isotropic) {
+                   Isotropy isotropy) {
   Scatter s;
-  s.is_isotropic = is_isotropic;
+  s.isotropy = isotropy;
   s.neighbours = std::move(neighbours);
   if (view.scans().empty()) return s;  // no instrument scans such a table
   Rows repeated, reciprocal;

@@ -39,6 +39,11 @@ bool Turns::is_anisotropic() const {
                                     far > kBeyondNoise * noise_of_far() + kSmooth);
 }
 
+Isotropy Turns::isotropy() const {
+  if (is_anisotropic()) return Isotropy::refuted;
+  return differences >= kEnough && scatter ? Isotropy::seen : Isotropy::unknown;
+}
+
 Turns turns_of(const View& view, std::optional<double> scatter) {
   const io::SampleTable& t = view.table();
   Turns out;
@@ -71,7 +76,6 @@ Turns turns_of(const View& view, std::optional<double> scatter) {
 }
 
 Finding isotropy(const Evidence& e) {
-  constexpr std::size_t kEnough = 16;
   const io::SampleTable& t = e.view.table();
   const Turns& turns = e.turns;
   if (turns.differences < Turns::kFewest && turns.turns < 2)
@@ -89,7 +93,7 @@ Finding isotropy(const Evidence& e) {
   if (turns.is_anisotropic()) {
     f.outcome = Outcome::undecided;
     f.statement = "the sample is anisotropic: " + seen + "; fit with --anisotropic";
-  } else if (turns.differences < kEnough || !turns.scatter) {
+  } else if (turns.differences < Turns::kEnough || !turns.scatter) {
     f.outcome = Outcome::undecided;
     f.statement =
         seen + (turns.scatter ? ": too few comparisons to distinguish isotropy from a small anisotropy"
@@ -134,22 +138,29 @@ Finding noise_floor(const Evidence& e) {
         "rows are too few, too far apart or too smooth to separate noise from the shape of the lobe" +
             beside);
   Finding f = start(t, "noise_floor");
+  const std::optional<double> least = s.least();
   f.value = *s.value();
   f.bound = 0.2;
   f.outcome = f.value > f.bound ? Outcome::fail : Outcome::pass;
-  const Agreement* const largest = s.largest(s.is_isotropic);
+  const Agreement* const decisive = s.decisive();
   f.statement =
-      "measurement noise: " + io::percent_to_tenths(f.value) + "; no model can be tested below this (" +
+      "measurement noise: " + io::percent_to_tenths(f.value) +
+      "; smaller differences are not told from noise (" +
       (s.neighbours.value ? "scatter about a smooth surface: " + io::percent_to_tenths(*s.neighbours.value)
                           : std::string("scatter about a smooth surface: not known")) +
       beside + ")";
   constexpr double kTooSmooth = 4;
-  if (largest && s.neighbours.value && largest->value > kTooSmooth * *s.neighbours.value) {
-    if (f.outcome == Outcome::pass) f.outcome = Outcome::undecided;
+  const bool needs_isotropy = !least || *least < f.value;
+  const bool too_smooth =
+      decisive && s.neighbours.value && decisive->value > kTooSmooth * *s.neighbours.value;
+  if (too_smooth && f.outcome == Outcome::pass) f.outcome = Outcome::undecided;
+  if (too_smooth)
     f.statement +=
         "; neighbours agree better than this noise permits: the errors vary slowly, or the values were "
         "smoothed";
-  }
+  if (needs_isotropy)
+    f.statement += std::string(too_smooth ? ", or" : "; this is no noise if") +
+                   " the sample is not isotropic, which no rotation tests";
   for (std::size_t c = 0; c < t.channels.size(); ++c)
     f.channels.emplace_back(t.channels[c], s.neighbours.channels[c].value_or(NAN));
   return f;

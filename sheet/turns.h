@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "sheet/scatter.h"
 #include "sheet/view.h"
 
 namespace brdf::sheet {
@@ -21,7 +22,9 @@ struct Turns {
   double noise_of_median() const, noise_of_far() const;
   // Returns whether the differences exceed the noise clearly.
   bool is_anisotropic() const;
-  static constexpr std::size_t kFewest = 4;
+  // Isotropy is seen if enough comparisons stay within a known noise.
+  Isotropy isotropy() const;
+  static constexpr std::size_t kFewest = 4, kEnough = 16;
 };
 
 // Compares the rows of scans. `scatter`: relative noise of one value.

@@ -20,8 +20,6 @@ constexpr std::size_t kFewestRows = 8;
 constexpr double kInside = 1e-6;
 constexpr double kRoundingOfRatios = 1e-9;  // of ln(measured/model)
 constexpr double kNormal = 1.4826;  // standard deviation over median deviation of the normal distribution
-// Limit of the residual over a noise that is itself known to a factor of 1.5 at best.
-constexpr double kBeyond = 1.3;
 
 template <std::size_t n>
 std::size_t cell(const double (&edges)[n], double angle) {

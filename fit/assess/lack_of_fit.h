@@ -10,6 +10,9 @@
 
 namespace brdf::fit {
 
+// Limit of the residual over a noise that is itself known to a factor of 1.5 at best.
+inline constexpr double kBeyond = 1.3;
+
 // Compares the residual with the noise (relative), and finds the cell of half angles with the largest mean
 // loss among the cells with at least eight rows. If the noise is unknown, no residual counts as beyond the
 // noise. `model` holds the values of the model, [channel][row].

@@ -122,6 +122,7 @@ struct RowBudget {
   // Returns the relative standard uncertainty of a value.
   double combined(std::size_t channel, std::size_t k) const;
   std::vector<double> largest;  // [channel]: the largest signal
+  std::size_t lights = 0;       // directions of incidence, for sources that the rows of a light share
 };
 
 // The root mean square of each residual (for cube_root, the mean of its terms), over the values for which
@@ -220,8 +221,9 @@ struct MaterialAtEnd {
 
 // Properties of the samples that limit the conclusions of a fit, whatever its form.
 struct Context {
-  std::optional<double> scatter;  // relative
-  bool interpolated = false;      // the noise is that of an instrument's software, which interpolated rows
+  std::optional<double> scatter;        // relative
+  std::optional<double> least_scatter;  // the part of it that is known to be noise
+  bool interpolated = false;  // the noise is that of an instrument's software, which interpolated rows
   HeldOut held_out = HeldOut::many;
   std::size_t lights = 0;  // or viewing directions, or cells of directions: the units that were held out
   std::string side;        // "incidences"
@@ -290,6 +292,7 @@ struct FitResult {
   sheet::DataSheet sheet;  // of the samples as they were read; empty for a table that a program computed
   MetricChoice metric;     // the residual in use
   std::optional<double> noise_floor;  // relative, from the table itself (io/samples/noise.h)
+  std::string refuted_noise;          // why no noise is known although neighbours give one; empty otherwise
   std::vector<std::optional<double>> channel_noise;
   RowGroups groups;              // the groups that were held out together
   double left_out_rounding = 0;  // held-out values below this are rounding errors of 0

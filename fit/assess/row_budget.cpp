@@ -113,7 +113,8 @@ double RowBudget::combined(std::size_t channel, std::size_t k) const {
 
 RowBudget row_budget(const SampleStream& stream, std::span<const double> p) {
   const FitData& data = stream.data();
-  RowBudget out{data.budget, data.row, {}, {}, {}, stream.values(p), 0, {}};
+  RowBudget out{data.budget, data.row, {}, {}, {}, stream.values(p), 0, {}, 0};
+  for (const std::uint32_t light : data.incidence) out.lights = std::max<std::size_t>(out.lights, light + 1);
   const AngleSlopes light = angle_slopes(stream, p, out.values, Turned::light),
                     viewer = angle_slopes(stream, p, out.values, Turned::viewer);
   out.theta_i = light.first;

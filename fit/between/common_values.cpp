@@ -31,7 +31,7 @@ struct Pair {
 std::optional<CommonValues> common_values(const std::vector<FittedTable>& fits,
                                           const std::vector<TableToFit>& tables) {
   for (const FittedTable& f : fits)
-    if (!f.fit.budget || !f.fit.about.scatter) return std::nullopt;
+    if (!f.fit.budget || !f.fit.about.least_scatter) return std::nullopt;
   const RowBudget &a = *fits[0].fit.budget, &b = *fits[1].fit.budget;
   const io::SampleTable &one = tables[0].samples.table, &other = tables[1].samples.table;
   std::map<Angles, std::size_t> places;
@@ -46,7 +46,7 @@ std::optional<CommonValues> common_values(const std::vector<FittedTable>& fits,
     }
   if (pairs.size() < kFewest) return std::nullopt;
   CommonValues out{.count = pairs.size()};
-  const double noise = std::hypot(*fits[0].fit.about.scatter, *fits[1].fit.about.scatter);
+  const double noise = std::hypot(*fits[0].fit.about.least_scatter, *fits[1].fit.about.least_scatter);
   double most = 0;
   for (const Pair& p : pairs) {
     const std::size_t row = a.row[p.first];

@@ -97,9 +97,15 @@ std::string html_page(const RoundRobin& result) {
               {"tables", std::to_string(result.fits.tables.size())},
               {"budgets", result.fits.have_budgets() ? "of every table" : ""}});
   page.verdict(mark_of_all(result), headline(result));
-  std::string about = about_budgets(result);
-  about[0] = char(std::toupper(static_cast<unsigned char>(about[0])));
-  page.remarks({{result.fits.have_budgets() ? io::Mark::none : io::Mark::warn, about + "."}});
+  const auto sentence = [](std::string text) {
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+    return text + ".";
+  };
+  const bool roughly = std::ranges::any_of(
+      result.fits.tables, [](const FittedTable& t) { return t.fit.lack_of_fit.beyond_scatter; });
+  page.remarks(
+      {{result.fits.have_budgets() ? io::Mark::none : io::Mark::warn, sentence(about_budgets(result))},
+       {roughly ? io::Mark::warn : io::Mark::none, sentence(about_form(result))}});
   for (const RoundRobinQuantity& q : result.quantities) add_quantity(page, result, q);
   page.paragraph(
       "The consensus is the mean weighted by 1/(u^2 + tau^2), with tau the standard deviation between "

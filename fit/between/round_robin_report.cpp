@@ -72,6 +72,19 @@ std::string about_budgets(const RoundRobin& result) {
          "them, and appear as the standard deviation between laboratories (--budget)";
 }
 
+std::string about_form(const RoundRobin& result) {
+  const std::string always = "an error of the form " + result.fits.form + " is not in u";
+  const FittedTable* worst = nullptr;
+  const auto ratio = [](const FittedTable& t) { return t.fit.lack_of_fit.residual_over_scatter.value_or(0); };
+  for (const FittedTable& t : result.fits.tables)
+    if (t.fit.lack_of_fit.beyond_scatter && (!worst || ratio(t) > ratio(*worst))) worst = &t;
+  if (!worst) return always;
+  return always + ", and " + result.fits.form + " describes " + worst->name +
+         " only roughly: its residuals are " + io::short_number(ratio(*worst), 2) +
+         " times the noise, so that the consensus may miss the true value by more than its interval; choose "
+         "another form";
+}
+
 std::string in_words(const RoundRobinQuantity& q) {
   if (!q.consensus) return q.name + ": undecided: " + q.obstacle;
   const Consensus& c = *q.consensus;
@@ -100,7 +113,7 @@ void print(std::ostream& out, const RoundRobin& result) {
     if (t.fit.verdict != Verdict::converged)
       out << "  " << io::printable(t.name) << ": " << name_of(t.fit.verdict)
           << (t.fit.findings.empty() ? "" : ": " + io::printable(t.fit.findings.front())) << '\n';
-  out << "  " << about_budgets(result) << '\n';
+  out << "  " << about_budgets(result) << '\n' << "  " << io::printable(about_form(result)) << '\n';
   const std::size_t first = widest_name(result);
   for (const RoundRobinQuantity& q : result.quantities) {
     out << io::printable(in_words(q)) << '\n';
@@ -121,6 +134,7 @@ void print(std::ostream& out, const RoundRobin& result) {
 io::Json to_json(const RoundRobin& result) {
   io::Json json = fits_json(result.fits);
   json["about_budgets"] = about_budgets(result);
+  json["about_form"] = about_form(result);
   json["quantities"] = io::Json::array();
   for (const RoundRobinQuantity& q : result.quantities)
     json["quantities"].push_back(quantity_json(result, q));

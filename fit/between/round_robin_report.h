@@ -11,6 +11,8 @@ namespace brdf::fit {
 
 // Returns the sentence on the uncertainties of the laboratories: they contain the budgets, or scatter alone.
 std::string about_budgets(const RoundRobin& result);
+// Returns the sentence on the error of the form, and the table that the form describes only roughly.
+std::string about_form(const RoundRobin& result);
 // Returns "f(0:45): consensus 0.1351 (0.1338 to 0.1364), standard uncertainty 0.385 %, ..." or the reason why
 // there is no consensus.
 std::string in_words(const RoundRobinQuantity& quantity);

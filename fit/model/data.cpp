@@ -1,6 +1,7 @@
 #include "fit/model/data.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -95,14 +96,47 @@ void add_budget(const io::SampleTable& table, const FitOptions& options, FitData
   }
 }
 
-void number_incidences(const io::SampleTable& table, FitData& data) {
-  std::map<std::pair<double, double>, std::uint32_t> incidences;
-  for (const std::uint32_t k : data.row) {
-    const auto next = std::uint32_t(incidences.size());
-    data.incidence.push_back(
-        data.grouped ? std::uint32_t(table.theta_i[k])
-                     : incidences.try_emplace({table.theta_i[k], table.phi_i[k]}, next).first->second);
+// Numbers directions of incidence. Directions that differ by the jitter of a motor are one.
+class Incidences {
+ public:
+  std::uint32_t number(double theta, double phi) {
+    const auto [known, is_new] = exact_.try_emplace({theta, phi}, 0);
+    if (is_new) known->second = near(direction(degrees(theta), degrees(phi)));
+    return known->second;
   }
+
+ private:
+  static constexpr double kSame = 0.02 * kPi / 180;  // radians
+  using Cell = std::array<int, 3>;
+
+  // Returns the number of the direction within kSame of `w`, or a new number.
+  std::uint32_t near(const Vec3<double>& w) {
+    const auto cell = [](double x) { return int(std::floor(x / kSame)); };
+    const Cell own{cell(w.x), cell(w.y), cell(w.z)};
+    for (int dx = -1; dx <= 1; ++dx)
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dz = -1; dz <= 1; ++dz) {
+          const auto [first, last] = cells_.equal_range({own[0] + dx, own[1] + dy, own[2] + dz});
+          for (auto at = first; at != last; ++at) {
+            const Vec3<double> apart = w - found_[at->second];
+            if (dot(apart, apart) < kSame * kSame) return at->second;
+          }
+        }
+    cells_.emplace(own, std::uint32_t(found_.size()));
+    found_.push_back(w);
+    return std::uint32_t(found_.size() - 1);
+  }
+
+  std::map<std::pair<double, double>, std::uint32_t> exact_;
+  std::multimap<Cell, std::uint32_t> cells_;
+  std::vector<Vec3<double>> found_;
+};
+
+void number_incidences(const io::SampleTable& table, FitData& data) {
+  Incidences incidences;
+  for (const std::uint32_t k : data.row)
+    data.incidence.push_back(data.grouped ? std::uint32_t(table.theta_i[k])
+                                          : incidences.number(table.theta_i[k], table.phi_i[k]));
 }
 
 }  // namespace

@@ -47,6 +47,14 @@ std::string largest_parts(const Combined& c) {
   return io::joined(texts);
 }
 
+// Returns ", the rows of each of 5 lights share an error" if a source states this.
+std::string lights_in_words(const RowBudget& rows) {
+  const auto of_light = [](const io::BudgetSource& s) { return s.shared_by == io::SharedBy::light; };
+  if (std::ranges::none_of(rows.budget->sources, of_light)) return "";
+  return rows.lights == 1 ? ", all rows have one light"
+                          : ", the rows of each of " + std::to_string(rows.lights) + " lights share errors";
+}
+
 }  // namespace
 
 std::string uncertainty_text(const std::string& name, double value, const Combined& c) {
@@ -71,7 +79,7 @@ std::vector<std::string> budget_in_words(const FormFit& fit) {
   lines.push_back("budget of a row: combined relative standard uncertainty " +
                   io::short_number(all.median, 5) + " (median of " + io::plural(all.values, "value") + "; " +
                   io::short_number(all.least, 5) + " to " + io::short_number(all.largest, 5) + "), " +
-                  io::plural(rows.budget->sources.size(), "source"));
+                  io::plural(rows.budget->sources.size(), "source") + lights_in_words(rows));
   if (rows.beyond_first_order > 0)
     lines.push_back("the budget is of first order: for " + io::plural(rows.beyond_first_order, "value") +
                     " the curvature of f over an angle's error adds more than a tenth, so that their "

@@ -238,7 +238,8 @@ std::string next_step(const FitResult& result) {
     if (condition == Condition::few_lights || condition == Condition::interpolates)
       return "measure more angles of incidence, so that the held-out error tests predictions";
     if (condition == Condition::scatter_unknown)
-      return "repeat some measurements, so that the measurement noise is known";
+      return best.lack_of_fit.judged() ? "rotate the sample, so that isotropy is tested"
+                                       : "repeat some measurements, so that the measurement noise is known";
     if (condition == Condition::roughly)
       return result.ranking.size() == 1 ? "try other forms with --form all"
                                         : "try a sum of forms with --form auto";

@@ -194,13 +194,19 @@ std::vector<std::string> sheet_in_words(const FitResult& result) {
 
 std::string scatter_text(const FitResult& result) {
   if (!result.noise_floor)
-    return "measurement noise: not known (rows are too few, too far apart or too smooth)";
-  const sheet::Scatter& scatter = result.sheet.scatter;
-  const sheet::Agreement* const largest = scatter.largest(scatter.is_isotropic);
+    return "measurement noise: not known (" +
+           (result.refuted_noise.empty() ? "rows are too few, too far apart or too smooth"
+                                         : result.refuted_noise) +
+           ")";
+  const auto rows =
+      std::ranges::find(result.sheet.scatter.agreements, *result.noise_floor, &sheet::Agreement::value);
   std::string text =
-      largest && *result.noise_floor == largest->value
+      rows != result.sheet.scatter.agreements.end()
           ? "measurement noise: " + io::percent(*result.noise_floor) + ", estimated from " +
-                std::string(largest->rows) + " rows"
+                std::string(rows->rows) + " rows" +
+                (rows->needs_isotropy && result.sheet.scatter.isotropy == sheet::Isotropy::unknown
+                     ? " as if the sample were isotropic"
+                     : "")
           : "measurement noise: " + io::percent(*result.noise_floor) + ", scatter about a smooth surface";
   if (result.channels.size() == 1 || result.channels.size() > kListedChannels) return text;
   std::string channels;

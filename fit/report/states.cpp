@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fit/assess/lack_of_fit.h"
 #include "fit/assess/reported.h"
 #include "fit/report/plain_words.h"
 #include "fit/report/report.h"
@@ -47,6 +48,12 @@ std::string share_of(double error) {
   return error < kRoundingError ? "1e-9 %" : io::percent(error, 2);
 }
 
+// Returns whether the residuals are noise only if all that differs between symmetric rows is noise.
+bool exceeds_least(const FormFit& f) {
+  const double residual = f.lack_of_fit.residual_over_scatter.value_or(0) * f.about.scatter.value_or(0);
+  return residual > kBeyond * f.about.least_scatter.value_or(0);
+}
+
 Condition headline_of(const FormFit& f) {
   switch (f.verdict) {
     case Verdict::interrupted:
@@ -64,7 +71,7 @@ Condition headline_of(const FormFit& f) {
   }
   if (f.lack_of_fit.exact) return Condition::exact;
   if (f.lack_of_fit.beyond_scatter) return Condition::roughly;
-  if (!f.lack_of_fit.judged()) return Condition::scatter_unknown;
+  if (!f.lack_of_fit.judged() || exceeds_least(f)) return Condition::scatter_unknown;
   return f.about.interpolated ? Condition::interpolated : Condition::describes;
 }
 
@@ -154,8 +161,10 @@ std::string verdict_sentence(const FormFit& f) {
             beyond_in_words(f);
       break;
     case Condition::scatter_unknown:
-      how = f.form + " has a median error (fitted) of " + error +
-            "; lack of fit cannot be judged, because the measurement noise is not known";
+      how = f.form + " has a median error (fitted) of " + error + "; lack of fit cannot be judged, because " +
+            (f.lack_of_fit.judged() ? "symmetric rows differ" + scatter_in_words(f) +
+                                          ", by noise or because the sample is not isotropic"
+                                    : std::string("the measurement noise is not known"));
       break;
     case Condition::interpolated:
       how = f.form + " has a median error (fitted) of " + error +

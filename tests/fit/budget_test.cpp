@@ -115,6 +115,29 @@ TEST(Budget, AnErrorOfEachLightIsDividedByTheirNumber) {
               0.5 * 0.01 * 0.01);
 }
 
+// An encoder writes the angle of one light with jitter, its azimuth as -180 or 180, and any azimuth at the
+// normal. These rows still share the error of the light.
+TEST(Budget, ALightIsOneLightWithinTheJitterOfItsAngles) {
+  Instrument instrument{.scale = 0.01, .zero_i = 0, .zero_o = 0, .noise = 0};
+  const io::SampleTable table = read_by({}, matt(0.5));
+  auto budget = *budget_of(instrument);
+  budget.sources[0].shared_by = io::SharedBy::light;
+  FitOptions options{.metric = Metric::log_relative};
+  options.budget = std::make_shared<const io::Budget>(budget);
+  io::SampleTable written = table;
+  for (std::size_t k = 0; k < written.rows(); ++k) {
+    written.theta_i[k] += 0.003 * std::sin(double(k));
+    if (k % 2) written.phi_i[k] -= 360;
+    if (table.theta_i[k] == 0) written.theta_i[k] = 0, written.phi_i[k] = double(k % 90);
+  }
+  const auto of_lights = [&](const io::SampleTable& t) {
+    const FormFit f = fit(t, {{*find_form("lambert")}}, options).ranking.front();
+    EXPECT_EQ(f.budget.value().lights, std::set(table.theta_i.begin(), table.theta_i.end()).size());
+    return part(estimate(f, "rho").budget.value(), "reference_standard");
+  };
+  EXPECT_NEAR(of_lights(written), of_lights(table), 1e-6);
+}
+
 // The budget's own repeatability is far below the scatter of these rows, so that the scatter counts.
 TEST(Budget, TheScatterOfTheRowsCountsIfItIsLarger) {
   const Instrument stated{.scale = 0.01, .zero_i = 0, .zero_o = 0, .noise = 1e-5};

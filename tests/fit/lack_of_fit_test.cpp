@@ -10,7 +10,10 @@
 #include "fit/model/model.h"
 #include "fit/report/html.h"
 #include "fit/report/report.h"
+#include "fit/report/states.h"
+#include "fit/samples.h"
 #include "fit/solve/minima.h"
+#include "io/samples/noise.h"
 #include "samples.h"
 
 namespace brdf::fit {
@@ -98,6 +101,42 @@ TEST(LackOfFit, OfTheRightFormIsNoneBeyondTheScatter) {
     EXPECT_GT(*f.lack_of_fit.residual_over_scatter, 0.6);
     EXPECT_LT(*f.lack_of_fit.residual_over_scatter, 1.3);
   }
+}
+
+// Differences between mirrored rows of an anisotropic sample are no noise that excuses residuals.
+TEST(LackOfFit, OfAnIsotropicFormIsNotExcusedByAnisotropy) {
+  Material m = make_material(*find_form("ward"), {"f"});
+  m.terms[0].weights[0] = {0.05, 0.2};
+  m.terms[0].shape[0] = {0.25, 0.7};
+  m.terms[0].tangent_phi = degrees(40);
+  Samples samples;
+  samples.table = measured(m, {"hemisphere"}, 0.01, 3, 5);
+  samples.sheet = sheet::data_sheet(samples.table);
+  const FormFit f = fit(samples, {forms({"ward"})}, {}).ranking.front();
+  EXPECT_GT(f.median_relative_error, 0.1);
+  EXPECT_FALSE(std::ranges::count(conditions_of(f), Condition::describes)) << verdict_sentence(f);
+  EXPECT_NEAR(f.about.least_scatter.value_or(0), 0.01, 0.004);
+}
+
+// Rows 18 degrees apart show the shape of a narrow lobe as scatter; the residuals of the right form show that
+// it is no noise, so nothing is consistent with it.
+TEST(LackOfFit, ResidualsRefuteANoiseThatIsTheShapeOfALobe) {
+  Material m = make_material(*find_form("ward"), {"f"});
+  m.terms[0].weights[0] = {0.5, 0.3};
+  m.terms[0].shape[0] = {0.1, 0.1};
+  synth::Instrument instrument;
+  instrument.grid.parts = {"in_plane"};
+  instrument.grid.theta_i = {10, 30, 50, 70};
+  instrument.grid.step = 18;
+  instrument.noise = 0.01;
+  const io::SampleTable table = synth::measure(m, instrument);
+  const std::optional<double> alleged = io::relative_noise(table).value;
+  ASSERT_GT(alleged.value_or(0), 0.1);
+  const FitResult result = fit(table, {forms({"ward"}), forms({"lambert"})}, {});
+  EXPECT_EQ(result.noise_floor, std::nullopt);
+  EXPECT_THAT(result.refuted_noise, testing::HasSubstr("the residuals of ward"));
+  EXPECT_EQ(result.ranking.front().form, "ward");
+  EXPECT_FALSE(result.ranking.front().lack_of_fit.judged());
 }
 
 // Multiplies the values by `factor` if theta_h and theta_d lie between these angles, in degrees.

@@ -22,7 +22,7 @@ FitResult good() {
   f.median_relative_error = 0.02;
   f.lack_of_fit = {};
   f.lack_of_fit.residual_over_scatter = 0.9;
-  f.about.scatter = 0.032;
+  f.about.scatter = f.about.least_scatter = 0.032;
   f.about.hidden_width.reset();
   return result;
 }
@@ -55,6 +55,13 @@ std::vector<Row> rows() {
        "lambert has a median error (fitted) of 2 %; lack of fit cannot be judged, because the measurement "
        "noise is "
        "not known."},
+      {"scatter_unknown, symmetric rows differ", [](FormFit& f) { f.about.least_scatter = 0.01; },
+       Mark::unknown, true,
+       "lambert has a median error (fitted) of 2 %; lack of fit cannot be judged, because symmetric rows "
+       "differ "
+       "(3.2 %), by noise or because the sample is not isotropic."},
+      {"describes by the least noise", [](FormFit& f) { f.about.least_scatter = 0.023; }, Mark::good, true,
+       "consistent with the measurement noise (3.2 %)"},
       {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
        "was estimated on an interpolated grid"},
       {"misfit, scatter unknown",

@@ -2,6 +2,7 @@
 // no other.
 #include "sheet/data_sheet.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -358,6 +359,55 @@ TEST(DataSheet, SaysWhatTheTableDoesNotAllow) {
 std::string measured_file(const char* name) {
   const char* folder = std::getenv("BRDF_DATA_DIR");
   return folder ? std::string(folder) + "/measured/" + name : "";
+}
+
+// Asymmetry is noise only of a sample that is known to be isotropic.
+TEST(DataSheet, SymmetricRowsGiveNoiseOnlyIfTheSampleIsIsotropic) {
+  Scatter s;
+  s.neighbours.value = 0.01;
+  s.agreements = {{"mirrored", 0.3, 100, true}};
+  EXPECT_EQ(s.value(), 0.3);
+  EXPECT_EQ(s.least(), 0.01);
+  s.isotropy = Isotropy::seen;
+  EXPECT_EQ(s.least(), 0.3);
+  EXPECT_EQ(s.value(false), 0.01);
+  s.isotropy = Isotropy::refuted;
+  EXPECT_EQ(s.value(), 0.01);
+  s.isotropy = Isotropy::unknown;
+  s.neighbours.value.reset();
+  EXPECT_EQ(s.value(), 0.3);
+  EXPECT_EQ(s.least(), std::nullopt);
+  s.agreements[0].value = 0.1;
+  EXPECT_EQ(s.least(), 0.1);
+}
+
+// Mirrored rows far below the neighbours' noise show that this noise is the shape of a lobe.
+TEST(DataSheet, SymmetricRowsRefuteTheNoiseOfNeighbours) {
+  Scatter s;
+  s.neighbours.value = 0.2;
+  s.agreements = {{"mirrored", 0.01, 16, true}};
+  for (const Isotropy isotropy : {Isotropy::unknown, Isotropy::seen, Isotropy::refuted}) {
+    s.isotropy = isotropy;
+    EXPECT_EQ(s.value(), 0.01);
+    EXPECT_EQ(s.least(), 0.01);
+  }
+  s.agreements[0].value = 0.08;  // 16 pairs give a scale within 60 %
+  EXPECT_EQ(s.value(), 0.2);
+  s.agreements = {{"repeated", 0.01, 16, false}};  // repeated rows share what differs between directions
+  EXPECT_EQ(s.value(), 0.2);
+}
+
+TEST(DataSheet, OfAnAnisotropicSampleThatWasNotRotatedHasNoNoiseOfMirroredRows) {
+  Material m = make_material(*find_form("ward"), {"f"});
+  m.terms[0].weights[0] = {0.05, 0.2};
+  m.terms[0].shape[0] = {0.25, 0.7};
+  m.terms[0].tangent_phi = degrees(40);
+  const io::SampleTable t = measured(m, {.lights = {15, 45}, .azimuths = Grid::every(5, 355)}, 0.01);
+  const DataSheet sheet = data_sheet(t);
+  EXPECT_GT(sheet.scatter.value().value_or(0), 0.1);
+  EXPECT_NEAR(sheet.scatter.least().value_or(0), 0.01, 0.003);
+  EXPECT_THAT(finding(sheet, "noise_floor").statement,
+              HasSubstr("the sample is not isotropic, which no rotation tests"));
 }
 
 TEST(DataSheet, OfWhitePaperIsCleanWithItsNoiseFloor) {
