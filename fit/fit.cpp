@@ -98,6 +98,25 @@ std::string refutation(const std::vector<Solved>& all, const FitData& data, doub
   return {};
 }
 
+// Fits the models with the largest estimate of the noise that their residuals do not refute. Returns the part
+// of this noise that is known to be noise.
+std::optional<double> fit_with_noise(const Prepared& p, const std::vector<std::vector<Reflectance>>& models,
+                                     const FitOptions& options, const Progress& progress, Candidates& out) {
+  std::optional<double>& noise = out.about.noise_floor;
+  std::optional<double> least = p.least_scatter();
+  out.all = fit_models(p.data, models, options, noise, progress);
+  while (noise && !options.stop()) {
+    const std::string refuted = refutation(out.all, p.data, *noise);
+    if (refuted.empty()) break;
+    out.about.refuted_noise = refuted;
+    // The next lower estimate takes its place, if there is one.
+    noise = least && *least < *noise ? least : std::nullopt;
+    least = noise;
+    out.all = fit_models(p.data, models, options, noise, progress);
+  }
+  return least;
+}
+
 constexpr const char* kChooses = "--form auto: cannot be used with --bootstrap; name a form";
 
 }  // namespace
@@ -145,18 +164,7 @@ Candidates solve_candidates(const Prepared& p, const std::vector<std::vector<Ref
   result.outside_domain = data.outside_domain;
   result.channels = data.channels;
   result.groups = data.groups;
-  out.all = fit_models(data, models, options, result.noise_floor, progress);
-  std::optional<double> least = p.least_scatter();
-  while (result.noise_floor) {
-    const std::string refuted = refutation(out.all, data, *result.noise_floor);
-    if (refuted.empty()) break;
-    result.refuted_noise = refuted;
-    // The next lower estimate takes its place, if there is one.
-    const bool has_lower = least && *least < *result.noise_floor;
-    result.noise_floor = has_lower ? least : std::nullopt;
-    least = result.noise_floor;
-    out.all = fit_models(data, models, options, result.noise_floor, progress);
-  }
+  const std::optional<double> least = fit_with_noise(p, models, options, progress, out);
   const Context about{result.noise_floor,
                       least,
                       p.interpolated,

@@ -37,8 +37,8 @@ struct Scatter {
   std::optional<double> least(bool may_be_isotropic = true) const;
   // Returns the agreement that takes the place of the neighbours' noise; null if none does. It is the largest
   // one that exceeds this noise by more than the uncertainty that the number of pairs permits. Or it is the
-  // smallest one, if mirrored or reciprocal rows agree so much better that the neighbours' noise must hold the
-  // shape of a lobe: asymmetry only adds to their differences.
+  // smallest one, if mirrored or reciprocal rows agree so much better that the neighbours' noise must hold
+  // the shape of a lobe: asymmetry only adds to their differences.
   const Agreement* decisive(bool may_be_isotropic = true) const;
 };
 

@@ -292,7 +292,7 @@ struct FitResult {
   sheet::DataSheet sheet;  // of the samples as they were read; empty for a table that a program computed
   MetricChoice metric;     // the residual in use
   std::optional<double> noise_floor;  // relative, from the table itself (io/samples/noise.h)
-  std::string refuted_noise;          // why no noise is known although neighbours give one; empty otherwise
+  std::string refuted_noise;          // why a larger estimate of the noise does not count; otherwise empty
   std::vector<std::optional<double>> channel_noise;
   RowGroups groups;              // the groups that were held out together
   double left_out_rounding = 0;  // held-out values below this are rounding errors of 0

@@ -120,7 +120,7 @@ TEST(FirstScreen, UndecidedEnergyIsNamedWithItsRemedy) {
   FitResult result = fit(table, {forms({"ward"})}, {});
   FormFit& best = result.ranking.front();
   best.about = {};
-  best.about.scatter = 0.02;
+  best.about.scatter = best.about.least_scatter = 0.02;
   best.lack_of_fit = {};
   best.lack_of_fit.residual_over_scatter = 1;
   EXPECT_EQ(next_step(result), "");

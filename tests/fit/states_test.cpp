@@ -60,8 +60,6 @@ std::vector<Row> rows() {
        "lambert has a median error (fitted) of 2 %; lack of fit cannot be judged, because symmetric rows "
        "differ "
        "(3.2 %), by noise or because the sample is not isotropic."},
-      {"describes by the least noise", [](FormFit& f) { f.about.least_scatter = 0.023; }, Mark::good, true,
-       "consistent with the measurement noise (3.2 %)"},
       {"interpolated", [](FormFit& f) { f.about.interpolated = true; }, Mark::unknown, true,
        "was estimated on an interpolated grid"},
       {"misfit, scatter unknown",

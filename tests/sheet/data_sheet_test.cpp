@@ -407,7 +407,7 @@ TEST(DataSheet, OfAnAnisotropicSampleThatWasNotRotatedHasNoNoiseOfMirroredRows) 
   EXPECT_GT(sheet.scatter.value().value_or(0), 0.1);
   EXPECT_NEAR(sheet.scatter.least().value_or(0), 0.01, 0.003);
   EXPECT_THAT(finding(sheet, "noise_floor").statement,
-              HasSubstr("the sample is not isotropic, which no rotation tests"));
+              testing::HasSubstr("the sample is not isotropic, which no rotation tests"));
 }
 
 TEST(DataSheet, OfWhitePaperIsCleanWithItsNoiseFloor) {
