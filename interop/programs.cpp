@@ -213,7 +213,7 @@ std::string as_command(const Term& term, Angle tangent) {
   };
   for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
   for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
-  if (tangent != Angle{})
+  if (tangent != Angle{} && form.anisotropic())  // no other form has this parameter
     text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
             io::to_text(std::remainder(tangent.degrees(), 360));
   return text;
