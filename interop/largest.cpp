@@ -94,4 +94,24 @@ Largest Comparison::largest_of(const Material& carried) const {
   return best;
 }
 
+Largest Comparison::largest_beyond(const Material& carried) const {
+  constexpr std::array kSteep{81., 83., 85., 87., 88., 89., 89.5, 89.9, 89.99};  // degrees
+  constexpr std::array kOthers{0., 30., 60., 80.};
+  Difference difference(wanted_, carried);
+  Largest best;
+  best.difference = -1;
+  const auto look = [&](double theta_i, double theta_o) {
+    for (double phi_i = 0; phi_i <= (may_turn(wanted_) ? 90 : 0); phi_i += 22.5)
+      for (double phi = 0; phi < 360; phi += 22.5) {
+        const Largest here = difference.at(theta_i, phi_i, theta_o, phi_i + phi);
+        if (here.difference > best.difference) best = here;
+      }
+  };
+  for (const double steep : kSteep) {
+    for (const double other : kOthers) look(steep, other), look(other, steep);
+    for (const double other : kSteep) look(steep, other);
+  }
+  return best;
+}
+
 }  // namespace brdf::interop

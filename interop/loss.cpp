@@ -91,6 +91,8 @@ Loss Comparison::loss_of(const Material& carried) const {
   Loss loss;
   add_pairs(carried, loss);
   loss.largest = largest_of(carried);
+  loss.pairs = net_.view().count;
+  if (loss.none_found()) loss.beyond = largest_beyond(carried);
   add_albedos(carried, loss);
   return loss;
 }
@@ -101,6 +103,8 @@ std::optional<Loss> Comparison::better_loss_of(const Material& carried, const Lo
   add_pairs(carried, loss);
   if (!(loss.rms < best.rms) || !no_more(loss.median, copy.median)) return std::nullopt;
   loss.largest = largest_of(carried);
+  loss.pairs = net_.view().count;
+  if (loss.none_found()) loss.beyond = largest_beyond(carried);
   if (!no_more(loss.largest.difference, copy.largest.difference)) return std::nullopt;
   add_albedos(carried, loss);
   if (!is_better(loss, copy)) return std::nullopt;
@@ -118,6 +122,25 @@ bool is_better(const Loss& one, const Loss& other) {
          one.albedo <= other.albedo + kAlbedoOpen;
 }
 
+namespace {
+
+std::string place_of(const Largest& l) {
+  const auto number = [](double x) { return io::short_number(x, 4); };
+  return "theta_i " + number(l.theta_i) + ", theta_o " + number(l.theta_o) + ", phi " + number(l.phi()) +
+         ", " + l.channel;
+}
+
+}  // namespace
+
+std::string none_found_in_words(const Loss& loss) {
+  const std::string found = "no difference above 1e-9 at " + io::plural(loss.pairs, "pair") +
+                            " of directions up to 80 degrees from the normal";
+  if (!loss.beyond) return found;
+  if (loss.beyond->difference < Loss::kNone) return found + ", nor at some up to 89.99 degrees";
+  return found + "; beyond, at least " + io::percent(loss.beyond->difference) + " (" +
+         place_of(*loss.beyond) + ")";
+}
+
 std::string in_words(const Loss& loss) {
   const auto number = [](double x) { return io::short_number(x, 3); };
   const Largest& l = loss.largest;
@@ -129,20 +152,22 @@ std::string in_words(const Loss& loss) {
 
 io::Json to_json(const Loss& loss) {
   const Largest& l = loss.largest;
-  return {{"rms", loss.rms},
-          {"median", loss.median},
-          {"largest", l.difference},
-          {"largest_is", "at least"},
-          {"theta_i", l.theta_i},
-          {"phi_i", l.phi_i},
-          {"theta_o", l.theta_o},
-          {"phi_o", l.phi_o},
-          {"phi", l.phi()},
-          {"channel", l.channel},
-          {"wanted", l.wanted},
-          {"carried", l.carried},
-          {"albedo_difference", loss.albedo},
-          {"albedo_theta", loss.albedo_theta}};
+  io::Json json{{"rms", loss.rms},
+                {"median", loss.median},
+                {"largest", l.difference},
+                {"largest_is", "at least"},
+                {"theta_i", l.theta_i},
+                {"phi_i", l.phi_i},
+                {"theta_o", l.theta_o},
+                {"phi_o", l.phi_o},
+                {"phi", l.phi()},
+                {"channel", l.channel},
+                {"wanted", l.wanted},
+                {"carried", l.carried},
+                {"albedo_difference", loss.albedo},
+                {"albedo_theta", loss.albedo_theta}};
+  if (loss.beyond) json["largest_beyond_80_degrees"] = loss.beyond->difference;
+  return json;
 }
 
 }  // namespace brdf::interop

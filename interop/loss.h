@@ -34,8 +34,14 @@ struct Loss {
   double median = 0;                    // median relative difference, over the same pairs
   Largest largest{};                    // found by a search
   double albedo = 0, albedo_theta = 0;  // largest difference of directional albedos, and its angle in degrees
+  std::size_t pairs = 0;                // pairs of directions from which the search for `largest` starts
+  // The largest difference at some directions from 80 to 89.99 degrees. It is looked at only if the search up
+  // to 80 degrees found nothing: other formulas of the same lobe differ near grazing.
+  std::optional<Largest> beyond{};
 
-  bool exact() const { return largest.difference < 1e-9; }
+  // Returns whether the search found no difference. This is no proof that the formulas are the same.
+  bool none_found() const { return largest.difference < kNone; }
+  static constexpr double kNone = 1e-9;
 };
 
 // Returns the BRDF values of every channel at these directions, indexed [channel][row].
@@ -69,6 +75,8 @@ class Comparison {
   // steps of 4 degrees up to 80 degrees, azimuths dense near the mirror direction, and the lobes sampled at
   // their own widths. For anisotropic materials the net has incidence along, across and between the axes.
   Largest largest_of(const Material& carried) const;
+  // Returns the largest difference at directions of which one is 80 to 89.99 degrees from the normal.
+  Largest largest_beyond(const Material& carried) const;
 
   Material wanted_;
   AlbedoOptions albedo_options_;
@@ -85,6 +93,11 @@ bool is_nearer(const Loss& one, const Loss& other);
 // Compares a refit with the copied parameters: returns true if the rms is lower and no other stated figure
 // is worse.
 bool is_better(const Loss& one, const Loss& other);
+
+// Returns the sentence on a loss for which none_found() holds: "no difference above 1e-9 at 5000 pairs of
+// directions up to 80 degrees from the normal, nor at some up to 89.99 degrees", or with the largest
+// difference beyond 80 degrees.
+std::string none_found_in_words(const Loss& loss);
 
 // Returns the loss as text: "largest at least 2.1 % (theta_i 80, theta_o 76, phi 180, r), median 0.03 %,
 // albedo within 0.002 (at 75), rms 0.0012".

@@ -115,6 +115,7 @@ struct Attempt {
         made.not_held.push_back(std::move(sentence));
     }
     made.loss = whole.loss_of(made.carried);
+    made.is_same = made.carried == whole.wanted();
     made.copied = copied ? *copied : made.loss;
     made.target = std::string(info(rules.target).name);
     made.header = header_of(made);
@@ -137,7 +138,7 @@ struct Attempt {
       } catch (const InputError& error) {
         refused.push_back({std::string(info(rules.target).name), error.what()});
       }
-      if (best && best->exact()) break;
+      if (best && best->loss.none_found()) break;
     }
     return best;
   }
@@ -179,7 +180,7 @@ struct Attempt {
                                       : "the same values in brdf") +
           (made.words.size() > 1 ? ", term " + std::to_string(k + 1) + " of a sum of " + count : "") +
           ": brdf eval " + made.words[k]);
-    if (!made.exact()) header.push_back(worst_place(made));
+    if (!made.loss.none_found()) header.push_back(worst_place(made));
     header.insert(header.end(), program.conventions.begin(), program.conventions.end());
     return header;
   }
@@ -213,14 +214,15 @@ std::string as_command(const Term& term, Angle tangent) {
   };
   for (std::size_t k = 0; k < form.weights.size(); ++k) add(form.weights[k], k, term.weights);
   for (std::size_t k = 0; k < form.shape.size(); ++k) add(form.shape[k], k, term.shape);
-  if (tangent != Angle{})
+  if (tangent != Angle{} && form.anisotropic())  // no other form has this parameter
     text += " --set " + std::string(fit::kTangentInfo.name) + "=" +
             io::to_text(std::remainder(tangent.degrees(), 360));
   return text;
 }
 
 std::string in_words(const Exported& made) {
-  if (made.exact()) return "exact";
+  if (made.is_same) return "exact";
+  if (made.loss.none_found()) return none_found_in_words(made.loss);
   if (!made.refitted) return "copied: " + in_words(made.loss);
   const std::string words = "refitted: " + in_words(made.loss);
   // If the program cannot hold the copied parameters, they have no loss of their own.
@@ -367,7 +369,7 @@ Exported export_to(const Program& program, const Material& material, const std::
   const std::vector<Wanted> parts = wanted(material, limits_of(program));
   Attempt attempt{program, parts, Comparison(sum_of(parts)), name};
   std::optional<Exported> copy = attempt.best(true);
-  if (copy && (naive || copy->exact())) return std::move(*copy);
+  if (copy && (naive || copy->loss.none_found())) return std::move(*copy);
   if (copy) attempt.copied = copy->loss;
   std::optional<Exported> best = naive ? std::nullopt : attempt.best(false);
   if (best && copy && !is_better(best->loss, copy->loss)) best.reset();

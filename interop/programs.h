@@ -74,10 +74,13 @@ struct Exported {
   std::vector<std::string> not_held{};  // properties that the target cannot hold, a sentence each
   std::vector<Refusal> refused{};       // the other targets of the program that were refused
 
-  bool exact() const { return loss.exact(); }
+  // True if the program computes the form of the material itself, with the same parameters. Only this is
+  // called exact: a search that finds no difference proves nothing about the directions between its own.
+  bool is_same = false;
 };
 
-// Returns "exact", or "refitted: largest ...; copied parameters: largest ...".
+// Returns "exact", "no difference above 1e-9 at ...", or "refitted: largest ...; copied parameters: largest
+// ...".
 std::string in_words(const Exported& made);
 
 // Writes the material as text for this program. Throws Refused if the program cannot carry the material.

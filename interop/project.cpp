@@ -122,7 +122,7 @@ Projection project(const Wanted& wanted, const TargetRules& rules, bool naive) {
   if (naive) return out;
   const Comparison comparison(wanted.material);
   const Loss of_copy = comparison.loss_of(shown_by(rules, out.material));
-  if (of_copy.exact() && !exceeds(out.material.terms[0], rules)) return out;
+  if (of_copy.none_found() && !exceeds(out.material.terms[0], rules)) return out;
   const io::SampleTable table = values_about(wanted.material, Pairs::fitted);
   Refit refit(comparison, rules, table, out.material, of_copy);
   fit::FitOptions options = options_for(wanted, rules, out.material.terms[0]);

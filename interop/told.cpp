@@ -3,9 +3,10 @@
 namespace brdf::interop {
 
 io::Json to_json(const Program& program, const Exported& made) {
-  io::Json json{{"kind", made.exact()    ? "exact"
-                         : made.refitted ? "refitted"
-                                         : "copied"},
+  io::Json json{{"kind", made.is_same             ? "exact"
+                         : made.loss.none_found() ? "no_difference"
+                         : made.refitted          ? "refitted"
+                                                  : "copied"},
                 {"target", made.target},
                 {"program", program.title},
                 {"checked", program.run_here ? "run" : "formula"},

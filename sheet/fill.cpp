@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 
 #include "io/files/numbers.h"
 #include "sheet/checks.h"
@@ -11,6 +13,7 @@ namespace brdf::sheet {
 namespace {
 
 constexpr std::size_t kFewestFilled = 3;  // the fewest rows that hold a fill value
+constexpr double kFar = 10;               // such a number is so much larger than all values
 
 // Returns the candidates for a fill value: 0, the least and the largest value, and frequent values.
 std::vector<double> candidates(const std::vector<double>& values) {
@@ -108,20 +111,63 @@ class Surroundings {
   std::vector<double> all_;  // around the rows examined
 };
 
+// Returns whether programs write this number for a missing measurement: three or more nines (9.99, 999,
+// 99999) or a power of ten from 1e6 on (1e20). The last digits of a converted number are not compared.
+bool is_written_for_nothing(double value) {
+  constexpr double kLeastPower = 1e6;
+  constexpr std::ptrdiff_t kFewestNines = 3;
+  const double ten = std::log10(value);
+  if (value >= kLeastPower && std::abs(ten - std::round(ten)) < 1e-9) return true;
+  const std::string text = io::short_number(value, 9), digits = text.substr(0, text.find('e'));
+  return digits.find_first_not_of("9.") == digits.npos && std::ranges::count(digits, '9') >= kFewestNines;
+}
+
+std::vector<Row> rows_of(const std::vector<double>& values, double value) {
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k] == value) rows.push_back(Row(k));
+  return rows;
+}
+
+// Returns whether the value is such a number, as f_r or before a division by pi or 100 pi.
+bool may_be_mark(double value) {
+  return is_written_for_nothing(value) || is_written_for_nothing(kPi * value) ||
+         is_written_for_nothing(100 * kPi * value);
+}
+
+// Returns whether a positive value is a mark and no measurement: such a number, far above all others.
+bool is_mark(const std::vector<double>& values, double value) {
+  return value > 0 && may_be_mark(value) && std::ranges::none_of(values, [&](double v) {
+           return v != value && kFar * v > value && !may_be_mark(v);
+         });
+}
+
+// Returns the marks that several rows hold, by rising value.
+std::set<double> marks_of(const std::vector<double>& values) {
+  const double least = kFar * io::median(values);  // few values are looked at
+  std::set<double> once, often;
+  for (const double v : values)
+    if (v > least && may_be_mark(v) && !once.insert(v).second) often.insert(v);
+  std::erase_if(often, [&](double v) { return !is_mark(values, v); });
+  return often;
+}
+
 }  // namespace
 
 std::vector<FillValue> fill_values(const View& view) {
   const io::SampleTable& t = view.table();
   std::vector<FillValue> found;
-  if (view.scans().empty() || t.rows() == 0) return found;
+  if (t.rows() == 0) return found;
   for (std::size_t c = 0; c < t.channels.size(); ++c) {
     const std::vector<double>& values = t.values[c];
     const double digits = resolution(values);
+    const std::set<double> marks = marks_of(values);
+    for (const double mark : marks) found.push_back({c, mark, rows_of(values, mark)});
     for (const double value : candidates(values)) {
-      std::vector<Row> rows;
-      for (std::size_t k = 0; k < values.size(); ++k)
-        if (values[k] == value) rows.push_back(Row(k));
-      if (rows.size() < kFewestFilled || 10 * rows.size() > 9 * values.size()) continue;
+      if (marks.contains(value)) continue;
+      std::vector<Row> rows = rows_of(values, value);
+      if (view.scans().empty() || rows.size() < kFewestFilled || 10 * rows.size() > 9 * values.size())
+        continue;
       if (value > 0 && (!is_alone(values, value) || are_one_feature(view, rows))) continue;
       Surroundings around(view, values, digits, value);
       for (const Row k : rows) around.look_at(k);
@@ -135,7 +181,7 @@ Finding fill(const Evidence& e) {
   const View& view = e.all;
   const std::vector<FillValue>& found = e.fill;
   const io::SampleTable& t = view.table();
-  if (view.scans().empty())
+  if (view.scans().empty() && found.empty())
     return not_applicable(t.source, "fill",
                           "the directions are irregular: no row has neighbours at its incidence");
   std::map<Row, double> rows;

@@ -16,6 +16,7 @@
 
 #include "io/files/numbers.h"
 #include "sheet/checks.h"
+#include "sheet/isolated.h"
 
 namespace brdf::sheet {
 namespace {
@@ -195,6 +196,9 @@ class Witnesses {
     floor_ = std::max(floor_, kDark * io::median(values));
   }
 
+  // Returns the rows that agree with each other only.
+  std::vector<Row> isolated() const { return isolated_rows(view_, values_, half_.near, floor_); }
+
   std::optional<double> contradiction(Row k, const Surface& around) const {
     const double v = values_[k];
     const Say half = say(values_, half_.near[k], 6);
@@ -361,6 +365,24 @@ bool has_neighbours(const View& view) {
   return false;
 }
 
+// Makes the finding undecided if some rows agree with each other only.
+void doubt_isolated(const View& view, const std::vector<Witnesses>& witnesses, double max_theta, Finding& f) {
+  std::vector<Row> rows;
+  for (std::size_t c = 0; c < witnesses.size(); ++c)
+    for (const Row k : witnesses[c].isolated()) {
+      if (view.table().is_beyond(k, max_theta)) continue;
+      f.rows.push_back(named_row(view, k, c));
+      if (std::ranges::find(rows, k) == rows.end()) rows.push_back(k);
+    }
+  if (rows.empty()) return;
+  f.outcome = Outcome::undecided;
+  f.value = double(rows.size());
+  f.statement = plural(rows.size(), "row") +
+                " agree with each other only, and differ from all rows around them by more than a factor of "
+                "five: a narrow feature of the sample, or a fault of the measurement: " +
+                places(view, rows);
+}
+
 }  // namespace
 
 Finding outliers(const Evidence& e) {
@@ -386,7 +408,9 @@ Finding outliers(const Evidence& e) {
         found.back().expected = *expected;
       }
   }
-  return outliers_of(view, std::move(found), e.max_theta);
+  Finding f = outliers_of(view, std::move(found), e.max_theta);
+  if (f.outcome == Outcome::pass) doubt_isolated(view, witnesses, e.max_theta, f);
+  return f;
 }
 
 }  // namespace brdf::sheet

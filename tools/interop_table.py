@@ -46,13 +46,13 @@ FORMS = {
 
 
 def cell(brdf, words, program, scratch):
-    """Returns 'exact', 'refitted (copied)' as rms, or '-'; and whether the refit is not worse."""
+    """Returns '<1e-9', 'refitted (copied)' as rms, or '-'; and whether the refit is not worse."""
     run = subprocess.run([brdf, "export", *words.split(), "--to", program, "-o", scratch], text=True, capture_output=True)
     said = run.stderr.strip()
     if run.returncode == 2:
         return "-", True
-    if said.endswith(": exact"):
-        return "exact", True
+    if said.endswith(": exact") or ": no difference above 1e-9" in said:
+        return "<1e-9", True
     rms = [float(x) for x in re.findall(r"rms ([0-9.e-]+)", said)]
     assert rms, said
     if len(rms) == 2:
@@ -103,7 +103,7 @@ def losses(brdf, programs, scratch):
 
 
 def forms(brdf, programs, scratch):
-    """Returns for every form at its defaults: exact, the rms of the loss, table (only as an RGL file) or - (no export)."""
+    """Returns for every form at its defaults: <1e-9 (no difference was found), the rms of the loss, table (only as an RGL file) or - (no export)."""
     def run(*words):
         return subprocess.run([brdf, *words, "-o", scratch], text=True, capture_output=True)
 

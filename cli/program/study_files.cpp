@@ -70,6 +70,12 @@ std::string command_for(const std::vector<study::Row>& rows, bool is_readable) {
   return view_command(material.string(), is_readable ? rows[0].file : "");
 }
 
+// Returns whether this run wrote or kept the page. A page of an earlier study of one sample does not count.
+bool has_page(const std::vector<study::Row>& rows, const std::filesystem::path& page) {
+  const bool is_of_one = rows.size() == 1 && rows[0].folder / study::kPage == page;
+  return std::filesystem::exists(page) && !(is_of_one && rows[0].fault != study::Fault::none);
+}
+
 void print_json(const std::vector<study::Row>& rows) {
   io::Json out = io::to_json(io::provenance());
   out["results"] = io::Json::array();
@@ -98,12 +104,12 @@ Exit study_files(const std::vector<std::string>& samples, study::StudyOptions op
   for (std::size_t k = printed; k < rows.size(); ++k) options.finished(rows[k], k, rows.size());
   if (const auto left = std::ranges::count_if(rows, was_left); left > 0)
     Warning() << "brdf study: interrupted: " << left << " of " << rows.size() << " not processed";
-  if (json)
-    print_json(rows);
-  else
-    PlainText() << io::printable((options.folder / study::kPage).string()) << '\n';
-  if (const auto page = options.folder / study::kPage; !json && std::filesystem::exists(page))
+  if (json) print_json(rows);
+  // An interrupted study of one sample, and a full disk, leave no page.
+  if (const auto page = options.folder / study::kPage; !json && has_page(rows, page)) {
+    PlainText() << io::printable(page.string()) << '\n';
     print_next_step({open_page(page.string()), command_for(rows, is_readable)});
+  }
   const auto has = [&](study::Fault fault) {
     return std::ranges::any_of(rows, [&](const study::Row& row) { return row.fault == fault; });
   };

@@ -36,8 +36,9 @@ std::span<const std::size_t> first_of(const std::vector<std::size_t>& order, std
   return {order.data(), std::min(count, order.size())};
 }
 
-// Returns the number of rows after which no number of further rows lowers the error by kLeastGain for each
-// row. `errors`: after each number of rows. Returns std::nullopt if there is no such number.
+// Returns the number of rows after which no number of further rows lowers the error by kLeastGain per row on
+// average: a single row may lower it by more. `errors`: after each number of rows. Returns std::nullopt if
+// there is no such number.
 std::optional<std::size_t> worthwhile_rows(const std::vector<double>& errors) {
   for (std::size_t n = 0; n + 1 < errors.size(); ++n) {
     bool pays = false;

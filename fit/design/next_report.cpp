@@ -131,14 +131,14 @@ std::string end_words(const NextDirections& n) {
                       : ratio + " is not expected within " + io::plural(n.examined, "row");
   }
   if (!n.worthwhile && n.is_exhausted())
-    return "no direction is left: all " + io::plural(n.examined, "row") +
-           " lower the expected error by 1 % or more for each row";
+    return "no direction is left: up to the last of " + io::plural(n.examined, "row") +
+           ", further rows lower the expected error by 1 % or more per row on average";
   if (!n.worthwhile)
-    return "the " + io::plural(n.examined, "row") +
-           " that were examined still lower the expected error by 1 % for each row";
+    return "up to the last of the " + io::plural(n.examined, "row") +
+           " that were examined, further rows lower the expected error by 1 % or more per row on average";
   return "after " + io::plural(*n.worthwhile, "row") +
-         ", further rows lower the expected error by less than 1 % each (" + io::plural(n.examined, "row") +
-         " examined)";
+         ", any number of further rows lowers the expected error by less than 1 % per row on average (" +
+         io::plural(n.examined, "row") + " examined)";
 }
 
 }  // namespace

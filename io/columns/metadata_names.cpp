@@ -21,9 +21,10 @@ constexpr std::string_view kYes[] = {
     "temperatur",  "uhrzeit",   "datum",    "averages",  "scans",       "unnamed",   "solid"};
 // A name that consists only of these words may hold no values.
 constexpr std::string_view kPerhaps[] = {
-    "point",   "number", "no",    "nr",  "num",   "run",         "sample", "spot", "position", "pos",
-    "x",       "y",      "z",     "row", "line",  "record",      "scan",   "step", "status",   "flag",
-    "quality", "name",   "label", "id",  "index", "measurement", "count",  "of",   "weight",   "stage"};
+    "point",  "number", "no",      "nr",   "num",   "run",    "sample", "spot",        "position",
+    "pos",    "x",      "y",       "z",    "row",   "line",   "record", "scan",        "step",
+    "status", "flag",   "quality", "name", "label", "id",     "index",  "measurement", "count",
+    "of",     "weight", "stage",   "n",    "reps",  "repeats"};
 
 // Returns the words of a name in small letters. Words are separated by characters other than letters, and
 // before a capital after a small letter.

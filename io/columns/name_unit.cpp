@@ -93,7 +93,8 @@ NameUnit parted(std::string_view text) {
   text = trimmed(text);
   NameUnit out{std::string(text), std::nullopt, ""};
   const auto whole = unit_named(text);
-  const bool has_sign = text.find_first_of("/^%") != text.npos || lower_case(text) == "db";
+  const bool has_sign =
+      text.find_first_of("/^%") != text.npos || lower_case(text) == "db" || (whole && whole->is_percent);
   if (whole && has_sign && !is_band_unit(*whole)) {
     out.unit = whole;
     out.unit_text = text;

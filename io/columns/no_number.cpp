@@ -57,4 +57,15 @@ std::string advice_on(std::string_view field) {
   return "";
 }
 
+bool is_summary_word(std::string_view field) {
+  constexpr std::array<std::string_view, 12> kWords{"mean", "average", "avg",     "total",
+                                                    "sum",  "median",  "stdev",   "std",
+                                                    "std.", "minimum", "maximum", "mittelwert"};
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (field.empty() || !is_letter(field.front())) return false;  // most cells are numbers
+  std::string word = lower_case(trimmed(field));
+  while (word.ends_with(':') || word.ends_with('.')) word.pop_back();
+  return std::ranges::find(kWords, word) != kWords.end();
+}
+
 }  // namespace brdf::io

@@ -10,4 +10,7 @@ namespace brdf::io {
 // nothing was measured". Empty if the field resembles no known case.
 std::string advice_on(std::string_view field);
 
+// Returns whether a cell marks a row that summarises others: mean, average, total, std, ..., in any case.
+bool is_summary_word(std::string_view field);
+
 }  // namespace brdf::io

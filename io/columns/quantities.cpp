@@ -5,6 +5,7 @@
 
 #include "brdf/scalar.h"
 #include "io/columns/quantity_words.h"
+#include "io/columns/unread_words.h"
 #include "io/columns/wavelengths.h"
 #include "io/files/text.h"
 
@@ -102,8 +103,8 @@ constexpr std::array kKinds{
         "relative values", "relative, without a scale", 1, 0, 0, Use::refused,
         "a calibration is missing; if the values are f_r times an unknown factor, write '# quantity: f_r' "
         "above the header row and fit with --free-scale",
-        "relative; normalised; arbitrary units; uncalibrated", "normalized; arb units; arb; arbitrary",
-        "a.u."}};
+        "relative; normalised; arbitrary units; uncalibrated",
+        "normalized; normed; norm; rel; arb units; arb; arbitrary", "a.u."}};
 
 static_assert(kKinds.size() == kKindCount);
 
@@ -119,6 +120,10 @@ std::span<const QuantityKind> quantity_kinds() {
 
 bool Quantity::is_f_r() const {
   return kind == &kKinds[0] && factor == 1 && scale == Scale::linear;
+}
+
+bool Quantity::is_other_fraction() const {
+  return kind == &of(Kind::percent) && factor != 0.01;
 }
 
 std::string Quantity::meaning() const {
@@ -212,6 +217,18 @@ std::string refusal_of(const QuantityKind& kind) {
 
 namespace {
 
+// Returns the position at which the wavelength at the end of a name begins.
+std::size_t begin_of_wavelength(const std::string& name) {
+  constexpr std::string_view kOfNumber = "0123456789.";
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const bool is_start = kOfNumber.find(name[k]) != kOfNumber.npos &&
+                          (k == 0 || kOfNumber.find(name[k - 1]) == kOfNumber.npos);
+    if (is_start && wavelength_of(name.substr(k))) begin = k;
+  }
+  return begin;
+}
+
 // Returns the channel's name that is left without the words of the quantity: "BRF_1" becomes fr_1, "BRF
 // 550" the band 550nm.
 std::string rest_as_name(const std::string& rest) {
@@ -240,6 +257,13 @@ NamedQuantity quantity_of_column(std::string_view name) {
     out.reason = words.reason;
     return out;
   }
+  const bool is_refused = words.kind && of(*words.kind).use == Use::refused;
+  if (const auto unread = is_refused ? std::nullopt : unread_part(words)) {
+    out.says = NamedQuantity::Says::contradicts;
+    out.reason = unread->reason;
+    out.is_derived = unread->is_derived;
+    return out;
+  }
   if (!words.kind) return out;
   out.says = NamedQuantity::Says::quantity;
   out.needs_a_line = words.is_doubtful;
@@ -249,14 +273,40 @@ NamedQuantity quantity_of_column(std::string_view name) {
   return out;
 }
 
+std::string channel_key(std::string_view name) {
+  const QuantityWords words = read_quantity_words(name);
+  std::string key = with_band_unit(words.kind ? words.rest : words.bare);
+  // A last "A" is an article in titles, and a sample in the name of a column.
+  if (key.empty() && !words.tokens.empty() && words.tokens.back().text == "a") key = "A";
+  // The wavelength is the shortest end of the name that is one; what is before it names the sample.
+  std::string band;
+  if (const auto nm = wavelength_of(key)) {
+    const std::size_t begin = begin_of_wavelength(key);
+    band = " " + to_text(*nm) + "nm";
+    key.resize(begin);
+  }
+  std::erase_if(key, [](char c) { return c == ' ' || c == '_' || c == '-'; });
+  return key + band;
+}
+
 std::optional<Quantity> quantity_named(std::string_view text) {
   const std::string lower = lower_case(trimmed(text));
   if (lower == "r") return Quantity{&of(Kind::reduced_luminance)};
   const QuantityWords words = read_quantity_words(text);
   const bool has_symbol = words.rest.size() == 1;  // a symbol: luminance coefficient q, reflectance factor R
-  if (!words.kind || words.fault != QuantityWords::Fault::none || !(is_filling(words.rest) || has_symbol))
+  if (!words.kind || words.fault != QuantityWords::Fault::none || !(is_filling(words.rest) || has_symbol) ||
+      unread_part(words))
     return std::nullopt;
   return Quantity{&of(*words.kind), words.factor, words.scale};
+}
+
+std::string unapplied_in_title(std::string_view title) {
+  constexpr std::size_t kLongestFormula = 6;  // tokens; a longer title is a sentence
+  const QuantityWords words = read_quantity_words(title);
+  if (!words.kind || words.tokens.size() > kLongestFormula) return "";
+  if (words.fault == QuantityWords::Fault::contradicts) return words.reason;
+  const auto unread = unread_part(words);
+  return unread ? unread->reason : "";
 }
 
 std::optional<Quantity> quantity_in_title(std::string_view title) {

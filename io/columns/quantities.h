@@ -40,6 +40,8 @@ struct Quantity {
   bool operator==(const Quantity&) const = default;
   // Returns whether the values are f_r itself, linear and without a factor.
   bool is_f_r() const;
+  // Returns whether the values are a fraction other than a percentage, of a quantity that is not stated.
+  bool is_other_fraction() const;
   // Returns the meaning in words: "a reflectance factor in percent".
   std::string meaning() const;
   // Returns the conversion to f_r in words: "divided by 100 pi".
@@ -66,9 +68,14 @@ struct NamedQuantity {
   std::string reason;         // for `contradicts`
   bool needs_a_line = false;  // f_r, named by a word that also has other meanings
   bool is_default = false;    // `fr`, `f_r`: a name that any values may have
+  bool is_derived = false;    // a number that accompanies values: fr_min, fr_dark
 };
 // Interprets a column's name.
 NamedQuantity quantity_of_column(std::string_view name);
+
+// Returns a key of a channel's name without the words of a quantity, without separators, and with its
+// wavelength in nm. Two columns with one key are one channel.
+std::string channel_key(std::string_view name);
 
 // Returns the quantity that a whole text names, as in a comment `# quantity:` or an option; std::nullopt
 // for unknown words.
@@ -76,6 +83,9 @@ std::optional<Quantity> quantity_named(std::string_view text);
 // Returns the quantity that a title names: any kind at its beginning, f_r or a reflectance factor within
 // the title. Returns std::nullopt for other titles.
 std::optional<Quantity> quantity_in_title(std::string_view title);
+// Returns the reason against reading a title that is a formula of a quantity, such as BRDF/1000, as the end
+// of a sentence; an empty string for other titles.
+std::string unapplied_in_title(std::string_view title);
 
 // Returns the names that options accept, for help and messages: "f_r, BRF, f_r*cos_o, ..."
 std::string known_quantities();

@@ -51,6 +51,8 @@ class WordReading {
     take_cosines();
     take_pi();
     out.rest = rest();
+    out.plain = text_;
+    out.tokens = tokens_;
   }
 
   bool is_percent() const { return is_percent_; }
@@ -147,8 +149,15 @@ class WordReading {
       const std::string& word = token.text;
       if (word == "%" || word == "percent" || word == "pct" || word == "percentage") {
         set_percent(1e-2, k);
+      } else if (word == "permille" || word == "permil" || word == "promille") {
+        set_percent(1e-3, k);
+      } else if (word == "per" && (is(k + 1, "mille") || is(k + 1, "mil") || is(k + 1, "thousand"))) {
+        set_percent(1e-3, k);
+        use(k + 1, k + 2);
       } else if (word == "ppm") {
         set_percent(1e-6, k);
+      } else if (word == "ppb") {
+        set_percent(1e-9, k);
       } else if (word == "milli") {
         out_->factor *= 1e-3;
         use(k, k + 1);
@@ -157,6 +166,9 @@ class WordReading {
       } else if (word == "db" || word == "decibel" || word == "decibels") {
         out_->scale = Scale::decibel;
         use(k, k + 1);
+      } else if (word == "d" && is(k + 1, "b") && tokens_[k + 1].begin == token.end) {  // "dB_fr"
+        out_->scale = Scale::decibel;
+        use(k, k + 2);
       } else if (word == "m" && is_prefix(k)) {
         out_->factor *= 1e-3;
         use(k, k + 1);
@@ -262,6 +274,9 @@ class WordReading {
       std::string word = tokens_[k].text;
       if (tokens_[k].is_used || !word.starts_with("cos")) continue;
       if (k > 0 && is(k - 1, "/")) contradict("is divided by a cosine");
+      const bool is_raised = is(k + 1, "^") || (is(k + 1, "*") && is(k + 2, "*"));
+      const bool has_number = number_at(k + 1) && tokens_[k + 1].begin == tokens_[k].end;
+      if (is_raised || has_number) contradict("is multiplied by a power of a cosine");
       word.erase(0, word.starts_with("cosine") ? 6 : 3);
       std::size_t end = k + 1;
       while (word.empty() || word == "theta") {

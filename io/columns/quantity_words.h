@@ -5,7 +5,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "io/columns/name_tokens.h"
 #include "io/columns/quantities.h"
 
 namespace brdf::io {
@@ -48,12 +50,14 @@ struct QuantityWords {
   double factor = 1;
   Quantity::Scale scale = Quantity::Scale::linear;
   Fault fault = Fault::none;
-  std::string reason;        // for `contradicts`: the end of a sentence about the column
-  std::string bare;          // the text without its unit
-  std::string rest;          // the text without its unit and without the words of its quantity
-  bool is_first = false;     // the words are at the beginning of the text
-  bool is_doubtful = false;  // f_r follows from the unit alone; the word has other meanings
-  bool is_default = false;   // `fr` without a unit, a name that any values may have
+  std::string reason;         // for `contradicts`: the end of a sentence about the column
+  std::string bare;           // the text without its unit
+  std::string rest;           // the text without its unit and without the words of its quantity
+  std::string plain;          // `bare` in plain symbols
+  std::vector<Token> tokens;  // of `plain`; those that were read are marked as used
+  bool is_first = false;      // the words are at the beginning of the text
+  bool is_doubtful = false;   // f_r follows from the unit alone; the word has other meanings
+  bool is_default = false;    // `fr` without a unit, a name that any values may have
 };
 
 // Reads the words and the unit of a text. A unit is in brackets, follows `/`, `,`, `_` or a blank, or is

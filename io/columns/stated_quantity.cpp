@@ -1,6 +1,7 @@
 #include "io/columns/stated_quantity.h"
 
 #include "io/columns/comments.h"
+#include "io/columns/scale_comments.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
 
@@ -62,6 +63,10 @@ void StatedQuantities::add_comment(std::string_view words, std::size_t line, con
 }
 
 void StatedQuantities::add_title(std::string_view title, std::size_t line, const std::string& where) {
+  if (const std::string reason = unapplied_in_title(title); !reason.empty()) {
+    if (refusal_.empty()) refusal_ = where + ": the title " + shown(title) + " " + reason;
+    return;
+  }
   const std::optional<Quantity> found = quantity_in_title(title);
   if (!found) return;
   if (found->kind->use != QuantityKind::Use::converted) {
@@ -76,6 +81,18 @@ void StatedQuantities::add_free_text(std::string_view text, std::size_t line) {
   if (!found || found->is_f_r() || !hint_.empty()) return;
   hint_ = "the comment in line " + std::to_string(line) + " names " + found->meaning() +
           ", but is not a statement of the quantity: if the values are not f_r, write '# quantity: ...'";
+}
+
+void StatedQuantities::add_scale(const std::string& text, std::size_t line) {
+  if (!scale_.empty() || !is_about_scale(parse_comment(text))) return;
+  scale_ = "the comment in line " + std::to_string(line) + ", " + shown(std::string(trimmed(text))) +
+           ", seems to give the values a scale or a unit, which is not applied: if they are not the quantity "
+           "itself, write a line such as '# quantity: BRF %' or '# quantity: BRDF x1000'";
+}
+
+std::string StatedQuantities::word_on_scale() const {
+  const bool is_stated = result() && result()->by != StatedQuantity::By::title;
+  return is_stated ? "" : scale_;
 }
 
 std::string StatedQuantities::word_on_unnamed() const {

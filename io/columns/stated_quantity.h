@@ -46,6 +46,11 @@ class StatedQuantities {
   void add_title(std::string_view title, std::size_t line, const std::string& where);
   // Adds a comment that is free text. Such a comment states nothing, but may name a quantity.
   void add_free_text(std::string_view text, std::size_t line);
+  // Adds a comment, which may give the values a scale without stating a quantity.
+  void add_scale(const std::string& text, std::size_t line);
+  // Returns a note if a comment seems to give the values a scale and no comment states a quantity; otherwise
+  // an empty string.
+  std::string word_on_scale() const;
   // Returns the statement of a comment, otherwise that of a title, otherwise that of the caller.
   const std::optional<StatedQuantity>& result() const { return found_ ? found_ : option_; }
   // Returns a note for values whose column names no quantity, if no quantity is stated but a comment names
@@ -57,7 +62,7 @@ class StatedQuantities {
   void add(StatedQuantity stated, const std::string& where);
 
   std::optional<StatedQuantity> option_, found_;
-  std::string refusal_, hint_;
+  std::string refusal_, hint_, scale_;
 };
 
 }  // namespace brdf::io

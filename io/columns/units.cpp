@@ -90,7 +90,17 @@ const UnitNames& words() {
     add({"cts", "counts", "count", "adu", "dn", "photons"}, product(1, {{Unit::count, 1}}));
     add({"bar", "hpa", "mbar"}, product(1, {{Unit::pascal, 1}}));
     add({"%", "percent", "pct"}, percent(1e-2));
+    add({"permille", "permil", "promille"}, percent(1e-3));
     add({"ppm"}, percent(1e-6));
+    add({"ppb"}, percent(1e-9));
+    // Units that no column of values has: a name with one of them is refused by it.
+    add({"kg", "mg", "gram", "grams", "kilogram", "kilograms"},
+        product(1, {{Unit::pascal, 1}, {Unit::metre, 1}, {Unit::second, 2}}));
+    add({"newton", "newtons"}, product(1, {{Unit::pascal, 1}, {Unit::metre, 2}}));
+    add({"joule", "joules"}, product(1, {{Unit::watt, 1}, {Unit::second, 1}}));
+    add({"ohm", "ohms"}, product(1, {{Unit::volt, 1}, {Unit::ampere, -1}}));
+    add({"psi", "atm", "torr"}, product(1, {{Unit::pascal, 1}}));
+    add({"px", "pixel", "pixels", "bit", "bits", "mol"}, product(1, {{Unit::count, 1}}));
     add({"db", "decibel", "decibels"}, decibel({}));
     add({"dbsm"}, decibel({{Unit::metre, 2}}));
     add({"milli"}, product(1e-3, {}));
@@ -183,6 +193,19 @@ class UnitReader {
     return is_anything_ = true;
   }
 
+  // Takes "per": per mille and per thousand are one unit, and per sr is a divisor.
+  bool take_per() {
+    skip();
+    for (const std::string_view word : {"mille", "mil", "thousand"}) {
+      const bool is_whole = rest_.size() <= word.size() || !is_letter(rest_[word.size()]);
+      if (!lower_case(rest_).starts_with(word) || !is_whole) continue;
+      rest_.remove_prefix(word.size());
+      unit_.factor *= is_divided_ ? 1e3 : 1e-3;
+      return unit_.is_percent = is_anything_ = true;
+    }
+    return is_divided_ = true;
+  }
+
   bool take_word() {
     std::size_t size = 0;
     while (size < rest_.size() && is_letter(rest_[size])) ++size;
@@ -192,7 +215,7 @@ class UnitReader {
     const std::string lower = lower_case(word);
     if (lower == "x") return true;               // x 10^-3 1/sr
     if (lower == "re") return unit_.is_decibel;  // dB re 1/sr
-    if (lower == "per") return is_divided_ = true;
+    if (lower == "per") return take_per();
     const std::optional<Unit> unit = one_word(word);
     const int exponent = signed_exponent(take_exponent(false));
     if (!unit || exponent == 0) return false;
@@ -221,6 +244,13 @@ constexpr Symbol kSymbols[] = {{"µ", "u"},
                                {"⋅", "*"},
                                {"∙", "*"},
                                {"×", "*"},
+                               {"‰", " permille "},
+                               {"％", "%"},
+                               {"√", "sqrt "},
+                               {"∛", "cbrt "},
+                               {"∆", "delta "},
+                               {"∂", "delta "},
+                               {"∑", "sum "},
                                {"−", "-"},
                                {"–", "-"},
                                {"∕", "/"},
@@ -242,7 +272,7 @@ constexpr Symbol kSymbols[] = {{"µ", "u"},
                                {"ν", "nu"},
                                {"ω", "omega"},
                                {"Ω", "omega"},
-                               {"Δ", "delta"},
+                               {"Δ", "delta "},
                                {"δ", "delta"},
                                {"ψ", "psi"},
                                {"Ψ", "psi"},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "io/columns/angle_names.h"
@@ -166,9 +167,15 @@ ValueCandidate candidate_of(Columns& header, std::size_t k, const HeaderFacts& f
     const QuantityKind& kind = *c.named.quantity.kind;
     c.rank = kind.use == Use::converted ? Rank::values : kind.use == Use::asked ? Rank::asked : Rank::refused;
     if (kind.use != Use::converted) c.refusal = refusal_of(kind);
+    if (c.named.quantity.is_other_fraction())
+      c.refusal =
+          "is in parts of " + to_text(std::round(1 / c.named.quantity.factor)) +
+          ", of a quantity that the name does not state: for reflectance factors give --quantity BRF, "
+          "or a line '# quantity: BRF' above the header row";
   } else if (c.named.says == Says::contradicts) {
     c.rank = Rank::asked;
     c.refusal = c.named.reason;
+    c.is_derived = c.named.is_derived;
   }
   const NoValues no_values = holds_no_values(column.name);
   const bool is_angle = facts.is_plain && c.rank == Rank::neutral && angle_named(c.named.name).has_value() &&
@@ -176,7 +183,8 @@ ValueCandidate candidate_of(Columns& header, std::size_t k, const HeaderFacts& f
   if (c.named.says == Says::no_values || is_angle || (no_values == NoValues::yes && c.rank != Rank::values))
     c.rank = Rank::aside;
   const bool is_capital = column.name == "X" || column.name == "Y" || column.name == "Z";
-  c.is_perhaps = ((no_values == NoValues::perhaps && !is_capital) || is_text) && c.rank == Rank::neutral;
+  const bool is_open = c.rank == Rank::neutral || (is_text && c.named.says == Says::contradicts);
+  c.is_perhaps = ((no_values == NoValues::perhaps && !is_capital) || is_text) && is_open;
   return c;
 }
 

@@ -23,6 +23,7 @@ struct ValueCandidate {
   Rank rank;
   std::string refusal;      // for `asked` and `refused`: the end of a sentence about the column
   bool is_perhaps = false;  // values only if no other column holds any
+  bool is_derived = false;  // accompanies values, and is set aside beside them
 };
 
 // Returns whether a candidate has the rank.

@@ -108,7 +108,7 @@ class Values {
       else if (c.rank == Rank::values || c.rank == Rank::neutral)
         state(c);
       else if (c.rank == Rank::asked)
-        settle_asked(c, has_values);
+        settle_asked(c, has_values, c.is_derived && (has_values || has_neutral));
       else if (c.rank == Rank::refused && !has_values && !has_neutral)
         settle_refused(c);
       else
@@ -126,7 +126,8 @@ class Values {
     kept_.push_back(&c);
   }
 
-  void settle_asked(ValueCandidate& c, bool has_values) {
+  void settle_asked(ValueCandidate& c, bool has_values, bool accompanies) {
+    if (accompanies) return set_aside(c);
     if (facts_.stated) return state(c);
     if (has_values || !facts_.needs_values) return set_aside(c);
     refuse_quantity(c);
@@ -175,6 +176,11 @@ class Values {
     }
     // If one of the two states no scale, the other's scale applies: quantity BRF, column '550nm (%)'.
     const Quantity plain{stated.quantity.kind};
+    const bool has_own_scale = own.kind && (own.factor != 1 || own.scale != Quantity::Scale::linear);
+    const bool has_other_scale = has_own_scale && stated.quantity != plain &&
+                                 (own.factor != stated.quantity.factor || own.scale != stated.quantity.scale);
+    if (has_other_scale && stated.by != StatedQuantity::By::comment) return refuse_contradiction(c);
+    if (has_other_scale) outranked_.push_back(c.column->name);
     own = stated.quantity == plain ? Quantity{stated.quantity.kind, own.factor, own.scale} : stated.quantity;
     if (c.named.says == Says::contradicts) outranked_.push_back(c.column->name);
   }
@@ -201,7 +207,22 @@ class Values {
                "' above the header row");
   }
 
+  // Refuses two columns of one channel: 550nm and 550 nm, 0.55um and 550nm, fr and BRF.
+  void refuse_twins() const {
+    std::map<std::string, const ValueCandidate*> first;
+    for (const ValueCandidate* c : kept_) {
+      const auto [before, is_new] = first.emplace(channel_key(c->column->name), c);
+      // Two equal names have a message of their own.
+      if (!is_new && before->second->column->name != c->column->name)
+        refuse(*c, ColumnDoubt::Of::meaning,
+               "columns " + shown(before->second->column->name) + " and " + shown(c->column->name) +
+                   " are one channel in two spellings or units: remove one of them, or add the sample's name "
+                   "to both");
+    }
+  }
+
   void add_channels() {
+    if (!facts_.keeps_names) refuse_twins();
     std::map<std::string, int> times;
     for (const ValueCandidate* c : kept_) ++times[with_band_unit(c->named.name)];
     for (ValueCandidate* c : kept_) {

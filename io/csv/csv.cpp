@@ -113,6 +113,7 @@ class CsvReader {
     add_facts();
     store_raw_angles();
     announce_small_angles();
+    announce_summaries();
     if (header_.columns().in_plane)
       place_in_plane(table_, mirror_side());
     else
@@ -235,10 +236,31 @@ class CsvReader {
       else if (column.kind != Column::Kind::aside)
         read_number(column, k, number_of(column, k));
     }
+    note_summary(all);
     if (mueller_)
       store_polarised();
     else
       store_row();
+  }
+
+  // Counts the rows that seem to summarise others, by a word in a column that is not read.
+  void note_summary(const std::vector<Column>& all) {
+    ++measured_rows_;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].kind != Column::Kind::aside || !is_summary_word(fields_[k])) continue;
+      if (summaries_++ == 0)
+        first_summary_ = reader_.where() + ": column " + shown(all[k].name) + " holds " +
+                         shown(std::string(trimmed(fields_[k])));
+      return;
+    }
+  }
+
+  // A table of which every row is a mean is a table of means.
+  void announce_summaries() {
+    if (summaries_ == 0 || summaries_ == measured_rows_) return;
+    table_.assume(plural(summaries_, "row") + " with a word such as 'mean' or 'total' " +
+                  (summaries_ == 1 ? "counts" : "count") + " as measured (" + first_summary_ +
+                  "): remove them if they summarise other rows");
   }
 
   // Returns whether a value or an uncertainty of this row is a fill value.
@@ -439,6 +461,8 @@ class CsvReader {
   std::vector<double> row_values_, row_sigma_;
   std::size_t empty_ = 0;      // empty cells of a matrix
   std::size_t fill_rows_ = 0;  // rows with a fill value of the layout
+  std::size_t measured_rows_ = 0, summaries_ = 0;
+  std::string first_summary_;  // the place and the word of the first row that seems to summarise others
   bool has_sigma_ = false, has_phase_ = false;
   std::optional<MuellerColumns> mueller_;  // if polarised channels are requested
   Band band_;                              // of this row

@@ -85,6 +85,7 @@ void CsvHeader::read_comment(std::string_view line) {
   is_read() ? refuse_other_angle(text) : stated_angles_.add(text, reader_.line());
   if (!words) {
     keep_comment(table_, parse_comment(text));
+    if (!is_read()) stated_.add_scale(std::string(text), reader_.line());
     if (!is_read() && table_.metadata.back().first.empty())
       stated_.add_free_text(table_.metadata.back().second, reader_.line());
     return;
@@ -175,6 +176,7 @@ void CsvHeader::add_title(std::string_view title) {
     return layout_ && layout_->quantity ? compare_with_layout(*words)
                                         : stated_.add_comment(*words, reader_.line(), reader_.where());
   if (!layout_) stated_.add_title(title, reader_.line(), reader_.where());
+  stated_.add_scale(std::string(title), reader_.line());
   stated_angles_.add(title, reader_.line());
   const Comment pair = parse_comment(title);
   constexpr std::size_t kLongestKey = 40;
@@ -199,11 +201,18 @@ void CsvHeader::read_names(std::string_view line) {
   columns_ = understand_columns({names.begin(), names.end()}, facts);
   if (columns_.has_unnamed && !doubts_)
     if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
+  if (has_unscaled_values() && !doubts_)
+    if (const std::string word = stated_.word_on_scale(); !word.empty()) columns_.assume(word);
   is_long_ = columns_.has(Column::Kind::wavelength) || columns_.has(Column::Kind::polarisation);
   if (doubts_) return;
   check_columns();
   table_.channels = columns_.channels;
   check_channel_names(table_.channels, facts.where);
+}
+
+// Returns whether the values of a channel are read without a factor and without a logarithm.
+bool CsvHeader::has_unscaled_values() const {
+  return std::ranges::any_of(columns_.quantities, [](const Quantity& q) { return q == Quantity{q.kind}; });
 }
 
 // Refuses a comment between the rows that states another angle than the lines above the header row.
@@ -293,6 +302,7 @@ bool CsvHeader::read_matrix(const Fields& names) {
                            " in the first column, " +
                            (is_light_down ? "viewing angles" : "angles of incidence") + " in the first row");
   if (const std::string word = stated_.word_on_unnamed(); !word.empty()) columns_.assume(word);
+  if (const std::string word = stated_.word_on_scale(); !word.empty()) columns_.assume(word);
   if (!stated)
     columns_.assume("the values are interpreted as f_r in 1/sr, because the matrix gives no quantity");
   else if (!stated->quantity.is_f_r())

@@ -85,6 +85,7 @@ class CsvHeader {
   bool is_above_words(std::string_view line) const;
   std::string_view behind_sign(std::string_view line, bool has_stated_angle) const;
   void read_names(std::string_view line);
+  bool has_unscaled_values() const;
   void refuse_other_angle(std::string_view text) const;
   void check_width(std::size_t columns) const;
   void check_lengths(std::span<const std::string_view> names) const;

@@ -18,7 +18,7 @@
 #include "io/files/temporary.h"
 
 namespace brdf::io {
-bool is_standard_output(const fs::path& path) {
+bool is_standard_output(const std::filesystem::path& path) {
   return path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 

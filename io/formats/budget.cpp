@@ -32,6 +32,7 @@ constexpr std::array kKnownSources{
 };
 
 constexpr std::array<std::string_view, 4> kColumns{"source", "standard_uncertainty", "unit", "shared_by"};
+constexpr std::string_view kDividedBy = "divided_by";  // the key of the comment with a meaning
 // The largest standard uncertainties: beyond them no value is known.
 constexpr double kMostDegrees = 90, kMostUncertainty = 1000;
 constexpr std::string_view kExample = "reference_standard,0.005,relative,table";
@@ -72,7 +73,7 @@ class BudgetReader {
   static std::string header_text() { return joined({kColumns.begin(), kColumns.end()}); }
 
   void read_comment(const Comment& comment) {
-    if (comment.first != "divided_by") return;
+    if (comment.first != kDividedBy) return refuse_misspelt(comment);
     budget_.divides_by_cos_i = budget_.divides_by_cos_o = false;
     std::vector<std::string_view> words;
     split_blanks(comment.second, words);
@@ -87,6 +88,29 @@ class BudgetReader {
     }
   }
 
+  // Refuses a comment that seems to be the one with a meaning. Other comments are free text.
+  void refuse_misspelt(const Comment& comment) const {
+    const std::string_view text = comment.first.empty() ? comment.second : comment.first;
+    std::string key = lower_case(text.substr(0, text.find('=')));
+    std::ranges::replace_if(
+        key, [](char c) { return c == ' ' || c == '-'; }, '_');
+    const std::vector<std::string> known{std::string(kDividedBy)};
+    if (!key.starts_with("divid") && did_you_mean(key, known).empty()) return;
+    fail("the comment " + shown(std::string(text)) + " is not read; the cosines are stated as '# " +
+         std::string(kDividedBy) + ": cos_theta_i cos_theta_o'");
+  }
+
+  // Refuses a column that is neither one of a budget nor one of remarks.
+  void refuse_unknown(const std::vector<std::string_view>& names) const {
+    constexpr std::array<std::string_view, 8> kRemarks{"comment", "comments",    "remark",    "remarks",
+                                                       "note",    "description", "reference", "notes"};
+    for (const std::string_view name : names)
+      if (std::ranges::find(kColumns, name) == kColumns.end() &&
+          std::ranges::find(kRemarks, lower_case(trimmed(name))) == kRemarks.end())
+        fail("the column " + shown(std::string(name)) + " is not one of a budget (" + header_text() +
+             "): remove it, or name it 'note' if it is a remark");
+  }
+
   void read_header(std::string_view line) {
     std::vector<std::string_view> names;
     if (!dialect_.split_header(line, names)) fail(std::string(kBadQuotation));
@@ -99,6 +123,7 @@ class BudgetReader {
         fail("the column " + std::string(kColumns[k]) + " is there twice: remove one of them");
       column_[k] = std::size_t(found - names.begin());
     }
+    refuse_unknown(names);
     width_ = names.size();
     has_header_ = true;
   }

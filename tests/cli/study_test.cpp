@@ -100,6 +100,15 @@ TEST_F(StudyVerb, NamesThatAreNoWebAddressesAreLinked) {
 
 // A study of 30 samples, two at a time, is killed while it works. The next run must keep all finished
 // samples.
+// The last line names the page only if there is one.
+TEST_F(StudyVerb, AnInterruptedStudyOfOneSampleNamesNoPage) {
+  ASSERT_EQ(run("synth --form ward --set alpha=0.1 --grid hemisphere --noise 0.1 -o big.csv").exit_code, 0);
+  const Outcome left = run_interrupted("study big.csv --form every --starts 1000 -o studied", folder_.path());
+  EXPECT_EQ(left.exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "studied" / "index.html"));
+  EXPECT_THAT(left.out, testing::Not(testing::HasSubstr("index.html")));
+}
+
 TEST_F(StudyVerb, KilledAndRunAgainItRedoesOnlyWhatWasInFlight) {
   constexpr std::size_t kSamples = 30, kJobs = 2;
   const std::string table = file_text(folder_.path() / "s.csv");

@@ -79,6 +79,24 @@ TEST(Budget, RefusesWithTheLine) {
               HasSubstr("line 1: the column unit is there twice"));
 }
 
+TEST(Budget, RefusesWhatItDoesNotRead) {
+  const std::string line = "a,0.1,relative,table\n";
+  for (const char* comment : {"divides_by: cos_theta_o", "Divided by: nothing", "divided_by = nothing",
+                              "divided_by cos_theta_o", "dividedby: cos_theta_i"})
+    EXPECT_THAT(refusal_of_budget("# " + std::string(comment) + "\n" + kBudgetHeader + line),
+                HasSubstr("line 1: the comment "))
+        << comment;
+  EXPECT_EQ(
+      budget_in("# instrument: A\n# measured twice\n" + std::string(kBudgetHeader) + line).sources.size(),
+      1u);
+  EXPECT_THAT(
+      refusal_of_budget("source,standard_uncertainty,unit,shared_by,coverage\na,0.1,relative,table,2\n"),
+      HasSubstr("line 1: the column 'coverage' is not one of a budget"));
+  EXPECT_EQ(
+      budget_in("source,standard_uncertainty,unit,shared_by,note\na,0.1,relative,table,x\n").sources.size(),
+      1u);
+}
+
 TEST(Budget, StatesSomeUncertainty) {
   const std::string zero = std::string(kBudgetHeader) + "a,0,relative,table\n";
   EXPECT_THAT(refusal_of_budget(zero),

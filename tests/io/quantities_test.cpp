@@ -149,7 +149,15 @@ const Word kConverted[] = {
     {"BRF (dB)", 10 * std::log10(kBrf)},
     {"10 log10(BRDF)", 10 * std::log10(kTruth)},
     {"10*log BRDF", 10 * std::log10(kTruth)},
-    {"BRDF [ppm/sr]", 1e6 * kTruth}};
+    {"BRDF [ppm/sr]", 1e6 * kTruth},
+    {"BRF (‰)", 1e3 * kBrf},
+    {"BRF (per mille)", 1e3 * kBrf},
+    {"BRF‰", 1e3 * kBrf},
+    {"BRF_permille", 1e3 * kBrf},
+    {"BRF (ppb)", 1e9 * kBrf},
+    {"BRDF [‰/sr]", 1e3 * kTruth},
+    {"dB_fr", 10 * std::log10(kTruth)},
+    {"dB BRF", 10 * std::log10(kBrf)}};
 
 class NameOfFr : public testing::TestWithParam<Word> {};
 class ConvertedName : public testing::TestWithParam<Word> {};
@@ -240,6 +248,46 @@ const RefusedName kRefused[] = {
     {"log2 BRDF", "is a logarithm with a base other than"},
     {"log10(550nm)", "gives a scale, but no quantity"},
     {"BRDF / cos", "is divided by a cosine"},
+    {"BRDF*cos^2", "is multiplied by a power of a cosine"},
+    {"BRDF cos²θ", "is multiplied by a power of a cosine"},
+    {"fr (‰)", "has the unit '‰', which does not fit the quantity"},
+    {"fr (per thousand)", "has the unit 'per thousand'"},
+    {"BRDF (ppb)", "has the unit 'ppb'"},
+    {"fr (kg)", "has the unit 'kg'"},
+    {"550nm [‰]", "is in parts of 1000, of a quantity that the name does not state"},
+    {"BRDF_norm", "without a scale"},
+    {"log1p(fr)", "is a logarithm with a base other than"},
+    // A part of the name that is not understood may change the values.
+    {"fr (xyz)", "has the unknown unit 'xyz' in its name, which is not applied: rename the column"},
+    {"BRDF 10^3", "has the operator '^' in its name, which is not applied"},
+    {"10^3 BRDF", "has the operator '^'"},
+    {"1000 BRDF", "has the factor '1000'"},
+    {"2 BRDF", "has the factor '2'"},
+    {"BRDF 1e3", "has the factor '1e3'"},
+    {"BRDF (1000)", "has the factor '1000'"},
+    {"BRDF/1000", "has the operator '/'"},
+    {"BRDF / 1e-3", "has the operator '/'"},
+    {"1/BRDF", "has the operator '/'"},
+    {"fr/fr0", "has the operator '/'"},
+    {"BRDF^2", "has the operator '^'"},
+    {"2*BRDF", "has the operator '*'"},
+    {"1-fr", "has the operator '-'"},
+    {"-fr", "has the operator '-'"},
+    {"|fr|", "has the operator '|'"},
+    {"sqrt(BRDF)", "has the function 'sqrt'"},
+    {"√BRDF", "has the function 'sqrt'"},
+    {"exp(fr)", "has the function 'exp'"},
+    {"F(BRDF)", "has the function 'f'"},
+    {"delta fr", "has the word 'delta'"},
+    {"Δfr", "has the word 'delta'"},
+    {"dBRDF", "has the word 'd'"},
+    {"fr_ratio", "has the word 'ratio'"},
+    {"fr_dark", "has the word 'dark'"},
+    {"fr_bg", "has the word 'bg'"},
+    {"fr_max", "has the word 'max'"},
+    {"550nm_max", "has the word 'max'"},
+    {"550nm/1000", "has the operator '/'"},
+    {"sqrt(550nm)", "has the function 'sqrt'"},
     {"BRF*cos_o", "is multiplied by a cosine"}};
 
 class NameOfAnother : public testing::TestWithParam<RefusedName> {};
@@ -252,6 +300,81 @@ TEST_P(NameOfAnother, IsRefusedByItsNameWithWhatIsMissing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Quantities, NameOfAnother, testing::ValuesIn(kRefused));
+
+// The names of bands, polarisations, samples and geometries have no part that changes the values.
+TEST(Quantities, NamesOfChannelsAreNoOperations) {
+  for (const char* name :
+       {"550nm",   "r",       "fr_550",    "fr[550nm]", "fr (550 nm)",    "BRDF_633nm",  "BRDF 550",
+        "fr_1000", "X",       "fr_s",      "fr_pp",     "fr (s)",         "s-pol",       "red",
+        "nir",     "band1",   "ch2",       "sample A",  "sample-A",       "fr sample 3", "fr (red)",
+        "fr (r)",  "fr mean", "mean(fr)",  "dark red",  "fr-550",         "0.55um",      "18000cm-1",
+        "tile #4", "fr_mean", "R (550nm)", "rgb_r",     "BRDF (in-plane)"}) {
+    const SampleTable table = read(plain(name, 0.5));
+    EXPECT_EQ(table.values[0][0], 0.5) << name;
+    EXPECT_EQ(table.channels[0], std::string(name)) << name;
+    EXPECT_THAT(table.warnings, testing::IsEmpty()) << name;
+  }
+  EXPECT_DOUBLE_EQ(read(plain("BRF 45/0", 0.5)).values[0][0], 0.5 / kPi);
+}
+
+TEST(Quantities, NumbersThatAccompanyValuesAreNoChannels) {
+  const SampleTable t =
+      read("theta_i,phi_i,theta_o,phi_o,fr,n,fr_min,fr_max,fr_dark\n60,0,45,170,.5,7,.4,.6,.1\n");
+  EXPECT_THAT(t.channels, ElementsAre("fr"));
+  EXPECT_THAT(t.warnings,
+              Contains("columns 'n', 'fr_min', 'fr_max', 'fr_dark' are ignored: not values of f_r"));
+  // Alone, such a number is not taken for the quantity, and a table that states f_r keeps every name.
+  EXPECT_THAT(message("theta_i,phi_i,theta_o,phi_o,fr_min\n60,0,45,170,.4\n"), HasSubstr("the word 'min'"));
+  EXPECT_THAT(read("# quantity: f_r\ntheta_i,phi_i,theta_o,phi_o,fr_min\n60,0,45,170,.4\n").channels,
+              ElementsAre("fr_min"));
+}
+
+TEST(Quantities, OneChannelInTwoSpellingsIsRefused) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,", row = "\n60,0,45,170,.5,.6\n";
+  for (const char* names :
+       {"550nm,550 nm", "0.55um,550nm", "fr,BRF", "fr_550nm,550nm", "sample A,sample_A", "BRDF,f_r*cos_o"})
+    EXPECT_THAT(message(angles + names + row), HasSubstr("are one channel in two spellings or units"))
+        << names;
+  for (const char* names :
+       {"550nm,551nm", "550nm A,550nm B", "fr_s,fr_p", "r,g", "fr,value", "BRF_1,BRF_2", "fr,fr A"})
+    EXPECT_EQ(read(angles + names + row).channels.size(), 2u) << names;
+}
+
+// The scale in a comment is not applied; and a note follows. Numbers with units are not about the values.
+TEST(Quantities, AScaleInACommentIsNoted) {
+  const auto notes_of = [](const std::string& comment, const std::string& name = "fr") {
+    return all_notes(read("# " + comment + "\n" + plain(name, 0.5)));
+  };
+  for (const char* comment :
+       {"values in percent", "units: degrees, percent", "scale: 0.001", "values multiplied by 1000",
+        "values normalised to 1", "units: dB", "data in log10", "BRF (‰)", "unit: W/m2/sr"})
+    EXPECT_THAT(notes_of(comment),
+                AnyOf(HasSubstr("seems to give the values a scale or a unit, which is not applied"),
+                      HasSubstr("is not a statement of the quantity")))
+        << comment;
+  for (const char* comment :
+       {"scale: 1", "units: deg, 1/sr", "humidity: 45 %", "noise: 2 percent of the values",
+        "values with 1 % noise", "reference: Spectralon 99 % reflectance", "instrument: A"})
+    EXPECT_EQ(notes_of(comment), "") << comment;
+  EXPECT_EQ(notes_of("values in percent\n# quantity: f_r"), "");
+  EXPECT_THAT(notes_of("values in percent", "BRF (%)"), Not(HasSubstr("not applied")));
+}
+
+TEST(Quantities, RowsThatSummariseOthersAreNoted) {
+  const std::string angles = "theta_i,phi_i,theta_o,phi_o,fr,kind\n";
+  EXPECT_THAT(all_notes(read(angles + "60,0,45,170,.5,single\n60,0,46,170,.5,Mean\n")),
+              HasSubstr("1 row with a word such as 'mean' or 'total' counts as measured"));
+  EXPECT_THAT(all_notes(read(angles + "60,0,45,170,.5,TOTAL:\n60,0,46,170,.5,a\n60,0,47,170,.5,avg\n")),
+              HasSubstr("2 rows with a word such as"));
+  // A table of which every row is a mean has no row that summarises others.
+  EXPECT_THAT(all_notes(read(angles + "60,0,45,170,.5,mean\n60,0,46,170,.5,mean\n")),
+              Not(HasSubstr("a word such as")));
+}
+
+TEST(Quantities, ATitleThatIsAFormulaIsRefused) {
+  EXPECT_THAT(message("BRDF/1000\nsrc_z src_a view_z view_a 450nm\n60 0 45 180 1\n"),
+              HasSubstr("the title 'BRDF/1000' has the operator '/'"));
+}
 
 TEST(Quantities, OfASetOfColumnsAreToldTogether) {
   const std::string angles = "Incidence,View angle,Relative azimuth,";
@@ -426,6 +549,8 @@ TEST(StatedQuantity, CountsInAnySpelling) {
     EXPECT_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], 1) << words;
   for (const char* words : {"BRF", "reflectance factor", "Reflectance factor R", "HDRF"})
     EXPECT_DOUBLE_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], 1 / kPi) << words;
+  for (const char* words : {"1/BRDF", "-fr", "BRDF^2", "BRDF/1000", "sqrt(BRDF)", "BRDF*cos^2"})
+    EXPECT_THAT(message("# quantity: " + std::string(words) + "\n" + rows), HasSubstr("is unknown")) << words;
   for (const char* words : {"BRF %", "percent BRF", "reflectance factor (%)", "BRF in percent"})
     EXPECT_DOUBLE_EQ(read("# quantity: " + std::string(words) + "\n" + rows).values[0][0], .01 / kPi)
         << words;
@@ -468,6 +593,7 @@ TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
   EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "Reflectance (%)"), "BRF").values[0][0], .01 / kPi);
   EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "scatter [ppm/sr]"), "f_r*cos_o").values[0][0],
                    1e-6 / kCosViewer);
+  EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "550nm (‰)"), "BRF").values[0][0], 1e-3 / kPi);
   EXPECT_DOUBLE_EQ(with(replaced(neutral, "550nm", "BRF"), "reflectance factor").values[0][0], 1 / kPi);
   EXPECT_DOUBLE_EQ(with("# quantity: BRF\n" + neutral, "BRF").values[0][0], 1 / kPi);
   EXPECT_DOUBLE_EQ(with(kAstm, "BRF").values[0][0], 1 / kPi);
@@ -480,6 +606,8 @@ TEST(StatedQuantity, ByTheCallerFillsWhatTheFileDoesNotSay) {
             "file, line 1: column 'BRF' is a reflectance factor, but --quantity gives 'f_r': if the name is "
             "wrong, write "
             "'# quantity: f_r' above the header row");
+  EXPECT_THAT(refusal(replaced(neutral, "550nm", "550nm (‰)"), "BRF %"),
+              HasSubstr("but --quantity gives 'BRF %'"));
   EXPECT_THAT(refusal(replaced(neutral, "550nm", "BTDF"), "f_r"), HasSubstr("but --quantity gives 'f_r'"));
   EXPECT_EQ(refusal(kLens, "BRF"), "file: --quantity BRF: values of this format are f_r");
   EXPECT_EQ(refusal(neutral, "BTDF"),
@@ -502,8 +630,8 @@ TEST(StatedQuantity, OfOurOwnTablesKeepsEveryName) {
   expect_same(read(written(table)), table);
   // A standard deviation belongs to the channel with exactly that name.
   const SampleTable alike =
-      read("SZA,VZA,RAA,ln BRDF (1/sr),BRF (%),f_r cos_o,sigma_BRF\n20,50,0,0,30,.1,3\n");
-  EXPECT_THAT(alike.channels, ElementsAre("ln BRDF (1/sr)", "BRF (%)", "f_r cos_o"));
+      read("SZA,VZA,RAA,ln BRDF red (1/sr),BRF green (%),f_r cos_o,sigma_BRF green\n20,50,0,0,30,.1,3\n");
+  EXPECT_THAT(alike.channels, ElementsAre("red", "green", "fr"));
   ASSERT_TRUE(alike.has_sigma(1));
   expect_same(read(written(alike)), alike);
 }

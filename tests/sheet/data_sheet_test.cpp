@@ -140,6 +140,56 @@ TEST(DataSheet, NamesOneOutlierByItsRow) {
   EXPECT_NE(finding(sheet, "outliers").statement.find("line 202"), std::string::npos);
 }
 
+// Sets the rows of three neighbouring directions, far from the mirror direction.
+io::SampleTable with_cluster(double first, double second, double third) {
+  io::SampleTable t = clean_table();
+  for (std::size_t k = 0; k < t.rows(); ++k) {
+    if (t.theta_i[k] != 50 || t.phi_o[k] != 90) continue;
+    if (t.theta_o[k] == 40) t.values[0][k] = first;
+    if (t.theta_o[k] == 45) t.values[0][k] = second;
+    if (t.theta_o[k] == 50) t.values[0][k] = third;
+  }
+  return t;
+}
+
+// Rows that are each other's neighbours agree with each other, which shows nothing.
+TEST(DataSheet, NamesNumbersForMissingMeasurementsThatAreNeighbours) {
+  for (const double mark :
+       {99.9, 99.99, 999.0, 9999.0, 99999.0, 1e20, 999 / kPi, 99.9 / (100 * kPi) * 1000}) {
+    const DataSheet sheet = data_sheet(with_cluster(mark, mark, mark));
+    EXPECT_EQ(finding(sheet, "fill").outcome, Outcome::fail) << mark;
+    EXPECT_EQ(finding(sheet, "fill").value, 3) << mark;
+    EXPECT_EQ(finding(sheet, "fill").statement.find("no fill values"), std::string::npos) << mark;
+  }
+  io::SampleTable dim = with_cluster(99.9, 99.9, 99.9);
+  for (double& value : dim.values[0]) value = value == 99.9 ? 9.99 : value / 10;
+  EXPECT_EQ(finding(dim, "fill").value, 3);
+  // Two different marks in one table, and a value of nines that is no larger than the others.
+  EXPECT_EQ(finding(with_cluster(999, 999, 9999), "fill").value, 2);
+  io::SampleTable of_nines = clean_table();
+  for (const std::size_t k : {100u, 200u, 300u}) of_nines.values[0][k] = 0.999;
+  EXPECT_EQ(finding(of_nines, "fill").outcome, Outcome::pass);
+}
+
+TEST(DataSheet, AClusterApartFromAllOthersIsNoEvidenceOfAgreement) {
+  io::SampleTable cluster = measured(matt(0.3), {.lights = {15, 45}, .azimuths = Grid::every(30, 180)});
+  ASSERT_EQ(finding(cluster, "outliers").outcome, Outcome::pass);
+  for (const double step : {0., 1., 2.}) {
+    cluster.add_directions(45, 180, 40.5 + step, 90);
+    cluster.values[0].push_back(950 + 30 * step);
+    cluster.lines.push_back(std::uint32_t(cluster.lines.size() + 2));
+  }
+  const Finding apart = finding(cluster, "outliers");
+  EXPECT_EQ(apart.outcome, Outcome::undecided) << apart.statement;
+  EXPECT_EQ(apart.value, 3);
+  EXPECT_NE(apart.statement.find("3 rows agree with each other only"), std::string::npos) << apart.statement;
+  EXPECT_EQ(apart.statement.find("every value agrees"), std::string::npos);
+  EXPECT_NE(finding(with_cluster(950, 1003, 987), "outliers").outcome, Outcome::pass);
+  // A highlight of few rows agrees with the rows of no other direction either, and is no fault.
+  for (const double alpha : {0.02, 0.05, 0.15})
+    EXPECT_EQ(finding(measured(glossy(0.05, 0.9, 0.06, alpha)), "outliers").outcome, Outcome::pass) << alpha;
+}
+
 TEST(DataSheet, MeasuresTheNoiseFloor) {
   // Both of two values vary uniformly by +-10 %: the median of |difference| is 5.9 %, and less for
   // interpolated values.
