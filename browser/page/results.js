@@ -10,7 +10,9 @@ const joinPage = () => {
     if (address.startsWith("#")) document.getElementById(address.slice(1))?.scrollIntoView();
     else parent.postMessage({ download: decodeURIComponent(address) }, "*");
   });
-  new ResizeObserver(() => parent.postMessage({ height: document.body.scrollHeight }, "*")).observe(document.body);
+  const tellHeight = () => parent.postMessage({ height: document.body.scrollHeight }, "*");
+  addEventListener("load", tellHeight);  // a frame that is not on the screen observes no size
+  new ResizeObserver(tellHeight).observe(document.body);
 };
 
 const inOrder = (files) => {
