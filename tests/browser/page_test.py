@@ -21,6 +21,13 @@ def is_new(name):
     return f"document.querySelector('.pane h3')?.textContent === {json.dumps(name)}"
 
 
+def show_in_catalogue(page):
+    """Clicks the button of the first result, which appears when the material has been read."""
+    button = "[...document.querySelectorAll('.pane button')].find(b => b.textContent.includes('catalogue'))"
+    page.wait(f"{button} !== undefined")
+    page.evaluate(f"{button}.click()")
+
+
 def check_tables(browser, address, tables, folder):
     """Drops and chooses tables: the second waits in the queue, the results have a verdict, a command, files and a report."""
     with browser.open(address) as page:  # the program may not be loaded yet
@@ -73,7 +80,7 @@ def check_paper(page):
 
 def check_link_of_fit(browser, page, address):
     """Shows a fitted material in the catalogue, and opens its permanent link in another tab."""
-    page.evaluate("[...document.querySelectorAll('.pane button')].find(b => b.textContent.includes('catalogue')).click()")
+    show_in_catalogue(page)
     page.wait("document.querySelectorAll('#plots svg').length === 2 && location.hash !== ''")
     link = page.evaluate("location.hash")
     page.wait(f"document.getElementById('permanent_link').value.endsWith({json.dumps(link)})")
@@ -159,7 +166,7 @@ def check_settings(browser, address, tables):
         rows = "".join(f"{t},0,{o},{phi},0.1,0.2,0.3\n" for t in (10, 50) for o in (0, 20, 40, 60) for phi in (0, 180))
         drop(page, ("named.csv", "theta_i,phi_i,theta_o,phi_o,b,g,r\n" + rows))
         wait_for_states(page, "fitted, outside the tolerance", "fitted")
-        page.evaluate("[...document.querySelectorAll('.pane button')].find(b => b.textContent.includes('catalogue')).click()")
+        show_in_catalogue(page)
         page.wait("location.hash.startsWith('#material=')")
         assert not page.console, page.console
 
