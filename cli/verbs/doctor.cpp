@@ -13,7 +13,7 @@
 #include "io/files/error.h"
 #include "io/files/provenance.h"
 #include "io/material/info_json.h"
-#include "io/page/html_report.h"
+#include "io/page/chart.h"
 #ifdef BRDF_HAS_RENDER
 #include "render/text/font.h"
 #include "render/vulkan/device.h"

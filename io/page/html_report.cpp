@@ -1,33 +1,16 @@
 #include "io/page/html_report.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
-#include "io/files/error.h"
-#include "io/files/installed.h"
+#include "io/page/chart.h"
 #include "io/page/html_files.h"
 #include "io/page/html_markup.h"
-
-#ifndef BRDF_CHART_JS
-#define BRDF_CHART_JS "/usr/share/javascript/chart.js/chart.min.js"
-#endif
 
 namespace brdf::io {
 namespace {
 
-// Returns the file of Chart.js: next to the program, or in the place of the distribution.
-std::filesystem::path chart_file() {
-  for (const char* name : {"brdf/chart.min.js", "javascript/chart.js/chart.min.js"})
-    if (std::filesystem::path file = installed_file(name); !file.empty()) return file;
-  return BRDF_CHART_JS;
-}
-
 std::string chart_library() {
-  std::ifstream file(chart_file_for_reports(), std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = chart_text();
   // Remove the scheme of the addresses in the licence comments. A report refers to nothing outside the
   // file, and a search for addresses can then prove it.
   constexpr std::string_view kScheme = "https://";
@@ -45,13 +28,6 @@ std::string turning(const Figure& figure) {
 }
 
 }  // namespace
-
-std::filesystem::path chart_file_for_reports() {
-  std::filesystem::path file = chart_file();
-  if (!std::filesystem::is_regular_file(file))
-    throw EnvironmentError("HTML reports need Chart.js at " BRDF_CHART_JS " (Debian: libjs-chart.js)");
-  return file;
-}
 
 void HtmlReport::heading(std::string_view text) {
   body_ += "<h2>" + html_escaped(text) + "</h2>\n";

@@ -23,9 +23,6 @@
 
 namespace brdf::io {
 
-// Returns the file of Chart.js that reports embed. Throws EnvironmentError if there is no such file.
-std::filesystem::path chart_file_for_reports();
-
 // A line of a plot. Points with a value that is not finite, or not positive on a logarithmic axis, are
 // gaps.
 struct Series {

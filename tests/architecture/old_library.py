@@ -14,9 +14,9 @@ import sys
 import rooms
 
 HEADER = "browser/old_standard_library.h"
-ELSEWHERE = ("io/files/digest/", "io/formats/exrOpenEXR_")  # not compiled for the page
+ELSEWHERE = ("io/files/digest/", "io/formats/exrOpenEXR_", "validate/joint/", "validate/outside/")  # not compiled for the page
 CALL = re.compile(r"\bstd::ranges::(\w+)\(")
-DEFINED = re.compile(r"^BRDF_OF_[A-Z]+\((\w+)|^constexpr \w+ (\w+)\(", re.M)
+DEFINED = re.compile(r"^BRDF_OF_[A-Z]+\((\w+)|^(?:constexpr )?\w+ (\w+)\(", re.M)
 
 
 def missing(defined, texts):

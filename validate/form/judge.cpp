@@ -6,9 +6,9 @@
 #include "io/files/numbers.h"
 #include "io/files/parallel.h"
 #include "validate/form/checks.h"
-#include "validate/form/outside_checks.h"
-#include "validate/form/rare_branches.h"
 #include "validate/joint/judge_sampler.h"
+#include "validate/outside/outside_checks.h"
+#include "validate/outside/rare_branches.h"
 
 namespace brdf::validate {
 namespace {
@@ -171,6 +171,7 @@ std::vector<Finding> run_checks(const std::vector<Subject>& subjects, const Chec
   };
   io::parallel_in_order(int(order.size()), int(io::all_processors()), progress, run, [](std::size_t) {});
   for (std::size_t s = 0; s < subjects.size(); ++s) {
+    if (!subjects[s].is_outside()) continue;
     const std::span own = std::span(findings).subspan(s * kCount, kCount);
     apply_voids(subjects[s], own);
     Budget budget(options.seconds);

@@ -4,7 +4,7 @@
 #include "brdf/geometry.h"
 #include "io/files/numbers.h"
 #include "validate/form/checks.h"
-#include "validate/form/outside_checks.h"
+#include "validate/outside/outside_checks.h"
 #include "validate/search/degrees.h"
 #include "validate/search/jump_search.h"
 #include "validate/search/pair_search.h"

@@ -1,4 +1,4 @@
-#include "validate/form/rare_branches.h"
+#include "validate/outside/rare_branches.h"
 
 #include <algorithm>
 #include <cmath>
