@@ -1,6 +1,7 @@
 #include "io/page/html_report.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "io/page/chart.h"
 #include "io/page/html_files.h"

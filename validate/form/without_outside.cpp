@@ -1,5 +1,5 @@
-// Checks of outside code and of samplers in a build with an empty BRDF_OUTSIDE, such as the page for browsers,
-// in place of the folders outside and joint: refused by name.
+// Checks of outside code and of samplers in a build with an empty BRDF_OUTSIDE, such as the page for
+// browsers, in place of the folders outside and joint: refused by name.
 #include "io/files/error.h"
 #include "validate/joint/judge_sampler.h"
 #include "validate/outside/outside_checks.h"
