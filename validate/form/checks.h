@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/files/parallel.h"
+#include "validate/outside/outside_checks.h"
 #include "validate/search/finding.h"
 #include "validate/search/options.h"
 #include "validate/search/subject.h"
@@ -18,10 +19,6 @@ namespace brdf::validate {
 // Checks that f and f cos are finite for every direction: below and at the horizon, coincident, opposite
 // and subnormal.
 Finding check_finite(const Subject& subject, const CheckOptions& options);
-// Checks that no value depends on behaviour that the shader language leaves undefined. Applies only to
-// outside code, that is, code that is not part of the catalogue, such as a user's shader. `share` is the
-// share of the pairs inside the hemisphere at which a value is undefined.
-Finding check_undefined(const Subject& subject, const CheckOptions& options);
 // Checks that the lowest f is not below 0.
 Finding check_non_negative(const Subject& subject, const CheckOptions& options);
 // Checks f(i, o) = f(o, i) on all pairs of a grid of cosines graded from 1 to 1e-6, and by a search between
@@ -43,9 +40,6 @@ Finding check_normalisation(const Subject& subject, const CheckOptions& options)
 Finding check_white_furnace(const Subject& subject, const CheckOptions& options);
 // Checks that f cos_i over the sampling density averages to the albedo.
 Finding check_sampling(const Subject& subject, const CheckOptions& options);
-// Checks that float, and half precision if the code has values that may have 16 bits, agree with double of
-// the same code. Applies only to outside code.
-Finding check_float(const Subject& subject, const CheckOptions& options);
 // Checks that derivatives by dual numbers agree with finite differences.
 Finding check_derivatives(const Subject& subject, const CheckOptions& options);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "io/files/numbers.h"
-#include "validate/form/checks.h"
+#include "validate/outside/outside_checks.h"
 #include "validate/search/pair_search.h"
 
 namespace brdf::validate {

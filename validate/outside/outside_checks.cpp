@@ -5,7 +5,6 @@
 
 #include "io/files/numbers.h"
 #include "io/files/text.h"
-#include "validate/form/checks.h"
 #include "validate/outside/outside_checks.h"
 #include "validate/search/special_pairs.h"
 

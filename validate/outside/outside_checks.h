@@ -5,7 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "validate/form/checks.h"
+#include "validate/search/finding.h"
+#include "validate/search/options.h"
+#include "validate/search/subject.h"
 
 namespace brdf::validate {
 
@@ -17,6 +19,14 @@ inline constexpr std::string_view kVacuous = "vacuous: ";
 // Faults at the horizon alone do not fail the check. `share` is the share inside the hemisphere. The
 // finding is undecided for a function that is 0 everywhere, since every property holds for such a function.
 Finding check_outside_finite(const Subject& subject, const CheckOptions& options);
+
+// Checks that no value depends on behaviour that the shader language leaves undefined. Applies only to
+// outside code, that is, code that is not part of the catalogue, such as a user's shader. `share` is the
+// share of the pairs inside the hemisphere at which a value is undefined.
+Finding check_undefined(const Subject& subject, const CheckOptions& options);
+// Checks that float, and half precision if the code has values that may have 16 bits, agree with double of
+// the same code. Applies only to outside code.
+Finding check_float(const Subject& subject, const CheckOptions& options);
 
 // Applies the rules by which the findings of one outside subject void each other. A value below 0 that any
 // check met fails non_negative. A failure becomes undecided if its witness is undefined. If a positive

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "io/files/numbers.h"
+#include "validate/joint/judge_sampler.h"
 #include "validate/search/degrees.h"
 
 namespace brdf::validate {
@@ -178,8 +179,8 @@ class BranchSearch {
 
 // Whether a check looks at values of f or at integrals of them.
 bool depends_on_f(std::string_view check) {
-  const auto row = std::ranges::find(kChecks, check, &Check::name);
-  return check != "undefined" && (row->of != Check::Of::sampled || check == "sample_mean");
+  const bool of_sampler = std::ranges::count(kSamplerChecks, check) > 0;
+  return check != "undefined" && (!of_sampler || check == "sample_mean");
 }
 
 std::string sentence_of(const Subject& subject, const RareBranch& b) {

@@ -1,10 +1,14 @@
 // Branches of outside code that the searches of the checks hardly meet.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
-#include "validate/form/checks.h"
+#include "validate/search/finding.h"
+#include "validate/search/options.h"
 #include "validate/search/pair_search.h"
+#include "validate/search/subject.h"
 
 namespace brdf::validate {
 
