@@ -5,7 +5,8 @@ target_include_directories(brdf_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(brdf_options INTERFACE BRDF_VERSION="${PROJECT_VERSION}"
                            $<$<NOT:${all_clones}>:BRDF_FEW_CLONES>)
 set(gnu $<CXX_COMPILER_ID:GNU>)
-set(release $<AND:$<CONFIG:Release>,$<NOT:$<BOOL:${EMSCRIPTEN}>>>)  # a page has one level (browser/)
+set(page $<BOOL:${EMSCRIPTEN}>)  # fetched before it computes: its preset has -Oz
+set(release $<AND:$<CONFIG:Release>,$<NOT:${page}>>)
 set(sanitized $<BOOL:${BRDF_SANITIZED}>)
 target_compile_options(
   brdf_options INTERFACE -Wall -Wextra -Wno-missing-field-initializers -fno-semantic-interposition
